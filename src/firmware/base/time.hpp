@@ -1,0 +1,45 @@
+// Time as the firmware knows it: a 64-bit count of microseconds that is passed in. Nothing below host/ reads a clock.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof {
+
+/// A length of time in microseconds; 64 bits hold more than 500,000 years.
+struct Duration {
+    std::uint64_t us{0U};
+};
+
+/// A point in time: microseconds since an epoch that the caller chooses and keeps.
+struct Instant {
+    std::uint64_t us{0U};
+};
+
+constexpr Duration microseconds(const std::uint64_t count) noexcept { return Duration{count}; }
+constexpr Duration milliseconds(const std::uint64_t count) noexcept { return Duration{count * 1000U}; }
+/// CiA 301 counts inhibit times in multiples of 100 µs.
+constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept { return Duration{count * 100U}; }
+
+/// "At no time": later than every event. The answer of next_deadline() when nothing is due.
+constexpr Instant never{UINT64_MAX};
+
+constexpr bool operator==(const Instant a, const Instant b) noexcept { return a.us == b.us; }
+constexpr bool operator!=(const Instant a, const Instant b) noexcept { return a.us != b.us; }
+constexpr bool operator<(const Instant a, const Instant b) noexcept { return a.us < b.us; }
+constexpr bool operator<=(const Instant a, const Instant b) noexcept { return a.us <= b.us; }
+constexpr bool operator>(const Instant a, const Instant b) noexcept { return a.us > b.us; }
+constexpr bool operator>=(const Instant a, const Instant b) noexcept { return a.us >= b.us; }
+
+/// Saturates at `never`, so that a deadline cannot wrap into the past.
+constexpr Instant operator+(const Instant start, const Duration length) noexcept {
+    return (start.us > (UINT64_MAX - length.us)) ? never : Instant{start.us + length.us};
+}
+
+/// Time from `earlier` to `later`; zero when they are the wrong way round.
+constexpr Duration elapsed(const Instant earlier, const Instant later) noexcept {
+    return (later.us > earlier.us) ? Duration{later.us - earlier.us} : Duration{0U};
+}
+
+constexpr Instant earliest(const Instant a, const Instant b) noexcept { return (a < b) ? a : b; }
+
+}  // namespace canproof

@@ -1,0 +1,32 @@
+// A classic CAN frame (ISO 11898-1: up to eight data bytes).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/base/bytes.hpp"
+
+namespace canproof {
+
+constexpr std::size_t max_frame_length = 8U;
+
+struct Frame {
+    std::uint32_t id{0U};  ///< 11-bit identifier 0…7FFh, or 29-bit when `extended`
+    bool extended{false};
+    bool remote{false};      ///< RTR: asks for the frame, carries no data
+    std::uint8_t length{0U};  ///< DLC, 0…8
+    std::array<std::uint8_t, max_frame_length> data{};
+
+    ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
+};
+
+/// A data frame with `length` (0…8) zero bytes.
+inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexcept {
+    Frame frame{};
+    frame.id = id;
+    frame.length = length;
+    return frame;
+}
+
+}  // namespace canproof

@@ -1,0 +1,144 @@
+// The rows of an object dictionary as the register's compiler writes them. Plain constants in flash; see object_dictionary.hpp
+// for the view that the services use.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace canproof {
+
+/// CiA 301 data types (the numbers are CiA's own indices).
+enum class DataType : std::uint8_t {
+    boolean = 0x01U,
+    integer8 = 0x02U,
+    integer16 = 0x03U,
+    integer32 = 0x04U,
+    unsigned8 = 0x05U,
+    unsigned16 = 0x06U,
+    unsigned32 = 0x07U,
+    real32 = 0x08U,
+    visible_string = 0x09U,
+    octet_string = 0x0AU,
+    domain = 0x0FU,
+    real64 = 0x11U,
+    integer64 = 0x15U,
+    unsigned64 = 0x1BU
+};
+
+/// What SDO and PDO may do with an entry, as bits of EntryRow::rights.
+namespace rights {
+constexpr std::uint8_t read = 0x01U;
+constexpr std::uint8_t write = 0x02U;
+constexpr std::uint8_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
+constexpr std::uint8_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
+constexpr std::uint8_t stored = 0x10U;    ///< kept by 1010h
+constexpr std::uint8_t node_id = 0x20U;   ///< the default has the node-ID added
+constexpr std::uint8_t constant = 0x40U;  ///< the value lies in flash: `offset` counts in the constant pool
+}  // namespace rights
+
+/// The firmware file that guards an entry: asked before a write, told after it.
+enum class Service : std::uint8_t {
+    none,
+    sync,
+    emcy,
+    heartbeat,
+    guarding,
+    pdo,
+    store,
+    nmt,
+    error_behaviour,
+    program,
+    lss,
+    device
+};
+
+/// One sub-index. `offset` and `size` are bytes in the value image (or in the constant pool, see rights::constant).
+/// `size` of a string is its capacity. DOMAIN has size 0.
+struct EntryRow {
+    std::uint16_t offset;
+    std::uint16_t size;
+    std::uint16_t limit;  ///< row of the limit table; no_limit when the type's own range holds
+    std::uint8_t subindex;
+    DataType type;
+    std::uint8_t rights;
+    Service service;
+};
+
+constexpr std::uint16_t no_limit = 0xFFFFU;
+
+enum class ObjectKind : std::uint8_t { var = 0x07U, array = 0x08U, record = 0x09U };
+
+/// One index: `count` consecutive rows of the entry table, ascending by sub-index.
+struct ObjectRow {
+    std::uint16_t index;
+    std::uint16_t first_entry;
+    std::uint8_t count;
+    ObjectKind kind;
+};
+
+/// How one end of a range is given.
+enum class LimitKind : std::uint8_t {
+    none,   ///< the type's own range
+    value,  ///< `bits` is the limit itself, in the entry's type
+    entry,  ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
+    list    ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
+};
+
+constexpr std::uint32_t same_subindex = 0xFFU;  ///< sub-index in a LimitKind::entry that means "as the entry written"
+
+struct Limit {
+    LimitKind kind;
+    std::uint32_t bits;
+    std::int32_t add;
+};
+
+struct LimitRow {
+    Limit minimum;
+    Limit maximum;
+};
+
+/// A pointer and a count: one generated table.
+template <typename Row>
+struct TableView {
+    const Row* rows{nullptr};
+    std::size_t count{0U};
+
+    constexpr const Row* begin() const noexcept { return rows; }
+    constexpr const Row* end() const noexcept { return rows + count; }
+    constexpr const Row& operator[](const std::size_t at) const noexcept { return rows[at]; }
+};
+
+template <typename Array>
+constexpr auto table_view(const Array& rows) noexcept {
+    return TableView<typename Array::value_type>{rows.data(), rows.size()};
+}
+
+/// Everything the compiler knows of one dictionary.
+struct DictionaryTables {
+    TableView<ObjectRow> objects;              ///< ascending by index
+    TableView<EntryRow> entries;               ///< ascending by index, sub-index
+    TableView<LimitRow> limits;                ///<
+    TableView<std::uint32_t> allowed;          ///< values of LimitKind::list, as bit patterns of the entry's type
+    TableView<std::uint8_t> constants;         ///< values of rights::constant entries
+    TableView<std::uint8_t> defaults;          ///< the value image as shipped, node-ID terms not yet added
+    std::uint32_t layout;                      ///< fingerprint of entries and offsets: a stored set fits only its own layout
+};
+
+/// A value of the image by name: what the device code uses. `T` is an arithmetic type.
+template <typename T>
+struct Field {
+    std::uint16_t offset;
+};
+
+/// The elements of an ARRAY by sub-index 1…N.
+template <typename T, std::uint8_t N>
+struct ArrayField {
+    std::uint16_t offset;
+    static constexpr std::uint8_t count = N;
+
+    constexpr Field<T> operator[](const std::uint8_t subindex) const noexcept {
+        return Field<T>{static_cast<std::uint16_t>(offset + ((subindex - 1U) * sizeof(T)))};
+    }
+};
+
+}  // namespace canproof
