@@ -1,0 +1,22 @@
+#include "firmware/canopen/cob_id.hpp"
+
+#include "generated/canopen/tables.hpp"
+
+namespace canproof::cob_id {
+
+bool is_restricted(const std::uint32_t identifier) noexcept {
+    const auto* const row = generated::canopen::t_co_t_restricted_cob_id::find(static_cast<std::uint16_t>(identifier));
+    return (row == nullptr) || row->restricted;
+}
+
+AbortCode check_change(const std::uint32_t current, const std::uint32_t wanted, const std::uint32_t flags,
+                       const bool in_use) noexcept {
+    const std::uint32_t id = identifier(wanted);
+    if (((wanted & ~(flags | identifier_mask)) != 0U) || is_restricted(id)) {
+        return AbortCode::value_range;
+    }
+    const bool stays_in_use = in_use && ((flags & not_valid & wanted) == 0U);
+    return (stays_in_use && (id != identifier(current))) ? AbortCode::device_state : AbortCode::none;
+}
+
+}  // namespace canproof::cob_id

@@ -1,0 +1,166 @@
+#include "firmware/canopen/emcy.hpp"
+
+#include "firmware/canopen/cob_id.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint16_t error_register_index = 0x1001U;
+constexpr std::uint16_t error_list_index = 0x1003U;
+constexpr std::uint16_t cob_id_index = 0x1014U;
+constexpr std::uint16_t inhibit_time_index = 0x1015U;
+constexpr std::uint16_t error_cured_code = 0x0000U;
+
+}  // namespace
+
+void Emcy::reset() noexcept {
+    active_.fill(false);
+    pending_count_ = 0U;
+    may_send_at_ = Instant{};
+    clear_list();
+    objects_.write(error_register_index, 0U, 0U);
+}
+
+void Emcy::refresh() noexcept { objects_.write(error_register_index, 0U, active_register()); }
+
+bool Emcy::is_active(const ErrorId error) const noexcept { return active_[static_cast<std::size_t>(error)]; }
+
+void Emcy::set(const ErrorId error, const bool present, const Instant now) noexcept {
+    const std::size_t at = static_cast<std::size_t>(error);
+    const ErrorRow& row = errors_[at];
+    if ((row.code == error_cured_code) || (active_[at] == present)) {
+        return;
+    }
+    active_[at] = present;
+    const std::uint8_t register_value = active_register();
+    objects_.write(error_register_index, 0U, register_value);
+    if (present && row.listed) {
+        enter_into_list(row.code);
+    }
+    if (!present && (list_ == ErrorList::active)) {
+        remove_from_list(row.code);
+    }
+    if (row.sent) {
+        announce(present ? row.code : error_cured_code, register_value, now);
+    }
+}
+
+void Emcy::report(const ErrorId error, const Instant now) noexcept {
+    const ErrorRow& row = errors_[static_cast<std::size_t>(error)];
+    if (row.code == error_cured_code) {
+        return;
+    }
+    if (row.listed) {
+        enter_into_list(row.code);
+    }
+    if (row.sent) {
+        announce(row.code, static_cast<std::uint8_t>(active_register() | row.register_bits), now);
+    }
+}
+
+std::uint8_t Emcy::active_register() const noexcept {
+    std::uint8_t bits{0U};
+    for (std::size_t i = 0U; i < max_errors; ++i) {
+        if (active_[i]) {
+            bits = static_cast<std::uint8_t>(bits | errors_[i].register_bits);
+        }
+    }
+    return bits;
+}
+
+void Emcy::enter_into_list(const std::uint16_t code) noexcept {
+    // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
+    const std::uint32_t capacity = list_capacity();
+    if (capacity == 0U) {
+        return;
+    }
+    const std::uint32_t count = objects_.read(error_list_index, 0U);
+    const std::uint32_t kept = (count < capacity) ? count : (capacity - 1U);
+    for (std::uint32_t sub = kept; sub > 0U; --sub) {
+        const std::uint32_t moved = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
+        objects_.write(error_list_index, static_cast<std::uint8_t>(sub + 1U), moved);
+    }
+    objects_.write(error_list_index, 1U, code);
+    objects_.write(error_list_index, 0U, kept + 1U);
+}
+
+void Emcy::remove_from_list(const std::uint16_t code) noexcept {
+    const std::uint32_t count = objects_.read(error_list_index, 0U);
+    std::uint32_t kept{0U};
+    for (std::uint32_t sub = 1U; sub <= count; ++sub) {
+        const std::uint32_t listed = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
+        if ((listed & 0xFFFFU) != code) {
+            ++kept;
+            objects_.write(error_list_index, static_cast<std::uint8_t>(kept), listed);
+        }
+    }
+    for (std::uint32_t sub = kept + 1U; sub <= count; ++sub) {
+        objects_.write(error_list_index, static_cast<std::uint8_t>(sub), 0U);
+    }
+    objects_.write(error_list_index, 0U, kept);
+}
+
+std::uint8_t Emcy::list_capacity() const noexcept {
+    std::uint8_t capacity{0U};
+    while ((capacity < (UINT8_MAX - 1U)) && objects_.has(error_list_index, static_cast<std::uint8_t>(capacity + 1U))) {
+        ++capacity;
+    }
+    return capacity;
+}
+
+void Emcy::clear_list() noexcept {
+    const std::uint8_t capacity = list_capacity();
+    for (std::uint8_t sub = 0U; sub <= capacity; ++sub) {
+        objects_.write(error_list_index, sub, 0U);
+    }
+}
+
+void Emcy::announce(const std::uint16_t code, const std::uint8_t register_value, const Instant now) noexcept {
+    const std::uint32_t cob_id_entry = objects_.read(cob_id_index, 0U);
+    if (!cob_id::is_valid(cob_id_entry) || (pending_count_ == pending_capacity)) {
+        return;
+    }
+    Frame frame = data_frame(cob_id::identifier(cob_id_entry), max_frame_length);
+    write_le(MutableBytes{frame.data}, 0U, 2U, code);
+    frame.data[2] = register_value;
+    frame.data[3] = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
+    pending_[pending_count_] = frame;
+    ++pending_count_;
+    advance(now);
+}
+
+void Emcy::enable(const bool enabled, const Instant now) noexcept {
+    enabled_ = enabled;
+    advance(now);
+}
+
+void Emcy::advance(const Instant now) noexcept {
+    const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
+    while (enabled_ && (pending_count_ > 0U) && (may_send_at_ <= now)) {
+        static_cast<void>(queue_.push(pending_[0]));
+        --pending_count_;
+        for (std::size_t i = 0U; i < pending_count_; ++i) {
+            pending_[i] = pending_[i + 1U];
+        }
+        may_send_at_ = now + inhibit;
+    }
+}
+
+Instant Emcy::next_deadline() const noexcept { return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never; }
+
+AbortCode Emcy::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+    if (entry.index != cob_id_index) {
+        return AbortCode::none;
+    }
+    const std::uint32_t current = objects_.read(cob_id_index, 0U);
+    return cob_id::check_change(current, read_u32(value, 0U), cob_id::not_valid, cob_id::is_valid(current));
+}
+
+void Emcy::after_write(const EntryRef& entry) noexcept {
+    if (entry.is(error_list_index, 0U)) {
+        clear_list();
+    }
+}
+
+}  // namespace canproof

@@ -1,0 +1,107 @@
+#include "firmware/canopen/error_control.hpp"
+
+#include "firmware/canopen/cob_id.hpp"
+#include "generated/canopen/constants.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint16_t guard_time_index = 0x100CU;
+constexpr std::uint16_t life_time_factor_index = 0x100DU;
+constexpr std::uint16_t guarding_identifier_index = 0x100EU;
+constexpr std::uint16_t heartbeat_time_index = 0x1017U;
+constexpr std::uint8_t toggle_bit = 0x80U;
+
+}  // namespace
+
+std::uint32_t ErrorControl::identifier() const noexcept {
+    const auto configured = objects_.find(guarding_identifier_index, 0U);
+    return configured.ok() ? cob_id::identifier(objects_.read(guarding_identifier_index, 0U))
+                           : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
+}
+
+Duration ErrorControl::heartbeat_time() const noexcept {
+    return milliseconds(objects_.read(heartbeat_time_index, 0U));
+}
+
+Duration ErrorControl::life_time() const noexcept {
+    const std::uint64_t guard_time = objects_.read(guard_time_index, 0U);
+    return milliseconds(guard_time * objects_.read(life_time_factor_index, 0U));
+}
+
+void ErrorControl::send_state(const std::uint8_t octet) noexcept {
+    Frame frame = data_frame(identifier(), 1U);
+    frame.data[0] = octet;
+    static_cast<void>(queue_.push(frame));
+}
+
+void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexcept {
+    node_id_ = node_id;
+    toggle_ = false;
+    life_failed_ = false;
+    life_deadline_ = never;
+    send_state(static_cast<std::uint8_t>(NmtState::initialising));
+    start_heartbeat(now);
+}
+
+void ErrorControl::start_heartbeat(const Instant now) noexcept {
+    const Duration time = heartbeat_time();
+    next_heartbeat_ = (time.us == 0U) ? never : (now + time);
+    if (time.us != 0U) {
+        // A heartbeat producer is not guarded (CiA 301, 7.2.8.2.2.1): either protocol, never both.
+        life_deadline_ = never;
+        life_failed_ = false;
+    }
+}
+
+bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
+    const bool is_request = frame.remote && !frame.extended && (frame.id == identifier());
+    if (!is_request || (heartbeat_time().us != 0U)) {
+        return false;
+    }
+    const std::uint8_t state = static_cast<std::uint8_t>(state_);
+    send_state(toggle_ ? static_cast<std::uint8_t>(state | toggle_bit) : state);
+    toggle_ = !toggle_;
+    life_failed_ = false;
+    // Life guarding starts with the first request, not with the objects being set.
+    life_deadline_ = (life_time().us == 0U) ? never : (now + life_time());
+    return true;
+}
+
+void ErrorControl::advance(const Instant now) noexcept {
+    if (next_heartbeat_ <= now) {
+        send_state(static_cast<std::uint8_t>(state_));
+        next_heartbeat_ = next_heartbeat_ + heartbeat_time();
+        if (next_heartbeat_ <= now) {
+            next_heartbeat_ = now + heartbeat_time();
+        }
+    }
+    if (life_deadline_ <= now) {
+        life_deadline_ = never;
+        life_failed_ = true;
+    }
+}
+
+AbortCode ErrorControl::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+    if (entry.index != guarding_identifier_index) {
+        return AbortCode::none;
+    }
+    const std::uint32_t wanted = read_u32(value, 0U);
+    const bool fits = (wanted != 0U) && (wanted == cob_id::identifier(wanted));
+    return fits ? AbortCode::none : AbortCode::value_range;
+}
+
+void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcept {
+    if (entry.index == heartbeat_time_index) {
+        start_heartbeat(now);
+    } else if ((entry.index == guard_time_index) || (entry.index == life_time_factor_index)) {
+        // A running life guarding goes on with the new time; one that is off waits for the next request.
+        const bool running = life_deadline_ != never;
+        life_deadline_ = (running && (life_time().us != 0U)) ? (now + life_time()) : never;
+    } else {
+        // 100Eh: the next message takes the new identifier.
+    }
+}
+
+}  // namespace canproof

@@ -1,0 +1,48 @@
+// Error control: boot-up, heartbeat producer, node guarding and life guarding (CiA 301, 7.2.8.2).
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+
+namespace canproof {
+
+class ErrorControl {
+  public:
+    ErrorControl(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
+
+    /// After a reset: sends the boot-up message and starts heartbeat or waits for guarding.
+    void boot_up(std::uint8_t node_id, Instant now) noexcept;
+    void set_state(const NmtState state) noexcept { state_ = state; }
+
+    /// Answers the master's guarding request. True when the frame was one (life guarding is then fed).
+    bool receive(const Frame& frame, Instant now) noexcept;
+    void advance(Instant now) noexcept;
+    Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
+
+    /// The master's guarding requests failed to come for guard time × life time factor.
+    bool life_guarding_failed() const noexcept { return life_failed_; }
+
+    /// 1017h, 100Ch or 100Dh changed: what they govern starts anew.
+    void after_write(const EntryRef& entry, Instant now) noexcept;
+    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+
+  private:
+    std::uint32_t identifier() const noexcept;
+    Duration heartbeat_time() const noexcept;
+    Duration life_time() const noexcept;
+    void send_state(std::uint8_t octet) noexcept;
+    void start_heartbeat(Instant now) noexcept;
+
+    ObjectDictionary& objects_;
+    TransmitQueue& queue_;
+    std::uint8_t node_id_{0U};
+    NmtState state_{NmtState::initialising};
+    bool toggle_{false};
+    bool life_failed_{false};
+    Instant next_heartbeat_{never};
+    Instant life_deadline_{never};
+};
+
+}  // namespace canproof

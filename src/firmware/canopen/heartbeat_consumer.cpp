@@ -1,0 +1,85 @@
+#include "firmware/canopen/heartbeat_consumer.hpp"
+
+#include "generated/canopen/constants.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint32_t time_mask = 0xFFFFU;
+constexpr std::uint32_t max_node_id = 127U;
+
+constexpr std::uint32_t node_id_of(const std::uint32_t setting) noexcept { return (setting >> 16U) & 0xFFU; }
+
+/// A time or node-ID of zero, or a node-ID that cannot exist, watches nobody (CiA 301, 7.5.2.19).
+constexpr bool is_active(const std::uint32_t setting) noexcept {
+    const std::uint32_t node_id = node_id_of(setting);
+    return ((setting & time_mask) != 0U) && (node_id >= 1U) && (node_id <= max_node_id);
+}
+
+}  // namespace
+
+void HeartbeatConsumer::reset() noexcept { watches_.fill(Watch{}); }
+
+std::uint32_t HeartbeatConsumer::setting(const std::size_t slot) const noexcept {
+    return objects_.read(index, static_cast<std::uint8_t>(slot + 1U));
+}
+
+void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept {
+    if (frame.extended || frame.remote || (frame.length != 1U)) {
+        return;
+    }
+    for (std::size_t slot = 0U; slot < max_producers; ++slot) {
+        const std::uint32_t watched = setting(slot);
+        if (is_active(watched) && (frame.id == (generated::canopen::guarding_cob_id_base + node_id_of(watched)))) {
+            watches_[slot].failed = false;
+            watches_[slot].deadline = now + milliseconds(watched & time_mask);
+        }
+    }
+}
+
+void HeartbeatConsumer::advance(const Instant now) noexcept {
+    for (Watch& watch : watches_) {
+        if (watch.deadline <= now) {
+            watch.deadline = never;
+            watch.failed = true;
+        }
+    }
+}
+
+Instant HeartbeatConsumer::next_deadline() const noexcept {
+    Instant next{never};
+    for (const Watch& watch : watches_) {
+        next = earliest(next, watch.deadline);
+    }
+    return next;
+}
+
+bool HeartbeatConsumer::failed() const noexcept {
+    bool any{false};
+    for (const Watch& watch : watches_) {
+        any = any || watch.failed;
+    }
+    return any;
+}
+
+AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+    const std::uint32_t wanted = read_u32(value, 0U);
+    bool taken{false};
+    for (std::size_t slot = 0U; slot < max_producers; ++slot) {
+        const std::uint32_t other = setting(slot);
+        const bool is_other = (slot + 1U) != entry.row->subindex;
+        taken = taken || (is_other && is_active(other) && (node_id_of(other) == node_id_of(wanted)));
+    }
+    // One producer in two active entries is refused (CiA 301, 7.5.2.19).
+    return (is_active(wanted) && taken) ? AbortCode::parameter_incompatible : AbortCode::none;
+}
+
+void HeartbeatConsumer::after_write(const EntryRef& entry) noexcept {
+    const std::size_t slot = entry.row->subindex - std::size_t{1U};
+    if (slot < max_producers) {
+        watches_[slot] = Watch{};
+    }
+}
+
+}  // namespace canproof

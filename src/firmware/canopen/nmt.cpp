@@ -1,0 +1,34 @@
+#include "firmware/canopen/nmt.hpp"
+
+#include "generated/canopen/constants.hpp"
+#include "generated/canopen/tables.hpp"
+
+namespace canproof {
+
+std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
+    constexpr std::uint8_t command_length{2U};
+    if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||
+        (frame.length != command_length)) {
+        return std::nullopt;
+    }
+    const std::uint8_t addressed = frame.data[1];
+    if ((addressed != 0U) && (addressed != node_id)) {
+        return std::nullopt;
+    }
+    switch (frame.data[0]) {
+        case static_cast<std::uint8_t>(NmtCommand::start):
+            return NmtCommand::start;
+        case static_cast<std::uint8_t>(NmtCommand::stop):
+            return NmtCommand::stop;
+        case static_cast<std::uint8_t>(NmtCommand::enter_pre_operational):
+            return NmtCommand::enter_pre_operational;
+        case static_cast<std::uint8_t>(NmtCommand::reset_node):
+            return NmtCommand::reset_node;
+        case static_cast<std::uint8_t>(NmtCommand::reset_communication):
+            return NmtCommand::reset_communication;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace canproof

@@ -1,0 +1,21 @@
+// NMT: the commands of the master, and what works in which state (CiA 301, 7.2.8 and 7.3.2).
+#pragma once
+
+#include <optional>
+
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/vocabulary.hpp"
+
+namespace canproof {
+
+/// The services whose use depends on the NMT state.
+enum class NmtService : std::uint8_t { pdo, sdo, sync, emcy };
+
+/// Whether a service works in a state: table CO-T-SERVICES.
+bool is_allowed(NmtService service, NmtState state) noexcept;
+
+/// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or `node_id`.
+/// Everything else is no command.
+std::optional<NmtCommand> nmt_command(const Frame& frame, std::uint8_t node_id) noexcept;
+
+}  // namespace canproof

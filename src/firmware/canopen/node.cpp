@@ -1,0 +1,335 @@
+#include "firmware/canopen/node.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint16_t error_behaviour_index = 0x1029U;
+constexpr std::uint8_t communication_error_subindex = 1U;
+// Values of 1029h (CiA 301, 7.5.2.32); 1 leaves the state alone.
+constexpr std::uint32_t to_pre_operational = 0U;
+constexpr std::uint32_t to_stopped = 2U;
+constexpr std::uint16_t store_index = 0x1010U;
+
+}  // namespace
+
+Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
+           const ErrorTable& errors, const NodeProfile& profile) noexcept
+    : objects_{objects},
+      queue_{queue},
+      application_{application},
+      profile_{profile},
+      store_{objects, memory},
+      sdo_{*this, queue},
+      emcy_{objects, queue, errors, profile.error_list},
+      sync_{objects, queue},
+      error_control_{objects, queue},
+      heartbeats_{objects},
+      rpdos_{objects, *this, queue, profile.rpdo_answers_remote} {}
+
+void Node::power_on(const std::uint8_t node_id, const Instant now) noexcept {
+    node_id_ = node_id;
+    reset_node(now);
+}
+
+void Node::load_group(const ParameterGroup group) noexcept {
+    objects_.load_defaults(group, node_id_);
+    application_.put_factory_values();
+    store_.load(group_bit(group));
+}
+
+void Node::reset_node(const Instant now) noexcept {
+    const StoredSet found = store_.open();
+    load_group(ParameterGroup::communication);
+    load_group(ParameterGroup::manufacturer);
+    load_group(ParameterGroup::application);
+    emcy_.enable(false, now);
+    emcy_.reset();
+    communication_failed_ = false;
+    application_.restart(now);
+    boot_up(now);
+    emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
+    emcy_.set(ErrorId::internal_software, found == StoredSet::corrupt, now);
+}
+
+void Node::reset_communication(const Instant now) noexcept {
+    load_group(ParameterGroup::communication);
+    emcy_.refresh();
+    boot_up(now);
+}
+
+void Node::boot_up(const Instant now) noexcept {
+    state_ = NmtState::initialising;
+    start_at_ = never;
+    sdo_.reset(node_id_);
+    heartbeats_.reset();
+    error_control_.boot_up(node_id_, now);
+    enter(NmtState::pre_operational, now);
+    watch_communication(now);
+    application_.booted(now);
+}
+
+void Node::enter(const NmtState state, const Instant now) noexcept {
+    state_ = state;
+    error_control_.set_state(state);
+    if (!is_allowed(NmtService::sdo, state)) {
+        sdo_.abandon();
+    }
+    if (!is_allowed(NmtService::pdo, state)) {
+        rpdos_.reset();
+    }
+    sync_.allow(is_allowed(NmtService::sync, state), now);
+    emcy_.enable(is_allowed(NmtService::emcy, state) && (can_state_ != CanState::bus_off), now);
+}
+
+void Node::receive(const Frame& frame, const Instant now) noexcept {
+    if ((state_ == NmtState::initialising) || (can_state_ == CanState::bus_off)) {
+        return;
+    }
+    advance(now);
+    dispatch(frame, now);
+    watch_communication(now);
+}
+
+void Node::dispatch(const Frame& frame, const Instant now) noexcept {
+    const auto command = nmt_command(frame, node_id_);
+    if (command.has_value()) {
+        obey(*command, now);
+        return;
+    }
+    const SyncEvent sync = is_allowed(NmtService::sync, state_) ? sync_.classify(frame) : SyncEvent::none;
+    if (sync != SyncEvent::none) {
+        emcy_.set(ErrorId::sync_length, sync == SyncEvent::wrong_length, now);
+        if (sync == SyncEvent::sync) {
+            consume_sync(now);
+        }
+    } else if (error_control_.receive(frame, now)) {
+        // answered
+    } else if (sdo_.is_request(frame)) {
+        if (is_allowed(NmtService::sdo, state_)) {
+            sdo_.receive(frame, now);
+        }
+    } else {
+        heartbeats_.receive(frame, now);
+        if (is_allowed(NmtService::pdo, state_)) {
+            const PdoReception received = rpdos_.receive(frame, now);
+            if (received != PdoReception::not_ours) {
+                emcy_.set(ErrorId::rpdo_length, received == PdoReception::too_short, now);
+            }
+        }
+    }
+}
+
+void Node::obey(const NmtCommand command, const Instant now) noexcept {
+    start_at_ = never;  // the master has taken over: no self-start any more
+    switch (command) {
+        case NmtCommand::start:
+            enter(NmtState::operational, now);
+            break;
+        case NmtCommand::stop:
+            enter(NmtState::stopped, now);
+            break;
+        case NmtCommand::enter_pre_operational:
+            enter(NmtState::pre_operational, now);
+            break;
+        case NmtCommand::reset_node:
+            reset_node(now);
+            break;
+        case NmtCommand::reset_communication:
+            reset_communication(now);
+            break;
+        default:
+            break;
+    }
+}
+
+void Node::consume_sync(const Instant now) noexcept {
+    if (is_allowed(NmtService::pdo, state_)) {
+        rpdos_.sync(now);
+    }
+}
+
+void Node::advance(const Instant now) noexcept {
+    if (start_at_ <= now) {
+        start_at_ = never;
+        enter(NmtState::operational, now);
+    }
+    error_control_.advance(now);
+    heartbeats_.advance(now);
+    sdo_.advance(now);
+    if (sync_.advance(now)) {
+        consume_sync(now);
+    }
+    emcy_.advance(now);
+    watch_communication(now);
+}
+
+Instant Node::next_deadline() const noexcept {
+    Instant next = earliest(start_at_, error_control_.next_deadline());
+    next = earliest(next, heartbeats_.next_deadline());
+    next = earliest(next, sdo_.next_deadline());
+    next = earliest(next, sync_.next_deadline());
+    return earliest(next, emcy_.next_deadline());
+}
+
+void Node::set_can_state(const CanState state, const Instant now) noexcept {
+    if (state == can_state_) {
+        return;
+    }
+    const bool was_off = can_state_ == CanState::bus_off;
+    const bool is_off = state == CanState::bus_off;
+    can_state_ = state;
+    if (is_off) {
+        queue_.close();
+    } else {
+        queue_.open();
+    }
+    if (state_ == NmtState::initialising) {
+        return;
+    }
+    if (is_off) {
+        sdo_.abandon();
+    }
+    emcy_.enable(is_allowed(NmtService::emcy, state_) && !is_off, now);
+    if (was_off && !is_off) {
+        emcy_.report(ErrorId::bus_off_recovered, now);
+    }
+    emcy_.set(ErrorId::error_passive, (state == CanState::error_passive) || is_off, now);
+    watch_communication(now);
+}
+
+void Node::watch_communication(const Instant now) noexcept {
+    const bool silent = error_control_.life_guarding_failed() || heartbeats_.failed();
+    emcy_.set(ErrorId::guard_or_heartbeat, silent, now);
+    const bool failed = silent || (can_state_ == CanState::bus_off);
+    if (failed == communication_failed_) {
+        return;
+    }
+    communication_failed_ = failed;
+    if (failed) {
+        const auto reaction = objects_.find(error_behaviour_index, communication_error_subindex);
+        const std::uint32_t wanted =
+            reaction.ok() ? objects_.read(error_behaviour_index, communication_error_subindex) : to_pre_operational;
+        if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
+            enter(NmtState::pre_operational, now);
+        } else if (wanted == to_stopped) {
+            enter(NmtState::stopped, now);
+        } else {
+            // no change of state
+        }
+    }
+    application_.communication_failed(failed, now);
+}
+
+Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
+    using Read = Result<ByteView, AbortCode>;
+    const auto found = objects_.find(index, subindex);
+    if (!found.ok()) {
+        return Read::failure(found.error());
+    }
+    if (!found.value().may(rights::read)) {
+        return Read::failure(AbortCode::write_only);
+    }
+    return Read::success(objects_.value(found.value()));
+}
+
+Result<std::uint16_t, AbortCode> Node::writable_size(const std::uint16_t index, const std::uint8_t subindex) {
+    using Size = Result<std::uint16_t, AbortCode>;
+    const auto found = objects_.find(index, subindex);
+    if (!found.ok()) {
+        return Size::failure(found.error());
+    }
+    if (!found.value().may(rights::write)) {
+        return Size::failure(AbortCode::read_only);
+    }
+    return Size::success(found.value().row->size);
+}
+
+AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value,
+                      const Instant now) {
+    const auto found = objects_.find(index, subindex);
+    if (!found.ok()) {
+        return found.error();
+    }
+    const EntryRef& entry = found.value();
+    AbortCode code = objects_.check_write(entry, value);
+    if ((code == AbortCode::none) && (entry.row->service == Service::store)) {
+        return store(entry, value);  // a signature is obeyed, not kept
+    }
+    if (code == AbortCode::none) {
+        code = before_write(entry, value);
+    }
+    if (code == AbortCode::none) {
+        objects_.put(entry, value);
+        after_write(entry, now);
+    }
+    return code;
+}
+
+AbortCode Node::store(const EntryRef& entry, const ByteView value) noexcept {
+    const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
+    if (wrong_state && (entry.index == store_index)) {
+        return AbortCode::device_state;
+    }
+    return store_.execute(entry, value);
+}
+
+AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
+    switch (entry.row->service) {
+        case Service::sync:
+            return sync_.before_write(entry, value);
+        case Service::emcy:
+            return emcy_.before_write(entry, value);
+        case Service::heartbeat:
+            return (entry.index == HeartbeatConsumer::index) ? heartbeats_.before_write(entry, value) : AbortCode::none;
+        case Service::guarding:
+            return error_control_.before_write(entry, value);
+        case Service::pdo:
+            return rpdos_.before_write(entry, value);
+        case Service::program:
+        case Service::device:
+            return application_.before_write(entry, value);
+        case Service::none:
+        case Service::store:
+        case Service::nmt:
+        case Service::error_behaviour:
+        case Service::lss:
+        default:
+            return AbortCode::none;
+    }
+}
+
+void Node::after_write(const EntryRef& entry, const Instant now) noexcept {
+    switch (entry.row->service) {
+        case Service::sync:
+            sync_.after_write(now);
+            break;
+        case Service::emcy:
+            emcy_.after_write(entry);
+            break;
+        case Service::heartbeat:
+            if (entry.index == HeartbeatConsumer::index) {
+                heartbeats_.after_write(entry);
+            } else {
+                error_control_.after_write(entry, now);
+            }
+            break;
+        case Service::guarding:
+            error_control_.after_write(entry, now);
+            break;
+        case Service::program:
+        case Service::device:
+            application_.after_write(entry, now);
+            break;
+        case Service::none:
+        case Service::pdo:
+        case Service::store:
+        case Service::nmt:
+        case Service::error_behaviour:
+        case Service::lss:
+        default:
+            break;
+    }
+}
+
+}  // namespace canproof

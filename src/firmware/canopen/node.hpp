@@ -1,0 +1,117 @@
+// A CANopen slave: the services, wired to one object dictionary. Knows no device; what is special to one is told by NodeProfile and
+// Application.
+#pragma once
+
+#include "firmware/canopen/emcy.hpp"
+#include "firmware/canopen/error_control.hpp"
+#include "firmware/canopen/heartbeat_consumer.hpp"
+#include "firmware/canopen/nmt.hpp"
+#include "firmware/canopen/object_access.hpp"
+#include "firmware/canopen/parameter_store.hpp"
+#include "firmware/canopen/receive_pdo.hpp"
+#include "firmware/canopen/sdo_server.hpp"
+#include "firmware/canopen/sync.hpp"
+
+namespace canproof {
+
+/// In what the four devices differ on the bus, beside their objects.
+struct NodeProfile {
+    LimitAbort limit_abort{LimitAbort::high_low};
+    ErrorList error_list{ErrorList::history};
+    bool rpdo_answers_remote{false};         ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
+    bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
+};
+
+/// State of the CAN controller (ISO 11898-1 fault confinement; warning: an error counter reached 96).
+enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
+
+/// What the node asks and tells the device around it.
+class Application {
+  public:
+    Application(const Application&) = delete;
+    Application& operator=(const Application&) = delete;
+    Application(Application&&) = delete;
+    Application& operator=(Application&&) = delete;
+
+    /// The last word on a write to an entry of Service::device or Service::program.
+    virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
+    /// Any entry outside the communication area, or of Service::program, has a new value.
+    virtual void after_write(const EntryRef& entry, Instant now) = 0;
+    /// Defaults were put into the dictionary: values that belong to this very unit (serial number, calibration) go in now.
+    virtual void put_factory_values() = 0;
+    /// Power-on or NMT reset node: parameters are loaded, all states start anew.
+    virtual void restart(Instant now) = 0;
+    /// The boot-up message is sent, the node is pre-operational.
+    virtual void booted(Instant now) = 0;
+    /// A communication error of 1029h:1 (heartbeat, guarding, bus-off) began or ended.
+    virtual void communication_failed(bool failed, Instant now) = 0;
+
+  protected:
+    Application() = default;
+    ~Application() = default;
+};
+
+class Node final : private ObjectAccess {
+  public:
+    Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
+         const ErrorTable& errors, const NodeProfile& profile) noexcept;
+
+    /// Power-on with the node-ID (1…127) that switches or LSS gave. Ends with boot-up, in pre-operational.
+    void power_on(std::uint8_t node_id, Instant now) noexcept;
+    /// One frame from the bus. Frames that mean nothing to this node are passed over.
+    void receive(const Frame& frame, Instant now) noexcept;
+    /// Does what is due at `now`.
+    void advance(Instant now) noexcept;
+    /// The earliest time at which advance() has something to do.
+    Instant next_deadline() const noexcept;
+
+    void set_can_state(CanState state, Instant now) noexcept;
+    /// A frame was lost because the controller or a queue could not take it; false when that has ended.
+    void set_overrun(bool lost, Instant now) noexcept { emcy_.set(ErrorId::can_overrun, lost, now); }
+    /// An error of the device begins or ends.
+    void set_error(const ErrorId error, const bool present, const Instant now) noexcept { emcy_.set(error, present, now); }
+    /// Enters operational at `at` unless an NMT command comes first.
+    void start_at(const Instant at) noexcept { start_at_ = at; }
+
+    NmtState state() const noexcept { return state_; }
+    bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
+
+  private:
+    Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;
+    AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) override;
+    Result<std::uint16_t, AbortCode> writable_size(std::uint16_t index, std::uint8_t subindex) override;
+
+    void dispatch(const Frame& frame, Instant now) noexcept;
+    void obey(NmtCommand command, Instant now) noexcept;
+    void reset_node(Instant now) noexcept;
+    void reset_communication(Instant now) noexcept;
+    void load_group(ParameterGroup group) noexcept;
+    void boot_up(Instant now) noexcept;
+    void enter(NmtState state, Instant now) noexcept;
+
+    AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
+    void after_write(const EntryRef& entry, Instant now) noexcept;
+    AbortCode store(const EntryRef& entry, ByteView value) noexcept;
+
+    void watch_communication(Instant now) noexcept;
+    void consume_sync(Instant now) noexcept;
+
+    ObjectDictionary& objects_;
+    TransmitQueue& queue_;
+    Application& application_;
+    NodeProfile profile_;
+    ParameterStore store_;
+    SdoServer sdo_;
+    Emcy emcy_;
+    Sync sync_;
+    ErrorControl error_control_;
+    HeartbeatConsumer heartbeats_;
+    ReceivePdos rpdos_;
+    NmtState state_{NmtState::initialising};
+    CanState can_state_{CanState::error_active};
+    std::uint8_t node_id_{0U};
+    bool communication_failed_{false};
+    Instant start_at_{never};
+};
+
+}  // namespace canproof

@@ -1,0 +1,110 @@
+// The object dictionary as services see it: a view over generated (or, on the host, run-time) tables and an image of values.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "firmware/base/bytes.hpp"
+#include "firmware/base/result.hpp"
+#include "firmware/canopen/object_types.hpp"
+#include "firmware/canopen/vocabulary.hpp"
+
+namespace canproof {
+
+/// An entry that exists: what find() hands out.
+struct EntryRef {
+    const EntryRow* row{nullptr};
+    std::uint16_t index{0U};
+
+    bool is(const std::uint16_t wanted_index, const std::uint8_t subindex) const noexcept {
+        return (index == wanted_index) && (row->subindex == subindex);
+    }
+    bool may(const std::uint8_t right) const noexcept { return (row->rights & right) != 0U; }
+};
+
+/// Which abort codes a value outside its limits gets; the manuals differ in what they list.
+enum class LimitAbort : std::uint8_t {
+    range,    ///< 06090030h for both ends
+    high_low  ///< 06090031h above, 06090032h below
+};
+
+/// Parameter groups of 1010h and 1011h (CiA 301, 7.5.2.13).
+enum class ParameterGroup : std::uint8_t { communication = 0U, application = 1U, manufacturer = 2U };
+constexpr std::uint8_t parameter_group_count = 3U;
+
+/// 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
+ParameterGroup parameter_group(std::uint16_t index) noexcept;
+
+class ObjectDictionary {
+  public:
+    /// `image` holds the values; at least tables.defaults.count bytes, owned by the device.
+    ObjectDictionary(const DictionaryTables& tables, MutableBytes image, LimitAbort limit_abort) noexcept;
+
+    /// 06020000h when the object is absent, 06090011h when only the sub-index is.
+    Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    bool has(std::uint16_t index, std::uint8_t subindex) const noexcept { return find(index, subindex).ok(); }
+
+    /// The entry's bytes as they go on the bus; a string ends before its first zero byte.
+    ByteView value(const EntryRef& entry) const noexcept;
+    /// Whether `value` may be written here: access, length, type and limits. `none` when it may.
+    AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
+    /// Type and limits alone: what a value received by PDO must satisfy.
+    AbortCode check_value(const EntryRef& entry, ByteView value) const noexcept;
+    /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros.
+    void put(const EntryRef& entry, ByteView value) noexcept;
+
+    /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
+    void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
+
+    /// Value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its object is idle.
+    std::uint32_t read(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    /// Sets a value of at most 32 bits that the device itself keeps; without the entry nothing happens.
+    void write(std::uint16_t index, std::uint8_t subindex, std::uint32_t bits) noexcept;
+
+    template <typename T>
+    T get(const Field<T> field) const noexcept {
+        return from_bits<T>(read_le(image_.view(), field.offset, sizeof(T)));
+    }
+    template <typename T>
+    void set(const Field<T> field, const T value) noexcept {
+        write_le(image_, field.offset, sizeof(T), to_bits(value));
+    }
+
+    const DictionaryTables& tables() const noexcept { return tables_; }
+    ByteView image() const noexcept { return image_.view(); }
+    MutableBytes image() noexcept { return image_; }
+
+  private:
+    template <typename T>
+    static T from_bits(const std::uint64_t bits) noexcept {
+        if constexpr (std::is_same_v<T, float>) {
+            return bit_cast<float>(static_cast<std::uint32_t>(bits));
+        } else if constexpr (std::is_same_v<T, bool>) {
+            return bits != 0U;
+        } else {
+            return static_cast<T>(bits);
+        }
+    }
+    template <typename T>
+    static std::uint64_t to_bits(const T value) noexcept {
+        if constexpr (std::is_same_v<T, float>) {
+            return bit_cast<std::uint32_t>(value);
+        } else {
+            return static_cast<std::uint64_t>(value);
+        }
+    }
+
+    const ObjectRow* find_object(std::uint16_t index) const noexcept;
+    AbortCode check_limits(const EntryRef& entry, std::uint64_t bits) const noexcept;
+    bool in_list(const Limit& list, std::uint32_t bits) const noexcept;
+    std::int64_t integer_limit(const Limit& limit, const EntryRef& entry) const noexcept;
+
+    const DictionaryTables& tables_;
+    MutableBytes image_;
+    LimitAbort limit_abort_;
+};
+
+/// Whether a type is a string or domain, whose values may be shorter than the capacity.
+bool has_variable_length(DataType type) noexcept;
+
+}  // namespace canproof

@@ -1,0 +1,74 @@
+// Stored parameters: 1010h and 1011h on a memory in which a power cut at any byte leaves the old set or the new (CiA 301, 7.5.2.13).
+//
+// Two banks take turns. A save writes a whole new set with the next sequence number into the bank that is not in use; only its last
+// bytes, the CRC, make it valid. Start-up uses the valid bank with the higher number, so that an interrupted save was never made.
+#pragma once
+
+#include "firmware/base/crc32.hpp"
+#include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+
+namespace canproof {
+
+/// Groups as bits: 1 << ParameterGroup.
+using ParameterGroups = std::uint8_t;
+constexpr ParameterGroups no_groups = 0x00U;
+constexpr ParameterGroups all_groups = 0x07U;
+constexpr ParameterGroups group_bit(const ParameterGroup group) noexcept {
+    return static_cast<ParameterGroups>(1U << static_cast<std::uint8_t>(group));
+}
+
+/// What start-up found in the memory.
+enum class StoredSet : std::uint8_t {
+    empty,   ///< never saved
+    valid,   ///<
+    corrupt  ///< something was saved, but no bank is sound: defaults apply
+};
+
+class ParameterStore {
+  public:
+    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept
+        : objects_{objects}, memory_{memory} {}
+
+    /// Looks for the bank in use; call after power-on and before load().
+    StoredSet open() noexcept;
+    /// Puts the stored values of `groups` into the dictionary; groups that were never saved are left alone.
+    void load(ParameterGroups groups) noexcept;
+
+    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h when the
+    /// memory failed; what was stored before is then still stored.
+    AbortCode execute(const EntryRef& entry, ByteView value) noexcept;
+
+    /// Bytes of memory that this dictionary needs.
+    std::size_t needed_size() const noexcept { return 2U * bank_size(); }
+
+  private:
+    struct Header {
+        std::uint32_t magic{0U};
+        std::uint32_t layout{0U};
+        std::uint32_t sequence{0U};
+        ParameterGroups groups{no_groups};
+    };
+    static constexpr std::size_t header_size = 16U;
+    static constexpr std::size_t crc_size = 4U;
+    static constexpr std::size_t bank_count = 2U;
+
+    std::size_t payload_size() const noexcept;
+    std::size_t bank_size() const noexcept { return header_size + payload_size() + crc_size; }
+    std::size_t bank_address(const std::size_t bank) const noexcept { return bank * bank_size(); }
+
+    Header read_header(std::size_t bank) const noexcept;
+    bool is_blank(std::size_t bank) const noexcept;
+    bool is_sound(std::size_t bank, const Header& header) const noexcept;
+    AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
+    bool copy_values(std::size_t to_bank, ParameterGroups fresh, Crc32& crc) noexcept;
+    bool write_checked(std::size_t at, ByteView bytes, Crc32& crc) noexcept;
+
+    ObjectDictionary& objects_;
+    NonVolatileMemory& memory_;
+    std::size_t bank_{0U};  ///< the bank in use
+    Header current_{};      ///< its header; no groups when nothing is stored
+    bool in_use_{false};
+};
+
+}  // namespace canproof

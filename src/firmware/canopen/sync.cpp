@@ -1,0 +1,76 @@
+#include "firmware/canopen/sync.hpp"
+
+#include "firmware/canopen/cob_id.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint16_t cob_id_index = 0x1005U;
+constexpr std::uint16_t period_index = 0x1006U;
+constexpr std::uint16_t counter_overflow_index = 0x1019U;
+
+}  // namespace
+
+bool Sync::is_producer() const noexcept {
+    return (objects_.read(cob_id_index, 0U) & cob_id::produces_sync) != 0U;
+}
+
+void Sync::allow(const bool allowed, const Instant now) noexcept {
+    const bool changed = allowed_ != allowed;
+    allowed_ = allowed;
+    if (changed) {
+        restart(now);
+    }
+}
+
+void Sync::restart(const Instant now) noexcept {
+    counter_ = 0U;
+    const std::uint32_t period_us = objects_.read(period_index, 0U);
+    next_ = (allowed_ && is_producer() && (period_us != 0U)) ? (now + microseconds(period_us)) : never;
+}
+
+SyncEvent Sync::classify(const Frame& frame) const noexcept {
+    const std::uint32_t id = cob_id::identifier(objects_.read(cob_id_index, 0U));
+    if (frame.extended || frame.remote || (id == 0U) || (frame.id != id)) {
+        return SyncEvent::none;
+    }
+    const std::uint8_t expected = (objects_.read(counter_overflow_index, 0U) == 0U) ? 0U : 1U;
+    return (frame.length == expected) ? SyncEvent::sync : SyncEvent::wrong_length;
+}
+
+bool Sync::advance(const Instant now) noexcept {
+    if (next_ > now) {
+        return false;
+    }
+    const std::uint32_t overflow = objects_.read(counter_overflow_index, 0U);
+    const std::uint32_t id = cob_id::identifier(objects_.read(cob_id_index, 0U));
+    Frame frame = data_frame(id, (overflow == 0U) ? std::uint8_t{0U} : std::uint8_t{1U});
+    if (overflow != 0U) {
+        counter_ = (counter_ < overflow) ? static_cast<std::uint8_t>(counter_ + 1U) : std::uint8_t{1U};
+        frame.data[0] = counter_;
+    }
+    static_cast<void>(queue_.push(frame));
+    // The next one is due one period after this one was due, so that the producer does not drift; after a long silence it is
+    // not made up for.
+    const Duration period = microseconds(objects_.read(period_index, 0U));
+    next_ = next_ + period;
+    if (next_ <= now) {
+        next_ = now + period;
+    }
+    return true;
+}
+
+AbortCode Sync::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+    if (entry.index == cob_id_index) {
+        const std::uint32_t current = objects_.read(cob_id_index, 0U);
+        // Bit 31 has no meaning here (CiA 301, 7.5.2.5): it is accepted and kept.
+        return cob_id::check_change(current, read_u32(value, 0U) & ~cob_id::not_valid, cob_id::produces_sync,
+                                    is_producer());
+    }
+    const bool cycle_is_set = objects_.read(period_index, 0U) != 0U;
+    // CiA 301, 7.5.2.22: the counter may change only while the communication cycle period is zero.
+    return ((entry.index == counter_overflow_index) && cycle_is_set) ? AbortCode::device_state : AbortCode::none;
+}
+
+}  // namespace canproof

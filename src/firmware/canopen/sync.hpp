@@ -1,0 +1,44 @@
+// SYNC: consumer and producer (CiA 301, 7.2.5; objects 1005h, 1006h, 1019h).
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+
+namespace canproof {
+
+/// What a received frame is to the SYNC consumer.
+enum class SyncEvent : std::uint8_t {
+    none,         ///< another identifier
+    sync,         ///< the SYNC message
+    wrong_length  ///< its identifier, but a length that 1019h does not allow: error 8240h
+};
+
+class Sync {
+  public:
+    Sync(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
+
+    /// The node entered a state in which SYNC works, or left the last one: the producer starts or stops.
+    void allow(bool allowed, Instant now) noexcept;
+    SyncEvent classify(const Frame& frame) const noexcept;
+    /// True when a SYNC was produced: the node consumes its own as well.
+    bool advance(Instant now) noexcept;
+    Instant next_deadline() const noexcept { return next_; }
+
+    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    void after_write(Instant now) noexcept { restart(now); }
+
+  private:
+    bool is_producer() const noexcept;
+    /// The producer starts anew, one period from now, if it is switched on.
+    void restart(Instant now) noexcept;
+
+    ObjectDictionary& objects_;
+    TransmitQueue& queue_;
+    Instant next_{never};
+    std::uint8_t counter_{0U};
+    bool allowed_{false};
+};
+
+}  // namespace canproof

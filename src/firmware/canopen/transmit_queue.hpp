@@ -1,0 +1,36 @@
+// The bounded queue that a device is handed: frames leave it as they would win arbitration on the bus.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "firmware/canopen/frame.hpp"
+
+namespace canproof {
+
+/// Lowest identifier first, and frames of one identifier in the order in which they were queued: a segment never overtakes the one
+/// before it.
+class TransmitQueue {
+  public:
+    /// One SDO answer, EMCY, SYNC, error control and four PDOs are the most that one event can cause; the rest is room for a driver
+    /// that drains late, and for a block-upload sub-block.
+    static constexpr std::size_t capacity = 32U;
+
+    /// False when the queue is full or closed: the frame is lost.
+    bool push(const Frame& frame) noexcept;
+    bool empty() const noexcept { return count_ == 0U; }
+    std::size_t size() const noexcept { return count_; }
+    /// Removes the frame to be sent next. Without one, gives an empty frame.
+    Frame pop() noexcept;
+
+    /// While the controller is bus-off nothing can be sent: pending frames are dropped and new ones refused.
+    void close() noexcept;
+    void open() noexcept { open_ = true; }
+
+  private:
+    std::array<Frame, capacity> frames_{};  ///< descending: the next one to send is the last
+    std::size_t count_{0U};
+    bool open_{true};
+};
+
+}  // namespace canproof

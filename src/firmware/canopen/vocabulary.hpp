@@ -1,0 +1,13 @@
+// Words of the standard that the register defines once for all services: NMT states and commands, SDO abort codes
+// (CiA 301, 7.2.4.3.17; `AbortCode::none` means that the access was done).
+#pragma once
+
+#include "generated/canopen/enumerations.hpp"
+
+namespace canproof {
+
+using generated::canopen::AbortCode;
+using generated::canopen::NmtCommand;
+using generated::canopen::NmtState;
+
+}  // namespace canproof
