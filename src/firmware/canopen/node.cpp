@@ -61,6 +61,7 @@ void Node::reset_communication(const Instant now) noexcept {
 void Node::boot_up(const Instant now) noexcept {
     state_ = NmtState::initialising;
     start_at_ = never;
+    sync_.allow(false, now);
     sdo_.reset(node_id_);
     heartbeats_.reset();
     error_control_.boot_up(node_id_, now);

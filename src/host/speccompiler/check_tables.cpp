@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "host/speccompiler/checker.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A decision table's inputs as small whole numbers: words and booleans by position, integers by themselves.
+class TableCheck {
+  public:
+    TableCheck(const Register& content, const Part& part, Table& table, Faults& faults)
+        : content_{content}, part_{part}, table_{table}, faults_{faults} {}
+
+    void run() {
+        std::set<std::string> names;
+        for (auto* columns : {&table_.inputs, &table_.outputs}) {
+            for (Column& column : *columns) {
+                resolve(column);
+                if (!names.insert(column.name).second) {
+                    fault(table_.place, fmt::format("{} has two columns {}", table_.id, column.name), "give each column its own name");
+                }
+            }
+        }
+        const std::size_t before = faults_.size();
+        check_cells();
+        if (faults_.size() == before) {
+            std::vector<std::size_t> rows(table_.rows.size());
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                rows[i] = i;
+            }
+            std::vector<std::string> at;
+            cover(0, rows, at);
+        }
+    }
+
+  private:
+    void fault(const Place& place, const std::string& what, const std::string& mend) { faults_.push_back({place, what, mend}); }
+
+    void resolve(Column& column) {
+        if (column.enumeration.empty()) {
+            return;
+        }
+        const Enumeration* found = content_.enumeration(part_, column.enumeration);
+        if (found == nullptr) {
+            fault(table_.place, fmt::format("{} column {} names enumeration {}, which does not exist", table_.id, column.name, column.enumeration),
+                  "name an [[enumeration]] of this device or of spec/canopen");
+            return;
+        }
+        column.words.clear();
+        for (const auto& [word, number] : found->values) {
+            column.words.push_back(word);
+        }
+    }
+
+    void check_cells() {
+        for (const auto& row : table_.rows) {
+            for (std::size_t i = 0; i < row.cells.size(); ++i) {
+                const bool input = i < table_.inputs.size();
+                const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
+                if (!input && (row.cells[i].parts.size() != 1 || row.cells[i].parts[0].first != row.cells[i].parts[0].last)) {
+                    fault(row.place, fmt::format("{} output {} is not one value", table_.id, column.name), "write a single literal");
+                    continue;
+                }
+                for (const auto& part : row.cells[i].parts) {
+                    check_part(row, column, part, input);
+                }
+            }
+        }
+    }
+
+    void check_part(const Table::Row& row, const Column& column, const Cell::Part& part, bool input) {
+        bool fits = false;
+        if (column.kind == Column::Kind::words) {
+            const auto* word = std::get_if<std::string>(&part.first);
+            fits = word != nullptr && std::find(column.words.begin(), column.words.end(), *word) != column.words.end();
+        } else if (column.kind == Column::Kind::booleans) {
+            fits = std::holds_alternative<bool>(part.first);
+        } else if (column.kind == Column::Kind::reals) {
+            fits = !input && (std::holds_alternative<double>(part.first) || std::holds_alternative<std::int64_t>(part.first));
+        } else {
+            const auto* first = std::get_if<std::int64_t>(&part.first);
+            const auto* last = std::get_if<std::int64_t>(&part.last);
+            fits = first != nullptr && last != nullptr && *first <= *last && *first >= *column.minimum && *last <= *column.maximum;
+            const auto own = integer_limits(column.type);
+            if (fits && !input && own) {
+                fits = *first >= own->first && *last <= own->second;
+            }
+        }
+        if (!fits) {
+            fault(row.place, fmt::format("{} value {} is outside the domain of {}", table_.id, to_text(part.first), column.name),
+                  "correct the cell or the column's domain");
+        }
+    }
+
+    /// Splits column `i` into pieces on which every row behaves alike, and asks for each which rows are left.
+    void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
+        if (told_ >= 5) {
+            return;  // a table with a hole has many; five show where
+        }
+        if (i == table_.inputs.size()) {
+            judge(rows, at);
+            return;
+        }
+        for (const auto& [words, first] : pieces(i)) {
+            std::vector<std::size_t> left;
+            for (const std::size_t row : rows) {
+                if (matches(table_.rows[row].cells[i], first)) {
+                    left.push_back(row);
+                }
+            }
+            at.push_back(fmt::format("{} = {}", table_.inputs[i].name, words));
+            cover(i + 1, left, at);
+            at.pop_back();
+        }
+    }
+
+    void judge(const std::vector<std::size_t>& rows, const std::vector<std::string>& at) {
+        if (rows.size() == 1) {
+            return;
+        }
+        ++told_;
+        const std::string combination = fmt::format("{}", fmt::join(at, ", "));
+        if (rows.empty()) {
+            fault(table_.place, fmt::format("{} has a gap: no row for {}", table_.id, combination), "add a row for it");
+        } else {
+            fault(table_.rows[rows[1]].place,
+                  fmt::format("{} has an overlap: {} is covered by line {} too", table_.id, combination, table_.rows[rows[0]].place.line),
+                  "let one row only cover it");
+        }
+    }
+
+    static bool matches(const Cell& cell, const Value& value) {
+        if (cell.any()) {
+            return true;
+        }
+        return std::any_of(cell.parts.begin(), cell.parts.end(), [&](const Cell::Part& part) {
+            if (const auto* v = std::get_if<std::int64_t>(&value)) {
+                return *v >= std::get<std::int64_t>(part.first) && *v <= std::get<std::int64_t>(part.last);
+            }
+            return part.first == value;
+        });
+    }
+
+    std::vector<std::pair<std::string, Value>> pieces(std::size_t i) const {
+        const Column& column = table_.inputs[i];
+        std::vector<std::pair<std::string, Value>> all;
+        if (column.kind == Column::Kind::words) {
+            for (const auto& word : column.words) {
+                all.emplace_back(word, word);
+            }
+        } else if (column.kind == Column::Kind::booleans) {
+            all.emplace_back("false", false);
+            all.emplace_back("true", true);
+        } else {
+            std::set<std::int64_t> starts{*column.minimum};
+            for (const auto& row : table_.rows) {
+                for (const auto& part : row.cells[i].parts) {
+                    starts.insert(std::get<std::int64_t>(part.first));
+                    starts.insert(std::get<std::int64_t>(part.last) + 1);
+                }
+            }
+            for (const std::int64_t start : starts) {
+                if (start <= *column.maximum) {
+                    all.emplace_back(std::to_string(start), start);
+                }
+            }
+        }
+        return all;
+    }
+
+    const Register& content_;
+    const Part& part_;
+    Table& table_;
+    Faults& faults_;
+    int told_{0};
+};
+
+void check_constant(const Constant& constant, Faults& faults) {
+    const auto limits = integer_limits(constant.type);
+    const bool real = constant.type == "REAL32" || constant.type == "REAL64";
+    const auto* whole = std::get_if<std::int64_t>(&constant.value);
+    const bool fits = real ? (whole != nullptr || std::holds_alternative<double>(constant.value))
+                           : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
+    if (!fits) {
+        faults.push_back({constant.place, fmt::format("{} value {} is no {}", constant.id, to_text(constant.value), constant.type),
+                          "correct the value or the type"});
+    }
+}
+
+void check_signal(const Signal& signal, Faults& faults) {
+    const auto* whole = std::get_if<std::int64_t>(&signal.value);
+    const auto* real = std::get_if<double>(&signal.value);
+    const auto* truth = std::get_if<bool>(&signal.value);
+    const bool is_real = signal.type == "REAL32" || signal.type == "REAL64";
+    const auto limits = integer_limits(signal.type);
+    const bool typed = signal.type == "BOOLEAN" ? truth != nullptr
+                       : is_real                ? (real != nullptr || whole != nullptr)
+                                                : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
+    if (!typed) {
+        faults.push_back({signal.place, fmt::format("{} default {} is no {}", signal.id, to_text(signal.value), signal.type),
+                          "give a default of the signal's type"});
+        return;
+    }
+    const double value = truth != nullptr ? (*truth ? 1.0 : 0.0) : whole != nullptr ? static_cast<double>(*whole) : *real;
+    if ((signal.minimum && value < *signal.minimum) || (signal.maximum && value > *signal.maximum)) {
+        faults.push_back({signal.place, fmt::format("{} default {} is outside {} … {}", signal.id, to_text(signal.value),
+                                                    signal.minimum.value_or(-INFINITY), signal.maximum.value_or(INFINITY)),
+                          "correct the default or the range"});
+    }
+}
+
+}  // namespace
+
+void check_tables(const Register& content, Part& part, Faults& faults) {
+    for (Table& table : part.tables) {
+        TableCheck{content, part, table, faults}.run();
+    }
+}
+
+void check_literals(const Register&, Part& part, Faults& faults) {
+    for (const auto& constant : part.constants) {
+        check_constant(constant, faults);
+    }
+    for (const auto& signal : part.signals) {
+        check_signal(signal, faults);
+    }
+    for (const auto& enumeration : part.enumerations) {
+        std::set<std::int64_t> numbers;
+        for (const auto& [word, number] : enumeration.values) {
+            if (!numbers.insert(number).second) {
+                faults.push_back({enumeration.place, fmt::format("{} gives {} to two words", enumeration.id, number),
+                                  "give each word its own number"});
+            }
+        }
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,29 @@
+#include <algorithm>
+#include <tuple>
+
+#include "host/speccompiler/checker.hpp"
+#include "host/speccompiler/reader.hpp"
+
+namespace canproof::host {
+
+LoadResult load_register(const SpecFiles& files) {
+    LoadResult result;
+    result.content = read_register(files, result.faults);
+    check_references(result.content, result.faults);
+    for (Part& part : result.content.parts) {
+        check_tables(result.content, part, result.faults);
+        check_literals(result.content, part, result.faults);
+        check_objects(part, result.faults);
+    }
+    std::stable_sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
+        return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);
+    });
+    // The elements of an array share their place: what is wrong with one is told once.
+    const auto same = [](const Fault& a, const Fault& b) {
+        return a.place.file == b.place.file && a.place.line == b.place.line && a.what == b.what;
+    };
+    result.faults.erase(std::unique(result.faults.begin(), result.faults.end(), same), result.faults.end());
+    return result;
+}
+
+}  // namespace canproof::host

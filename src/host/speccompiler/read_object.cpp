@@ -1,0 +1,253 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/speccompiler/reader.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const std::vector<std::string> access_words{"ro", "wo", "rw", "const"};
+const std::vector<std::string> mapping_words{"none", "rpdo", "tpdo", "both"};
+const std::vector<std::string> service_words{"none",  "sync", "emcy",            "heartbeat", "guarding", "pdo",
+                                             "store", "nmt",  "error_behaviour", "program",   "lss",      "device"};
+const std::string node_id_mark = "$NODEID+";
+
+std::string numbered(std::string text, std::int64_t n) {
+    const auto at = text.find("{n}");
+    if (at != std::string::npos) {
+        text.replace(at, 3, std::to_string(n));
+    }
+    return text;
+}
+
+/// `"4020"` or `"4020:1"`, hexadecimal.
+bool parse_reference(const std::string& text, Limit& limit) {
+    const auto colon = text.find(':');
+    const std::string index = text.substr(0, colon);
+    const std::string sub = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const auto is_hex = [](const std::string& s) {
+        return !s.empty() && s.size() <= 4 && s.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    };
+    if (!is_hex(index) || (!sub.empty() && !is_hex(sub)) || (colon != std::string::npos && sub.empty())) {
+        return false;
+    }
+    limit.kind = Limit::Kind::object;
+    limit.index = static_cast<std::uint16_t>(std::stoul(index, nullptr, 16));
+    limit.subindex = sub.empty() ? -1 : std::stoi(sub, nullptr, 16);
+    return true;
+}
+
+Limit read_limit(TomlItem& range, const std::string& key) {
+    Limit limit;
+    const toml::node* node = range.node(key);
+    if (node == nullptr) {
+        return limit;
+    }
+    if (node->is_number()) {
+        limit.kind = Limit::Kind::number;
+        limit.number = literal(*node);
+        return limit;
+    }
+    std::string reference;
+    if (const auto table = node->as_table()) {
+        TomlItem item{*table, range.file(), range.faults()};
+        reference = item.text("object");
+        limit.add = item.integer_or("add", 0, INT32_MIN, INT32_MAX);
+        item.finish();
+    } else if (const auto text = node->as_string()) {
+        reference = text->get();
+    }
+    if (!parse_reference(reference, limit)) {
+        range.fault(range.place(key), fmt::format("limit {} is neither a number nor an object", key),
+                    "write a number, \"4020\", \"4020:1\" or { object = \"4020\", add = -100 }");
+    }
+    return limit;
+}
+
+Range read_range(TomlItem& item) {
+    Range range;
+    auto table = item.item("range");
+    if (!table) {
+        return range;
+    }
+    range.minimum = read_limit(*table, "min");
+    range.maximum = read_limit(*table, "max");
+    range.table = table->text_or("table", "");
+    if (const auto* list = table->node("values")) {
+        if (const auto array = list->as_array()) {
+            for (const auto& one : *array) {
+                range.values.push_back(literal(one));
+            }
+        }
+        if (range.values.empty()) {
+            table->fault(table->place("values"), "values allows nothing", "list the values that may be written");
+        }
+    }
+    if (range.empty()) {
+        item.fault(item.place("range"), "range says nothing", "give min, max, values or table, or leave range out");
+    }
+    table->finish();
+    return range;
+}
+
+void set_default(Entry& entry, const Value& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text != nullptr && !is_string_type(entry.type) && text->rfind(node_id_mark, 0) == 0) {
+        try {
+            entry.value = static_cast<std::int64_t>(std::stoll(text->substr(node_id_mark.size()), nullptr, 0));
+            entry.node_id = true;
+            return;
+        } catch (const std::exception&) {
+            // falls through: the check of the default's type tells it
+        }
+    }
+    entry.value = value;
+}
+
+/// What an [[object]] and an [[object.entry]] have in common.
+Entry read_entry_fields(TomlItem& item) {
+    Entry entry;
+    entry.place = item.place();
+    entry.type = item.text("type");
+    if (!entry.type.empty() && !is_known_type(entry.type)) {
+        item.fault(item.place("type"), fmt::format("type {} is unknown", entry.type),
+                   "use a CiA 301 type in capitals, such as UNSIGNED16, REAL32 or VISIBLE_STRING");
+    }
+    entry.access = item.word("access", access_words, "");
+    entry.range = read_range(item);
+    entry.mapping = item.word("mapping", mapping_words, "none");
+    entry.stored = item.boolean_or("stored", entry.access == "rw");
+    entry.service = item.word("service", service_words, "none");
+    entry.factory = item.boolean_or("factory", false);
+    entry.live = item.boolean_or("live", false);
+    entry.length = static_cast<std::size_t>(item.integer_or("length", 0, 1, 250));
+    return entry;
+}
+
+Entry sub_zero(const Place& place, std::size_t highest) {
+    Entry entry;
+    entry.name = "Highest sub-index";
+    entry.type = "UNSIGNED8";
+    entry.access = "const";
+    entry.value = static_cast<std::int64_t>(highest);
+    entry.place = place;
+    return entry;
+}
+
+const toml::node* default_for(const toml::node* node, std::int64_t n) {
+    const auto table = node == nullptr ? nullptr : node->as_table();
+    return table == nullptr ? node : table->get(std::to_string(n));
+}
+
+void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t count) {
+    const Entry pattern = read_entry_fields(item);
+    const std::string element = item.text_or("element", object.name + " {n}");
+    const toml::node* defaults = default_for(item.node("default"), n);
+    const auto list = defaults == nullptr ? nullptr : defaults->as_array();
+    if (list != nullptr && list->size() != count) {
+        item.fault(item.place("default"), fmt::format("default lists {} values for {} elements", list->size(), count),
+                   "give one value for all or one an element");
+    }
+    for (std::size_t sub = 1; sub <= count; ++sub) {
+        Entry entry = pattern;
+        entry.subindex = static_cast<std::uint8_t>(sub);
+        entry.name = numbered(element, static_cast<std::int64_t>(sub));
+        if (list != nullptr) {
+            set_default(entry, sub <= list->size() ? literal(*list->get(sub - 1)) : Value{});
+        } else if (defaults != nullptr) {
+            set_default(entry, literal(*defaults));
+        }
+        object.entries.push_back(entry);
+    }
+}
+
+void read_var(TomlItem& item, Object& object, std::int64_t n) {
+    Entry entry = read_entry_fields(item);
+    entry.name = object.name;
+    if (const auto* node = default_for(item.node("default"), n)) {
+        set_default(entry, literal(*node));
+    }
+    object.entries.push_back(entry);
+}
+
+void read_listed_entries(TomlItem& item, Object& object) {
+    for (TomlItem& sub : item.items("entry")) {
+        Entry entry = read_entry_fields(sub);
+        entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
+        entry.name = sub.text("name");
+        if (const auto* node = sub.node("default")) {
+            set_default(entry, literal(*node));
+        }
+        sub.finish();
+        object.entries.push_back(entry);
+    }
+}
+
+void add_sub_zero(Object& object) {
+    const auto zero = [](const Entry& e) { return e.subindex == 0; };
+    if (std::none_of(object.entries.begin(), object.entries.end(), zero)) {
+        std::size_t highest = 0;
+        for (const auto& entry : object.entries) {
+            highest = std::max<std::size_t>(highest, entry.subindex);
+        }
+        object.entries.push_back(sub_zero(object.place, highest));
+    }
+    std::stable_sort(object.entries.begin(), object.entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; });
+}
+
+Object read_one(TomlItem& item, const std::string& prefix, std::int64_t base, std::int64_t n, std::int64_t offset) {
+    Object object;
+    read_common(item, object, false);
+    object.index = static_cast<std::uint16_t>(base + offset);
+    object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
+    object.name = numbered(item.text("name"), n);
+    object.unit = item.text_or("unit", "");
+    const auto count = static_cast<std::size_t>(item.integer_or("array", 0, 1, 254));
+    if (count > 0) {
+        object.kind = Object::Kind::array;
+        read_elements(item, object, n, count);
+        read_listed_entries(item, object);
+        add_sub_zero(object);
+    } else if (item.has("entry")) {
+        object.kind = Object::Kind::record;
+        read_listed_entries(item, object);
+        add_sub_zero(object);
+    } else {
+        object.kind = Object::Kind::var;
+        read_var(item, object, n);
+    }
+    return object;
+}
+
+}  // namespace
+
+std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
+    std::int64_t first = 1;
+    std::int64_t last = 1;
+    std::int64_t step = 0;
+    if (auto repeat = item.item("repeat")) {
+        first = repeat->integer("first", 0, 255);
+        last = repeat->integer("last", first, 255);
+        step = repeat->integer("step", 1, 0x1000);
+        repeat->finish();
+    }
+    const std::int64_t base = item.integer("index", 0x1000, 0xFFFF);
+    std::vector<Object> all;
+    // Each member of a family would tell the same faults again: only the first one's are kept.
+    const std::size_t faults_before = item.faults().size();
+    std::size_t faults_after = faults_before;
+    for (std::int64_t n = first; n <= last; ++n) {
+        all.push_back(read_one(item, prefix, base, n, (n - first) * step));
+        if (n == first) {
+            faults_after = item.faults().size();
+        }
+    }
+    item.faults().resize(faults_after);
+    item.finish();
+    return all;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,260 @@
+#include "host/speccompiler/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+const std::vector<std::string> kinds{"functional", "range", "timing", "protocol", "fault", "physical", "storage"};
+const std::vector<std::string> verifications{"test", "property", "fuzz", "analysis", "target", "inspection"};
+
+Manual read_manual(TomlItem& item) {
+    Manual manual;
+    manual.place = item.place();
+    manual.key = item.text("key");
+    manual.title = item.text("title");
+    manual.publisher = item.text("publisher");
+    manual.revision = item.text("revision");
+    manual.date = item.text("date");
+    for (TomlItem& one : item.items("section")) {
+        Section section;
+        section.place = one.place();
+        section.ref = one.text("ref");
+        section.title = one.text("title");
+        section.normative = one.word("disposition", {"normative", "informative"}, "") == "normative";
+        section.reason = one.text_or("reason", "");
+        section.objects = one.texts("objects", false);
+        if (!section.normative && section.reason.empty()) {
+            one.fault(fmt::format("informative section {} gives no reason", section.ref),
+                      "add `reason = …` or call it normative");
+        }
+        one.finish();
+        manual.sections.push_back(section);
+    }
+    item.finish();
+    return manual;
+}
+
+void read_device(TomlItem& item, Part& part) {
+    DeviceInfo& info = part.info;
+    info.place = item.place();
+    const std::string name = item.text("name");
+    if (name != part.name) {
+        item.fault(item.place("name"), fmt::format("name {} is not the folder's", name), fmt::format("write {}", part.name));
+    }
+    info.title = item.text("title");
+    info.vendor = item.text("vendor");
+    part.prefix = item.text("prefix");
+    info.manual = item.text("manual");
+    info.part_numbers = item.texts("part_numbers", true);
+    info.node_id = static_cast<int>(item.integer("node_id", 1, 127));
+    info.node_id_note = item.text_or("node_id_note", "");
+    info.bit_rate = item.integer("bit_rate", 1000, 1000000);
+    info.bit_rates = item.integers("bit_rates");
+    info.sources = item.texts("source", true);
+    if (auto services = item.item("services")) {
+        info.lss = services->boolean_or("lss", false);
+        info.block_sdo = services->boolean_or("block_sdo", false);
+        info.limit_abort = services->word("limit_abort", {"range", "high_low"}, "high_low");
+        info.error_list = services->word("error_list", {"history", "active"}, "history");
+        services->finish();
+    }
+    item.finish();
+}
+
+Requirement read_requirement(TomlItem& item) {
+    Requirement requirement;
+    read_common(item, requirement, true);
+    requirement.id = item.text("id");
+    requirement.kind = item.word("kind", kinds, "");
+    requirement.verify = item.texts("verify", true);
+    requirement.retired = item.text_or("retired", "");
+    for (const auto& word : requirement.verify) {
+        if (std::find(verifications.begin(), verifications.end(), word) == verifications.end()) {
+            item.fault(item.place("verify"), fmt::format("verify = \"{}\" is unknown", word),
+                       "use test, property, fuzz, analysis, target or inspection");
+        }
+    }
+    item.finish();
+    return requirement;
+}
+
+Enumeration read_enumeration(TomlItem& item) {
+    Enumeration enumeration;
+    read_common(item, enumeration, false);
+    enumeration.id = item.text("id");
+    enumeration.name = item.text("name");
+    const toml::node* values = item.node("values");
+    if (const auto list = values == nullptr ? nullptr : values->as_array()) {
+        for (const auto& one : *list) {
+            const auto number = static_cast<std::int64_t>(enumeration.values.size());
+            enumeration.values.emplace_back(to_text(literal(one)), number);
+        }
+    } else if (const auto table = values == nullptr ? nullptr : values->as_table()) {
+        for (const auto& [word, number] : *table) {
+            if (const auto* given = number.as_integer()) {
+                enumeration.values.emplace_back(std::string{word.str()}, given->get());
+            } else {
+                item.fault(item.place("values"), fmt::format("{} has no number", word.str()), "write `word = number`");
+            }
+        }
+    }
+    if (enumeration.values.empty()) {
+        item.fault("enumeration without values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
+    }
+    item.finish();
+    return enumeration;
+}
+
+Constant read_constant(TomlItem& item) {
+    Constant constant;
+    read_common(item, constant, false);
+    constant.id = item.text("id");
+    constant.name = item.text("name");
+    constant.type = item.text("type");
+    constant.unit = item.text_or("unit", "");
+    constant.value = item.value("value");
+    item.finish();
+    return constant;
+}
+
+Signal read_signal(TomlItem& item) {
+    Signal signal;
+    read_common(item, signal, true);
+    signal.id = item.text("id");
+    signal.name = item.text("name");
+    signal.count = static_cast<int>(item.integer_or("count", 1, 1, 64));
+    signal.input = item.word("direction", {"input", "output"}, "") == "input";
+    signal.type = item.text("type");
+    signal.unit = item.text_or("unit", "");
+    signal.minimum = item.number("min");
+    signal.maximum = item.number("max");
+    signal.value = item.value("default");
+    if (signal.count > 1 && signal.name.find("{n}") == std::string::npos) {
+        item.fault(fmt::format("signal {} has a count but no {{n}} in its name", signal.name), "write name = \"aout{n}\"");
+    }
+    item.finish();
+    return signal;
+}
+
+Decision read_decision(TomlItem& item) {
+    Decision decision;
+    decision.place = item.place();
+    decision.id = item.text("id");
+    decision.text = item.text("question");
+    for (TomlItem& one : item.items("readings")) {
+        decision.readings.push_back({one.text("says"), one.text("source")});
+        one.finish();
+    }
+    decision.chosen = item.text("chosen");
+    decision.because = item.text("because");
+    decision.affects = item.texts("affects", false);
+    decision.none = item.text_or("none", "");
+    decision.severity = item.word("severity", {"high", "medium", "low"}, "");
+    decision.ref = item.text_or("ref", "");
+    if (decision.readings.size() < 2) {
+        item.fault(fmt::format("{} has {} reading(s)", decision.id, decision.readings.size()),
+                   "a decision chooses between at least two readings, each with a source");
+    }
+    item.finish();
+    return decision;
+}
+
+void read_items(TomlItem& file, Part& part) {
+    for (TomlItem& item : file.items("requirement")) part.requirements.push_back(read_requirement(item));
+    for (TomlItem& item : file.items("object")) {
+        for (Object& object : read_objects(item, part.prefix)) part.objects.push_back(std::move(object));
+    }
+    for (TomlItem& item : file.items("table")) part.tables.push_back(read_table(item));
+    for (TomlItem& item : file.items("enumeration")) part.enumerations.push_back(read_enumeration(item));
+    for (TomlItem& item : file.items("constant")) part.constants.push_back(read_constant(item));
+    for (TomlItem& item : file.items("signal")) part.signals.push_back(read_signal(item));
+    for (TomlItem& item : file.items("decision")) part.decisions.push_back(read_decision(item));
+    if (auto reviewed = file.item("reviewed")) {
+        for (const auto& [id, print] : reviewed->table()) {
+            part.reviews[std::string{id.str()}] = to_text(literal(print));
+        }
+    }
+    file.finish();
+}
+
+Part& part_named(Register& content, const std::string& name) {
+    for (Part& part : content.parts) {
+        if (part.name == name) {
+            return part;
+        }
+    }
+    content.parts.push_back({});
+    content.parts.back().name = name;
+    if (name == "canopen") {
+        content.parts.back().prefix = "CO";
+    }
+    return content.parts.back();
+}
+
+/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` → canopen, else nothing.
+std::string part_of(const std::string& path) {
+    const std::string devices = "spec/devices/";
+    if (path.rfind("spec/canopen/", 0) == 0) {
+        return "canopen";
+    }
+    if (path.rfind(devices, 0) != 0) {
+        return {};
+    }
+    return path.substr(devices.size(), path.find('/', devices.size()) - devices.size());
+}
+
+void read_file(const std::string& path, const toml::table& root, Register& content, Faults& faults) {
+    TomlItem item{root, path, faults};
+    const std::string part = part_of(path);
+    if (path.rfind("spec/manuals/", 0) == 0) {
+        content.manuals.push_back(read_manual(item));
+    } else if (part.empty()) {
+        faults.push_back({{path, 1}, "file in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+    } else if (path == "spec/devices/" + part + "/device.toml") {
+        read_device(item, part_named(content, part));
+    } else {
+        part_named(content, part).files.push_back(path);
+        read_items(item, part_named(content, part));
+    }
+}
+
+}  // namespace
+
+void read_common(TomlItem& item, Item& into, bool text_required) {
+    into.place = item.place();
+    into.text = text_required ? item.text("text") : item.text_or("text", "");
+    into.sources = item.texts("source", true);
+}
+
+Register read_register(const SpecFiles& files, Faults& faults) {
+    Register content;
+    part_named(content, "canopen");
+    // device.toml comes first: it gives the prefix from which object ids follow.
+    for (const bool device_files : {true, false}) {
+        for (const auto& [path, text] : files) {
+            const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";
+            if (is_device != device_files) {
+                continue;
+            }
+            try {
+                read_file(path, toml::parse(text, path), content, faults);
+            } catch (const toml::parse_error& error) {
+                faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
+                                  fmt::format("not TOML: {}", error.description()), "correct the syntax"});
+            }
+        }
+    }
+    for (Part& part : content.parts) {
+        std::stable_sort(part.objects.begin(), part.objects.end(),
+                         [](const Object& a, const Object& b) { return a.index < b.index; });
+    }
+    std::stable_sort(content.parts.begin() + 1, content.parts.end(),
+                     [](const Part& a, const Part& b) { return a.name < b.name; });
+    return content;
+}
+
+}  // namespace canproof::host
