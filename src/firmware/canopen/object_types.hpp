@@ -130,6 +130,12 @@ struct Field {
     std::uint16_t offset;
 };
 
+/// A string of the image by name: its capacity is padded with zero bytes.
+struct StringField {
+    std::uint16_t offset;
+    std::uint16_t size;
+};
+
 /// The elements of an ARRAY by sub-index 1…N.
 template <typename T, std::uint8_t N>
 struct ArrayField {

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host/speccompiler/writers.hpp"
+
+namespace canproof::host {
+
+std::uint32_t fnv1a(const std::string& text, std::uint32_t start) {
+    std::uint32_t hash = start;
+    for (const char c : text) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;
+    }
+    return hash;
+}
+
+namespace {
+
+std::uint64_t bits_of(const Entry& entry) {
+    if (entry.type == "REAL32" || entry.type == "REAL64") {
+        const auto* real = std::get_if<double>(&entry.value);
+        const double wide = real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(entry.value));
+        if (entry.type == "REAL64") {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &wide, sizeof bits);
+            return bits;
+        }
+        const auto narrow = static_cast<float>(wide);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &narrow, sizeof bits);
+        return bits;
+    }
+    if (const auto* truth = std::get_if<bool>(&entry.value)) {
+        return *truth ? 1U : 0U;
+    }
+    const auto* whole = std::get_if<std::int64_t>(&entry.value);
+    return whole == nullptr ? 0U : static_cast<std::uint64_t>(*whole);
+}
+
+void append_value(std::vector<std::uint8_t>& to, const Entry& entry, std::size_t size) {
+    if (is_string_type(entry.type)) {
+        std::string text = std::get<std::string>(entry.value);
+        text.resize(size, '\0');
+        to.insert(to.end(), text.begin(), text.end());
+        return;
+    }
+    const std::uint64_t bits = bits_of(entry);
+    for (std::size_t i = 0; i < size; ++i) {
+        to.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
+    }
+}
+
+/// Only what never changes may lie in flash.
+bool is_constant(const Entry& entry) {
+    const bool fixed = entry.access == "const" || entry.access == "ro";
+    return fixed && !entry.factory && !entry.live && !entry.node_id && entry.mapping == "none";
+}
+
+}  // namespace
+
+Layout make_layout(const Part& part) {
+    Layout layout;
+    std::uint32_t print = fnv1a("");
+    for (const Object& object : part.objects) {
+        std::vector<Placement> placed;
+        for (const Entry& entry : object.entries) {
+            Placement place;
+            place.constant = is_constant(entry);
+            place.size = static_cast<std::uint16_t>(is_string_type(entry.type) ? entry.length : type_size(entry.type));
+            auto& pool = place.constant ? layout.constants : layout.image;
+            place.offset = static_cast<std::uint16_t>(pool.size());
+            append_value(pool, entry, place.size);
+            if (entry.stored) {
+                print = fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.size), print);
+            }
+            placed.push_back(place);
+        }
+        layout.placements.push_back(placed);
+    }
+    layout.fingerprint = print;
+    return layout;
+}
+
+std::string cpp_type(const std::string& cia_type) {
+    if (cia_type == "BOOLEAN") return "bool";
+    if (cia_type == "REAL32") return "float";
+    if (cia_type == "REAL64") return "double";
+    const bool is_unsigned = cia_type.rfind("UNSIGNED", 0) == 0;
+    const std::string width = cia_type.substr(is_unsigned ? 8 : 7);
+    return fmt::format("std::{}int{}_t", is_unsigned ? "u" : "", width);
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,43 @@
+#include <fstream>
+#include <sstream>
+
+#include "host/speccompiler/writers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A file that keeps its text keeps its time stamp: nothing is compiled again for nothing.
+void write_if_changed(const std::filesystem::path& path, const std::string& text) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream old;
+    old << in.rdbuf();
+    if (in.is_open() && old.str() == text) {
+        return;
+    }
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+    if (!out.flush()) {
+        throw std::filesystem::filesystem_error("cannot write", path, std::make_error_code(std::errc::io_error));
+    }
+}
+
+}  // namespace
+
+void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out) {
+    write_if_changed(out / "requirements.hpp", write_requirements(content));
+    write_if_changed(out / "embedded_spec.cpp", write_embedded(files));
+    for (const auto& part : content.parts) {
+        const auto folder = out / part.cpp_name();
+        write_if_changed(folder / "constants.hpp", write_constants(part));
+        write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
+        write_if_changed(folder / "tables.hpp", write_tables(content, part));
+        if (part.is_device() && !part.objects.empty()) {
+            write_if_changed(folder / "objects.hpp", write_objects(part));
+            write_if_changed(folder / "signals.hpp", write_signals(part));
+        }
+    }
+}
+
+}  // namespace canproof::host

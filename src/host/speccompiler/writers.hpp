@@ -1,0 +1,53 @@
+// What the compiler writes: C++ for the firmware, and the electronic data sheet.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "host/speccompiler/register.hpp"
+
+namespace canproof::host {
+
+/// Where an entry's value lies: in the image (RAM) or in the constant pool (flash).
+struct Placement {
+    bool constant{false};
+    std::uint16_t offset{0};
+    std::uint16_t size{0};
+};
+
+/// The value image of a device: entries in dictionary order, without gaps.
+struct Layout {
+    std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
+    std::vector<std::uint8_t> image;                 ///< defaults; node-ID terms not added
+    std::vector<std::uint8_t> constants;
+    std::uint32_t fingerprint{0};  ///< of what is stored and where
+};
+
+Layout make_layout(const Part& part);
+
+std::string write_requirements(const Register& content);
+std::string write_objects(const Part& part);
+std::string write_tables(const Register& content, const Part& part);
+std::string write_constants(const Part& part);
+std::string write_enumerations(const Part& part);
+std::string write_signals(const Part& part);
+std::string write_embedded(const SpecFiles& files);
+/// All of them as files below `out`; files whose text stays the same are left alone.
+void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out);
+
+/// CiA 306 electronic data sheet, CRLF line ends.
+std::string write_eds(const Register& content, const Part& part);
+/// The dictionary as JSON, one object an element.
+std::string write_object_json(const Part& part);
+/// The dictionary as a Markdown table.
+std::string write_object_markdown(const Part& part);
+/// CiA 311 XML device description.
+std::string write_xdd(const Register& content, const Part& part);
+
+/// FNV-1a (32 bit) of text: the fingerprint of layouts and of reviewed requirements.
+std::uint32_t fnv1a(const std::string& text, std::uint32_t start = 0x811C9DC5U);
+
+/// `std::uint16_t` for UNSIGNED16 …
+std::string cpp_type(const std::string& cia_type);
+
+}  // namespace canproof::host
