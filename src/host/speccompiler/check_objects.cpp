@@ -11,12 +11,17 @@ namespace canproof::host {
 
 namespace {
 
-bool is_real(const std::string& type) { return type == "REAL32" || type == "REAL64"; }
+bool is_real(const std::string& type) {
+    return type == "REAL32" || type == "REAL64";
+}
 
 std::optional<double> as_number(const Value& value) {
-    if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
-    if (const auto* d = std::get_if<double>(&value)) return *d;
-    if (const auto* b = std::get_if<bool>(&value)) return *b ? 1.0 : 0.0;
+    if (const auto* i = std::get_if<std::int64_t>(&value))
+        return static_cast<double>(*i);
+    if (const auto* d = std::get_if<double>(&value))
+        return *d;
+    if (const auto* b = std::get_if<bool>(&value))
+        return *b ? 1.0 : 0.0;
     return std::nullopt;
 }
 
@@ -58,7 +63,8 @@ class ObjectCheck {
         }
         const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
         if (mapping && object.entries.size() > 65) {
-            fault(object.entries.front(), fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
+            fault(object.entries.front(),
+                  fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
                   "a PDO carries at most 64");
         }
     }
@@ -66,7 +72,8 @@ class ObjectCheck {
     void check_type(const Object& object, const Entry& entry) {
         const bool sized = type_size(entry.type) > 0;
         if (entry.length > 0 && sized) {
-            fault(entry, fmt::format("{} has a length, but {} has its own", name(object, entry), entry.type), "remove length");
+            fault(entry, fmt::format("{} has a length, but {} has its own", name(object, entry), entry.type),
+                  "remove length");
         }
         if (entry.mapping != "none" && !sized) {
             fault(entry, fmt::format("{} of type {} cannot be mapped", name(object, entry), entry.type),
@@ -78,7 +85,8 @@ class ObjectCheck {
                   "set mapping = \"tpdo\" or access = \"rw\"");
         }
         if (entry.stored && !writes) {
-            fault(entry, fmt::format("{} is {} and cannot be stored", name(object, entry), entry.access), "remove stored");
+            fault(entry, fmt::format("{} is {} and cannot be stored", name(object, entry), entry.access),
+                  "remove stored");
         }
     }
 
@@ -89,7 +97,9 @@ class ObjectCheck {
         const auto found = std::find_if(part_.tables.begin(), part_.tables.end(),
                                         [&](const Table& t) { return t.id == entry.range.table; });
         if (found == part_.tables.end()) {
-            fault(entry, fmt::format("{} takes its range from table {}, which does not exist", name(object, entry), entry.range.table),
+            fault(entry,
+                  fmt::format("{} takes its range from table {}, which does not exist", name(object, entry),
+                              entry.range.table),
                   "name a [[table]] of this device");
             return;
         }
@@ -98,19 +108,22 @@ class ObjectCheck {
                 const auto* first = std::get_if<std::int64_t>(&part.first);
                 const auto* last = std::get_if<std::int64_t>(&part.last);
                 for (std::int64_t v = first == nullptr ? 1 : *first; first != nullptr && v <= *last; ++v) {
-                    if (std::find(entry.range.values.begin(), entry.range.values.end(), Value{v}) == entry.range.values.end()) {
+                    if (std::find(entry.range.values.begin(), entry.range.values.end(), Value{v}) ==
+                        entry.range.values.end()) {
                         entry.range.values.emplace_back(v);
                     }
                 }
             }
         }
         if (entry.range.values.empty()) {
-            fault(entry, fmt::format("table {} has no numbers in its first column", entry.range.table), "choose another table");
+            fault(entry, fmt::format("table {} has no numbers in its first column", entry.range.table),
+                  "choose another table");
         }
     }
 
     /// The numeric value of a limit, with its words for a message; nothing when it does not limit.
-    std::optional<double> limit_value(const Object& object, const Entry& entry, const Limit& limit, std::string& words) {
+    std::optional<double> limit_value(const Object& object, const Entry& entry, const Limit& limit,
+                                      std::string& words) {
         if (limit.kind == Limit::Kind::number) {
             words = to_text(limit.number);
             return as_number(limit.number);
@@ -127,12 +140,16 @@ class ObjectCheck {
             }
         }
         if (other == nullptr) {
-            fault(entry, fmt::format("{} is limited by {:04X}h:{}, which does not exist", name(object, entry), limit.index, sub),
-                  "name an object of this device");
+            fault(
+                entry,
+                fmt::format("{} is limited by {:04X}h:{}, which does not exist", name(object, entry), limit.index, sub),
+                "name an object of this device");
             return std::nullopt;
         }
         if (other->type != entry.type) {
-            fault(entry, fmt::format("{} ({}) is limited by {:04X}h:{} ({})", name(object, entry), entry.type, limit.index, sub, other->type),
+            fault(entry,
+                  fmt::format("{} ({}) is limited by {:04X}h:{} ({})", name(object, entry), entry.type, limit.index,
+                              sub, other->type),
                   "a limit has the type of what it limits");
             return std::nullopt;
         }
@@ -149,7 +166,8 @@ class ObjectCheck {
             return;
         }
         if (type_size(entry.type) == 0 || type_size(entry.type) > 4) {
-            fault(entry, fmt::format("{} of type {} cannot have a range", name(object, entry), entry.type), "remove range");
+            fault(entry, fmt::format("{} of type {} cannot have a range", name(object, entry), entry.type),
+                  "remove range");
             return;
         }
         const auto own = integer_limits(entry.type);
@@ -161,7 +179,8 @@ class ObjectCheck {
             const bool whole = std::holds_alternative<std::int64_t>(limit->number);
             if (!value || (!is_real(entry.type) && !whole) ||
                 (own && (*value < static_cast<double>(own->first) || *value > static_cast<double>(own->second)))) {
-                fault(entry, fmt::format("{} limit {} is no {}", name(object, entry), to_text(limit->number), entry.type),
+                fault(entry,
+                      fmt::format("{} limit {} is no {}", name(object, entry), to_text(limit->number), entry.type),
                       "give a limit that the type can hold");
             }
         }
@@ -170,21 +189,27 @@ class ObjectCheck {
         const auto low = limit_value(object, entry, entry.range.minimum, low_words);
         const auto high = limit_value(object, entry, entry.range.maximum, high_words);
         if (low && high && *low > *high) {
-            fault(entry, fmt::format("{} minimum {} exceeds its maximum {}", name(object, entry), low_words, high_words),
+            fault(entry,
+                  fmt::format("{} minimum {} exceeds its maximum {}", name(object, entry), low_words, high_words),
                   "exchange them");
         }
         const auto given = as_number(entry.value);
         if (given && high && *given > *high) {
-            fault(entry, fmt::format("{} default {} exceeds its limit ({})", name(object, entry), to_text(entry.value), high_words),
+            fault(entry,
+                  fmt::format("{} default {} exceeds its limit ({})", name(object, entry), to_text(entry.value),
+                              high_words),
                   "lower it or raise the limit");
         }
         if (given && low && *given < *low) {
-            fault(entry, fmt::format("{} default {} is below its limit ({})", name(object, entry), to_text(entry.value), low_words),
+            fault(entry,
+                  fmt::format("{} default {} is below its limit ({})", name(object, entry), to_text(entry.value),
+                              low_words),
                   "raise it or lower the limit");
         }
         const auto& values = entry.range.values;
         if (given && !values.empty() && std::find(values.begin(), values.end(), entry.value) == values.end()) {
-            fault(entry, fmt::format("{} default {} is not among its values", name(object, entry), to_text(entry.value)),
+            fault(entry,
+                  fmt::format("{} default {} is not among its values", name(object, entry), to_text(entry.value)),
                   "use one of them or add it");
         }
     }
@@ -202,7 +227,8 @@ class ObjectCheck {
             if (text == nullptr) {
                 fault(entry, fmt::format("{} has no text as default", where), "give default = \"…\"");
             } else if (entry.length != 0 && text->size() > entry.length) {
-                fault(entry, fmt::format("{} default has {} bytes, its length is {}", where, text->size(), entry.length),
+                fault(entry,
+                      fmt::format("{} default has {} bytes, its length is {}", where, text->size(), entry.length),
                       "shorten it or raise length");
             } else if (entry.length == 0) {
                 entry.length = text->size();
@@ -215,13 +241,15 @@ class ObjectCheck {
     void check_numeric_default(const Entry& entry, const std::string& where) {
         const auto number = as_number(entry.value);
         if (!number) {
-            fault(entry, fmt::format("{} has no number as default", where), fmt::format("give a default of type {}", entry.type));
+            fault(entry, fmt::format("{} has no number as default", where),
+                  fmt::format("give a default of type {}", entry.type));
             return;
         }
         const auto own = integer_limits(entry.type);
         const bool whole = !std::holds_alternative<double>(entry.value);
         if (!is_real(entry.type) && !whole) {
-            fault(entry, fmt::format("{} default {} is no whole number", where, to_text(entry.value)), "write a whole number");
+            fault(entry, fmt::format("{} default {} is no whole number", where, to_text(entry.value)),
+                  "write a whole number");
         } else if (own && (*number < static_cast<double>(own->first) || *number > static_cast<double>(own->second))) {
             fault(entry, fmt::format("{} default {} is no {}", where, to_text(entry.value), entry.type),
                   fmt::format("use a value from {} to {}", own->first, own->second));
@@ -235,6 +263,8 @@ class ObjectCheck {
 
 }  // namespace
 
-void check_objects(Part& part, Faults& faults) { ObjectCheck{part, faults}.run(); }
+void check_objects(Part& part, Faults& faults) {
+    ObjectCheck{part, faults}.run();
+}
 
 }  // namespace canproof::host

@@ -74,7 +74,8 @@ class ReferenceCheck {
         std::map<std::string, Place> keys;
         for (const auto& manual : content_.manuals) {
             if (const auto [at, fresh] = keys.emplace(manual.key, manual.place); !fresh) {
-                fault(manual.place, fmt::format("manual key {} is taken by {}", manual.key, at->second.file), "use another key");
+                fault(manual.place, fmt::format("manual key {} is taken by {}", manual.key, at->second.file),
+                      "use another key");
             }
             std::map<std::string, unsigned> seen;
             for (const auto& section : manual.sections) {
@@ -108,7 +109,8 @@ class ReferenceCheck {
             return;  // told by the reader
         }
         if (!std::regex_match(id, shape)) {
-            fault(place, fmt::format("id {} is malformed", id), "use capitals, digits and dashes, such as AO4-AOUT-002");
+            fault(place, fmt::format("id {} is malformed", id),
+                  "use capitals, digits and dashes, such as AO4-AOUT-002");
         } else if (!part.prefix.empty() && id.rfind(part.prefix + "-", 0) != 0) {
             fault(place, fmt::format("id {} does not begin with {}-", id, part.prefix),
                   "use the prefix of the folder that the file stands in");
@@ -130,7 +132,8 @@ class ReferenceCheck {
         const auto colon = source.find(':');
         const std::string key = source.substr(0, colon);
         if (colon == std::string::npos || colon + 1 == source.size()) {
-            fault(place, fmt::format("source \"{}\" names no section", source), "write KEY:section, such as CBX-AO412:7.10.2");
+            fault(place, fmt::format("source \"{}\" names no section", source),
+                  "write KEY:section, such as CBX-AO412:7.10.2");
             return;
         }
         if (key.rfind("CiA", 0) == 0) {
@@ -138,7 +141,8 @@ class ReferenceCheck {
         }
         const auto manual = refs_.find(key);
         if (manual == refs_.end()) {
-            fault(place, fmt::format("source \"{}\" names an unknown manual", source), "use a key from spec/manuals, or CiA…");
+            fault(place, fmt::format("source \"{}\" names an unknown manual", source),
+                  "use a key from spec/manuals, or CiA…");
             return;
         }
         for (const auto& ref : split_refs(source.substr(colon + 1))) {
@@ -168,8 +172,8 @@ class ReferenceCheck {
     void check_reviews(const Part& part) {
         for (const auto& [id, print] : part.reviews) {
             if (ids_.count(id) == 0) {
-                fault({"spec/devices/" + part.name + "/reviews.toml", 1}, fmt::format("review of {}, which does not exist", id),
-                      "remove the line");
+                fault({"spec/devices/" + part.name + "/reviews.toml", 1},
+                      fmt::format("review of {}, which does not exist", id), "remove the line");
             }
         }
     }
@@ -182,6 +186,8 @@ class ReferenceCheck {
 
 }  // namespace
 
-void check_references(const Register& content, Faults& faults) { ReferenceCheck{content, faults}.run(); }
+void check_references(const Register& content, Faults& faults) {
+    ReferenceCheck{content, faults}.run();
+}
 
 }  // namespace canproof::host

@@ -23,7 +23,8 @@ class TableCheck {
             for (Column& column : *columns) {
                 resolve(column);
                 if (!names.insert(column.name).second) {
-                    fault(table_.place, fmt::format("{} has two columns {}", table_.id, column.name), "give each column its own name");
+                    fault(table_.place, fmt::format("{} has two columns {}", table_.id, column.name),
+                          "give each column its own name");
                 }
             }
         }
@@ -40,7 +41,9 @@ class TableCheck {
     }
 
   private:
-    void fault(const Place& place, const std::string& what, const std::string& mend) { faults_.push_back({place, what, mend}); }
+    void fault(const Place& place, const std::string& what, const std::string& mend) {
+        faults_.push_back({place, what, mend});
+    }
 
     void resolve(Column& column) {
         if (column.enumeration.empty()) {
@@ -48,7 +51,9 @@ class TableCheck {
         }
         const Enumeration* found = content_.enumeration(part_, column.enumeration);
         if (found == nullptr) {
-            fault(table_.place, fmt::format("{} column {} names enumeration {}, which does not exist", table_.id, column.name, column.enumeration),
+            fault(table_.place,
+                  fmt::format("{} column {} names enumeration {}, which does not exist", table_.id, column.name,
+                              column.enumeration),
                   "name an [[enumeration]] of this device or of spec/canopen");
             return;
         }
@@ -63,8 +68,10 @@ class TableCheck {
             for (std::size_t i = 0; i < row.cells.size(); ++i) {
                 const bool input = i < table_.inputs.size();
                 const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
-                if (!input && (row.cells[i].parts.size() != 1 || row.cells[i].parts[0].first != row.cells[i].parts[0].last)) {
-                    fault(row.place, fmt::format("{} output {} is not one value", table_.id, column.name), "write a single literal");
+                if (!input &&
+                    (row.cells[i].parts.size() != 1 || row.cells[i].parts[0].first != row.cells[i].parts[0].last)) {
+                    fault(row.place, fmt::format("{} output {} is not one value", table_.id, column.name),
+                          "write a single literal");
                     continue;
                 }
                 for (const auto& part : row.cells[i].parts) {
@@ -82,18 +89,21 @@ class TableCheck {
         } else if (column.kind == Column::Kind::booleans) {
             fits = std::holds_alternative<bool>(part.first);
         } else if (column.kind == Column::Kind::reals) {
-            fits = !input && (std::holds_alternative<double>(part.first) || std::holds_alternative<std::int64_t>(part.first));
+            fits = !input &&
+                   (std::holds_alternative<double>(part.first) || std::holds_alternative<std::int64_t>(part.first));
         } else {
             const auto* first = std::get_if<std::int64_t>(&part.first);
             const auto* last = std::get_if<std::int64_t>(&part.last);
-            fits = first != nullptr && last != nullptr && *first <= *last && *first >= *column.minimum && *last <= *column.maximum;
+            fits = first != nullptr && last != nullptr && *first <= *last && *first >= *column.minimum &&
+                   *last <= *column.maximum;
             const auto own = integer_limits(column.type);
             if (fits && !input && own) {
                 fits = *first >= own->first && *last <= own->second;
             }
         }
         if (!fits) {
-            fault(row.place, fmt::format("{} value {} is outside the domain of {}", table_.id, to_text(part.first), column.name),
+            fault(row.place,
+                  fmt::format("{} value {} is outside the domain of {}", table_.id, to_text(part.first), column.name),
                   "correct the cell or the column's domain");
         }
     }
@@ -130,7 +140,8 @@ class TableCheck {
             fault(table_.place, fmt::format("{} has a gap: no row for {}", table_.id, combination), "add a row for it");
         } else {
             fault(table_.rows[rows[1]].place,
-                  fmt::format("{} has an overlap: {} is covered by line {} too", table_.id, combination, table_.rows[rows[0]].place.line),
+                  fmt::format("{} has an overlap: {} is covered by line {} too", table_.id, combination,
+                              table_.rows[rows[0]].place.line),
                   "let one row only cover it");
         }
     }
@@ -188,7 +199,8 @@ void check_constant(const Constant& constant, Faults& faults) {
     const bool fits = real ? (whole != nullptr || std::holds_alternative<double>(constant.value))
                            : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
     if (!fits) {
-        faults.push_back({constant.place, fmt::format("{} value {} is no {}", constant.id, to_text(constant.value), constant.type),
+        faults.push_back({constant.place,
+                          fmt::format("{} value {} is no {}", constant.id, to_text(constant.value), constant.type),
                           "correct the value or the type"});
     }
 }
@@ -201,16 +213,20 @@ void check_signal(const Signal& signal, Faults& faults) {
     const auto limits = integer_limits(signal.type);
     const bool typed = signal.type == "BOOLEAN" ? truth != nullptr
                        : is_real                ? (real != nullptr || whole != nullptr)
-                                                : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
+                                 : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
     if (!typed) {
-        faults.push_back({signal.place, fmt::format("{} default {} is no {}", signal.id, to_text(signal.value), signal.type),
+        faults.push_back({signal.place,
+                          fmt::format("{} default {} is no {}", signal.id, to_text(signal.value), signal.type),
                           "give a default of the signal's type"});
         return;
     }
-    const double value = truth != nullptr ? (*truth ? 1.0 : 0.0) : whole != nullptr ? static_cast<double>(*whole) : *real;
+    const double value = truth != nullptr   ? (*truth ? 1.0 : 0.0)
+                         : whole != nullptr ? static_cast<double>(*whole)
+                                            : *real;
     if ((signal.minimum && value < *signal.minimum) || (signal.maximum && value > *signal.maximum)) {
-        faults.push_back({signal.place, fmt::format("{} default {} is outside {} … {}", signal.id, to_text(signal.value),
-                                                    signal.minimum.value_or(-INFINITY), signal.maximum.value_or(INFINITY)),
+        faults.push_back({signal.place,
+                          fmt::format("{} default {} is outside {} … {}", signal.id, to_text(signal.value),
+                                      signal.minimum.value_or(-INFINITY), signal.maximum.value_or(INFINITY)),
                           "correct the default or the range"});
     }
 }

@@ -71,7 +71,8 @@ Layout make_layout(const Part& part) {
             place.offset = static_cast<std::uint16_t>(pool.size());
             append_value(pool, entry, place.size);
             if (entry.stored) {
-                print = fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.size), print);
+                print =
+                    fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.size), print);
             }
             placed.push_back(place);
         }
@@ -82,9 +83,12 @@ Layout make_layout(const Part& part) {
 }
 
 std::string cpp_type(const std::string& cia_type) {
-    if (cia_type == "BOOLEAN") return "bool";
-    if (cia_type == "REAL32") return "float";
-    if (cia_type == "REAL64") return "double";
+    if (cia_type == "BOOLEAN")
+        return "bool";
+    if (cia_type == "REAL32")
+        return "float";
+    if (cia_type == "REAL64")
+        return "double";
     const bool is_unsigned = cia_type.rfind("UNSIGNED", 0) == 0;
     const std::string width = cia_type.substr(is_unsigned ? 8 : 7);
     return fmt::format("std::{}int{}_t", is_unsigned ? "u" : "", width);

@@ -10,8 +10,9 @@ namespace {
 
 const std::vector<std::string> access_words{"ro", "wo", "rw", "const"};
 const std::vector<std::string> mapping_words{"none", "rpdo", "tpdo", "both"};
-const std::vector<std::string> service_words{"none",  "sync", "emcy",            "heartbeat", "guarding", "pdo",
-                                             "store", "nmt",  "error_behaviour", "program",   "lss",      "device"};
+const std::vector<std::string> service_words{"none", "sync",  "emcy", "heartbeat",       "guarding",
+                                             "pdo",  "store", "nmt",  "error_behaviour", "program",
+                                             "lss",  "device"};
 const std::string node_id_mark = "$NODEID+";
 
 std::string numbered(std::string text, std::int64_t n) {

@@ -128,7 +128,8 @@ Table read_table(TomlItem& item) {
             row.place = {item.file(), static_cast<unsigned>(one.source().begin.line)};
             const auto cells = one.as_array();
             if (cells == nullptr || cells->size() != width) {
-                item.fault(row.place, fmt::format("row of {} has {} cells", table.id, cells == nullptr ? 0 : cells->size()),
+                item.fault(row.place,
+                           fmt::format("row of {} has {} cells", table.id, cells == nullptr ? 0 : cells->size()),
                            fmt::format("write {}: one for each input and output", width));
                 continue;
             }

@@ -43,7 +43,8 @@ void read_device(TomlItem& item, Part& part) {
     info.place = item.place();
     const std::string name = item.text("name");
     if (name != part.name) {
-        item.fault(item.place("name"), fmt::format("name {} is not the folder's", name), fmt::format("write {}", part.name));
+        item.fault(item.place("name"), fmt::format("name {} is not the folder's", name),
+                   fmt::format("write {}", part.name));
     }
     info.title = item.text("title");
     info.vendor = item.text("vendor");
@@ -134,7 +135,8 @@ Signal read_signal(TomlItem& item) {
     signal.maximum = item.number("max");
     signal.value = item.value("default");
     if (signal.count > 1 && signal.name.find("{n}") == std::string::npos) {
-        item.fault(fmt::format("signal {} has a count but no {{n}} in its name", signal.name), "write name = \"aout{n}\"");
+        item.fault(fmt::format("signal {} has a count but no {{n}} in its name", signal.name),
+                   "write name = \"aout{n}\"");
     }
     item.finish();
     return signal;
@@ -164,15 +166,22 @@ Decision read_decision(TomlItem& item) {
 }
 
 void read_items(TomlItem& file, Part& part) {
-    for (TomlItem& item : file.items("requirement")) part.requirements.push_back(read_requirement(item));
+    for (TomlItem& item : file.items("requirement"))
+        part.requirements.push_back(read_requirement(item));
     for (TomlItem& item : file.items("object")) {
-        for (Object& object : read_objects(item, part.prefix)) part.objects.push_back(std::move(object));
+        for (Object& object : read_objects(item, part.prefix))
+            part.objects.push_back(std::move(object));
     }
-    for (TomlItem& item : file.items("table")) part.tables.push_back(read_table(item));
-    for (TomlItem& item : file.items("enumeration")) part.enumerations.push_back(read_enumeration(item));
-    for (TomlItem& item : file.items("constant")) part.constants.push_back(read_constant(item));
-    for (TomlItem& item : file.items("signal")) part.signals.push_back(read_signal(item));
-    for (TomlItem& item : file.items("decision")) part.decisions.push_back(read_decision(item));
+    for (TomlItem& item : file.items("table"))
+        part.tables.push_back(read_table(item));
+    for (TomlItem& item : file.items("enumeration"))
+        part.enumerations.push_back(read_enumeration(item));
+    for (TomlItem& item : file.items("constant"))
+        part.constants.push_back(read_constant(item));
+    for (TomlItem& item : file.items("signal"))
+        part.signals.push_back(read_signal(item));
+    for (TomlItem& item : file.items("decision"))
+        part.decisions.push_back(read_decision(item));
     if (auto reviewed = file.item("reviewed")) {
         for (const auto& [id, print] : reviewed->table()) {
             part.reviews[std::string{id.str()}] = to_text(literal(print));
@@ -244,7 +253,8 @@ Register read_register(const SpecFiles& files, Faults& faults) {
                 read_file(path, toml::parse(text, path), content, faults);
             } catch (const toml::parse_error& error) {
                 faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
-                                  fmt::format("not TOML: {}", error.description()), "correct the syntax"});
+                                  fmt::format("not TOML: {}", error.description()),
+                                  "correct the syntax"});
             }
         }
     }

@@ -1,4 +1,5 @@
-// TOML to structs. What cannot be read is told as a fault; what can be is read all the same, so that one run tells everything.
+// TOML to structs. What cannot be read is told as a fault; what can be is read all the same, so that one run tells
+// everything.
 #pragma once
 
 #include "host/speccompiler/register.hpp"

@@ -11,7 +11,9 @@
 
 namespace canproof::host {
 
-std::string Fault::text() const { return fmt::format("{}:{}: {}; {}", place.file, place.line, what, mend); }
+std::string Fault::text() const {
+    return fmt::format("{}:{}: {}; {}", place.file, place.line, what, mend);
+}
 
 std::string to_text(const Value& value) {
     struct Printer {
@@ -37,7 +39,9 @@ std::vector<std::string> Signal::names() const {
     return all;
 }
 
-std::string Part::cpp_name() const { return snake_case(name); }
+std::string Part::cpp_name() const {
+    return snake_case(name);
+}
 
 const Part* Register::part(const std::string& name) const {
     const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
@@ -108,11 +112,17 @@ const TypeFacts* facts(const std::string& type) {
 
 }  // namespace
 
-std::size_t type_size(const std::string& type) { return facts(type) == nullptr ? 0 : facts(type)->size; }
+std::size_t type_size(const std::string& type) {
+    return facts(type) == nullptr ? 0 : facts(type)->size;
+}
 
-bool is_known_type(const std::string& type) { return facts(type) != nullptr; }
+bool is_known_type(const std::string& type) {
+    return facts(type) != nullptr;
+}
 
-bool is_string_type(const std::string& type) { return type == "VISIBLE_STRING" || type == "OCTET_STRING"; }
+bool is_string_type(const std::string& type) {
+    return type == "VISIBLE_STRING" || type == "OCTET_STRING";
+}
 
 std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type) {
     const TypeFacts* found = facts(type);

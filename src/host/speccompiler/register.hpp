@@ -65,7 +65,8 @@ struct Range {
     std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
     std::string table;
     bool empty() const {
-        return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() && table.empty();
+        return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&
+               table.empty();
     }
 };
 
@@ -74,7 +75,7 @@ struct Entry {
     std::string name;
     std::string type;  ///< CiA word: UNSIGNED16 …
     std::string access;
-    Value value;         ///< default; the base when node_id
+    Value value;  ///< default; the base when node_id
     bool node_id{false};
     Range range;
     std::string mapping{"none"};
@@ -213,12 +214,18 @@ struct Register {
     /// Calls visit(item, word) for all items that have an id; `word` says what they are: "requirement", "object" …
     template <typename Visit>
     void for_each_item(const Part& part, const Visit& visit) const {
-        for (const auto& item : part.requirements) visit(static_cast<const Item&>(item), "requirement");
-        for (const auto& item : part.objects) visit(static_cast<const Item&>(item), "object");
-        for (const auto& item : part.tables) visit(static_cast<const Item&>(item), "table");
-        for (const auto& item : part.enumerations) visit(static_cast<const Item&>(item), "enumeration");
-        for (const auto& item : part.constants) visit(static_cast<const Item&>(item), "constant");
-        for (const auto& item : part.signals) visit(static_cast<const Item&>(item), "signal");
+        for (const auto& item : part.requirements)
+            visit(static_cast<const Item&>(item), "requirement");
+        for (const auto& item : part.objects)
+            visit(static_cast<const Item&>(item), "object");
+        for (const auto& item : part.tables)
+            visit(static_cast<const Item&>(item), "table");
+        for (const auto& item : part.enumerations)
+            visit(static_cast<const Item&>(item), "enumeration");
+        for (const auto& item : part.constants)
+            visit(static_cast<const Item&>(item), "constant");
+        for (const auto& item : part.signals)
+            visit(static_cast<const Item&>(item), "signal");
     }
 };
 

@@ -8,10 +8,14 @@
 namespace canproof::host {
 
 Value literal(const toml::node& node) {
-    if (const auto b = node.as_boolean()) return b->get();
-    if (const auto i = node.as_integer()) return i->get();
-    if (const auto d = node.as_floating_point()) return d->get();
-    if (const auto s = node.as_string()) return s->get();
+    if (const auto b = node.as_boolean())
+        return b->get();
+    if (const auto i = node.as_integer())
+        return i->get();
+    if (const auto d = node.as_floating_point())
+        return d->get();
+    if (const auto s = node.as_string())
+        return s->get();
     return {};
 }
 
@@ -137,7 +141,8 @@ std::vector<std::int64_t> TomlItem::integers(const std::string& key) {
     return all;
 }
 
-std::string TomlItem::word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise) {
+std::string TomlItem::word(const std::string& key, const std::vector<std::string>& words,
+                           const std::string& otherwise) {
     if (!has(key)) {
         asked_.insert(key);
         if (otherwise.empty()) {

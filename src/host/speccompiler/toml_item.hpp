@@ -40,7 +40,9 @@ class TomlItem {
     std::optional<TomlItem> item(const std::string& key);
 
     void fault(const std::string& what, const std::string& mend) { fault(place(), what, mend); }
-    void fault(const Place& at, const std::string& what, const std::string& mend) { faults_.push_back({at, what, mend}); }
+    void fault(const Place& at, const std::string& what, const std::string& mend) {
+        faults_.push_back({at, what, mend});
+    }
     /// Tells each key that nobody asked for.
     void finish();
 

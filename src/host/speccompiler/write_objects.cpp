@@ -22,25 +22,34 @@ const std::string raw_type(const std::string& type) {
 
 std::string rights_of(const Entry& entry, bool constant) {
     std::vector<std::string> all;
-    if (entry.access != "wo") all.emplace_back("rights::read");
-    if (entry.access == "rw" || entry.access == "wo") all.emplace_back("rights::write");
-    if (entry.mapping == "rpdo" || entry.mapping == "both") all.emplace_back("rights::rpdo");
-    if (entry.mapping == "tpdo" || entry.mapping == "both") all.emplace_back("rights::tpdo");
-    if (entry.stored) all.emplace_back("rights::stored");
-    if (entry.node_id) all.emplace_back("rights::node_id");
-    if (constant) all.emplace_back("rights::constant");
+    if (entry.access != "wo")
+        all.emplace_back("rights::read");
+    if (entry.access == "rw" || entry.access == "wo")
+        all.emplace_back("rights::write");
+    if (entry.mapping == "rpdo" || entry.mapping == "both")
+        all.emplace_back("rights::rpdo");
+    if (entry.mapping == "tpdo" || entry.mapping == "both")
+        all.emplace_back("rights::tpdo");
+    if (entry.stored)
+        all.emplace_back("rights::stored");
+    if (entry.node_id)
+        all.emplace_back("rights::node_id");
+    if (constant)
+        all.emplace_back("rights::constant");
     return fmt::format("{}", fmt::join(all, " | "));
 }
 
 std::uint32_t limit_bits(const std::string& type, const Value& value) {
     if (type == "REAL32") {
         const auto* real = std::get_if<double>(&value);
-        const auto narrow = static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
+        const auto narrow =
+            static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
         std::uint32_t bits = 0;
         std::memcpy(&bits, &narrow, sizeof bits);
         return bits;
     }
-    if (const auto* truth = std::get_if<bool>(&value)) return *truth ? 1U : 0U;
+    if (const auto* truth = std::get_if<bool>(&value))
+        return *truth ? 1U : 0U;
     // As wide as the type: -1 of an INTEGER16 is FFFFh.
     const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
     const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
@@ -120,24 +129,30 @@ std::string string_rows(const std::string& type, const std::string& name, const 
     return text + "}};\n\n";
 }
 
-bool has_field(const Entry& entry, const Placement& place) { return !place.constant && type_size(entry.type) > 0; }
+bool has_field(const Entry& entry, const Placement& place) {
+    return !place.constant && type_size(entry.type) > 0;
+}
 
 std::string field_for(const Object& object, const std::vector<Placement>& places) {
     std::string text;
     const std::string base = fmt::format("o{:04x}_{}", object.index, snake_case(object.name));
     if (object.kind == Object::Kind::array && object.entries.size() > 1 && has_field(object.entries[1], places[1])) {
-        text += fmt::format("inline constexpr ArrayField<{}, {}U> {}{{{}U}};  // {}\n", cpp_type(object.entries[1].type),
-                            object.entries.size() - 1, base, places[1].offset, object.id);
+        text +=
+            fmt::format("inline constexpr ArrayField<{}, {}U> {}{{{}U}};  // {}\n", cpp_type(object.entries[1].type),
+                        object.entries.size() - 1, base, places[1].offset, object.id);
         return text;
     }
     for (std::size_t i = 0; i < object.entries.size(); ++i) {
         const Entry& entry = object.entries[i];
-        const std::string name =
-            object.kind == Object::Kind::var ? base : fmt::format("o{:04x}_{}_{}", object.index, entry.subindex, snake_case(entry.name));
+        const std::string name = object.kind == Object::Kind::var ? base
+                                                                  : fmt::format("o{:04x}_{}_{}", object.index,
+                                                                                entry.subindex, snake_case(entry.name));
         if (has_field(entry, places[i])) {
-            text += fmt::format("inline constexpr Field<{}> {}{{{}U}};  // {}\n", cpp_type(entry.type), name, places[i].offset, object.id);
+            text += fmt::format("inline constexpr Field<{}> {}{{{}U}};  // {}\n", cpp_type(entry.type), name,
+                                places[i].offset, object.id);
         } else if (!places[i].constant && is_string_type(entry.type)) {
-            text += fmt::format("inline constexpr StringField {}{{{}U, {}U}};  // {}\n", name, places[i].offset, places[i].size, object.id);
+            text += fmt::format("inline constexpr StringField {}{{{}U, {}U}};  // {}\n", name, places[i].offset,
+                                places[i].size, object.id);
         }
     }
     return text;
@@ -153,13 +168,16 @@ std::string write_objects(const Part& part) {
     std::string fields;
     for (std::size_t o = 0; o < part.objects.size(); ++o) {
         const Object& object = part.objects[o];
-        const char* kind = object.kind == Object::Kind::var ? "var" : object.kind == Object::Kind::array ? "array" : "record";
-        objects.push_back(fmt::format("{{0x{:04X}U, {}U, {}U, ObjectKind::{}}}", object.index, entries.size(), object.entries.size(), kind));
+        const char* kind = object.kind == Object::Kind::var     ? "var"
+                           : object.kind == Object::Kind::array ? "array"
+                                                                : "record";
+        objects.push_back(fmt::format("{{0x{:04X}U, {}U, {}U, ObjectKind::{}}}", object.index, entries.size(),
+                                      object.entries.size(), kind));
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
             const Entry& entry = object.entries[e];
             const Placement& place = layout.placements[o][e];
-            entries.push_back(fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}} /* {} {} */", place.offset, place.size,
-                                          limits.row_for(entry), entry.subindex, raw_type(entry.type),
+            entries.push_back(fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}} /* {} {} */", place.offset,
+                                          place.size, limits.row_for(entry), entry.subindex, raw_type(entry.type),
                                           rights_of(entry, place.constant), entry.service, object.id, entry.name));
         }
         fields += field_for(object, layout.placements[o]);
@@ -180,8 +198,10 @@ std::string write_objects(const Part& part) {
     text += byte_array("default_image", layout.image);
     text += fmt::format("inline constexpr std::size_t image_size = {}U;\n\n", layout.image.size());
     text += fmt::format(
-        "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), table_view(limit_rows),\n"
-        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U}};\n\n", layout.fingerprint);
+        "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
+        "table_view(limit_rows),\n"
+        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U}};\n\n",
+        layout.fingerprint);
     text += "namespace field {\n" + fields + "}  // namespace field\n\n";
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }
