@@ -50,11 +50,11 @@ class ReferenceCheck {
         for (const auto& part : content_.parts) {
             check_part_info(part);
             content_.for_each_item(part, [&](const Item& item, const char*) {
-                take_id(part, item.id, item.place);
-                check_sources(item.sources, item.place);
+                take_id(part, item.id, item.id_place);
+                check_sources(item.sources, item.source_place);
             });
             for (const auto& decision : part.decisions) {
-                take_id(part, decision.id, decision.place);
+                take_id(part, decision.id, decision.id_place);
             }
         }
         for (const auto& part : content_.parts) {
@@ -91,15 +91,15 @@ class ReferenceCheck {
         if (!part.is_device()) {
             return;
         }
-        if (part.prefix.empty()) {
+        if (!part.has_device_file) {
             fault({"spec/devices/" + part.name + "/device.toml", 1}, "device without device.toml",
                   "write it (spec/README.md, device.toml)");
         } else {
-            if (content_.manual(part.info.manual) == nullptr) {
-                fault(part.info.place, fmt::format("manual {} is not registered", part.info.manual),
+            if (!part.info.manual.empty() && content_.manual(part.info.manual) == nullptr) {
+                fault(part.info.manual_place, fmt::format("manual {} is not registered", part.info.manual),
                       "add spec/manuals/NAME.toml with this key");
             }
-            check_sources(part.info.sources, part.info.place);
+            check_sources(part.info.sources, part.info.source_place);
         }
     }
 
@@ -107,6 +107,9 @@ class ReferenceCheck {
         static const std::regex shape{"^[A-Z0-9]+(-[A-Z0-9]+)+$"};
         if (id.empty()) {
             return;  // told by the reader
+        }
+        if (part.prefix.empty() && id.front() == '-') {
+            return;  // an object of a device without prefix: told at device.toml
         }
         if (!std::regex_match(id, shape)) {
             fault(place, fmt::format("id {} is malformed", id),
@@ -155,7 +158,7 @@ class ReferenceCheck {
 
     void check_decision(const Decision& decision) {
         for (const auto& reading : decision.readings) {
-            check_source(reading.source, decision.place);
+            check_source(reading.source, reading.place);
         }
         if (decision.affects.empty() && decision.none.empty()) {
             fault(decision.place, fmt::format("{} affects nothing", decision.id),
@@ -163,7 +166,7 @@ class ReferenceCheck {
         }
         for (const auto& id : decision.affects) {
             if (ids_.count(id) == 0) {
-                fault(decision.place, fmt::format("{} affects {}, which does not exist", decision.id, id),
+                fault(decision.affects_place, fmt::format("{} affects {}, which does not exist", decision.id, id),
                       "correct the id or remove it");
             }
         }
@@ -172,8 +175,8 @@ class ReferenceCheck {
     void check_reviews(const Part& part) {
         for (const auto& [id, print] : part.reviews) {
             if (ids_.count(id) == 0) {
-                fault({"spec/devices/" + part.name + "/reviews.toml", 1},
-                      fmt::format("review of {}, which does not exist", id), "remove the line");
+                fault(part.review_places.at(id), fmt::format("review of {}, which does not exist", id),
+                      "remove the line");
             }
         }
     }

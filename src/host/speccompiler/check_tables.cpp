@@ -2,10 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "host/speccompiler/checker.hpp"
+#include "host/speccompiler/literals.hpp"
 
 namespace canproof::host {
 
@@ -18,19 +18,20 @@ class TableCheck {
         : content_{content}, part_{part}, table_{table}, faults_{faults} {}
 
     void run() {
+        const std::size_t before = faults_.size();
         std::set<std::string> names;
         for (auto* columns : {&table_.inputs, &table_.outputs}) {
             for (Column& column : *columns) {
                 resolve(column);
+                check_column(column, columns == &table_.inputs);
                 if (!names.insert(column.name).second) {
-                    fault(table_.place, fmt::format("{} has two columns {}", table_.id, column.name),
+                    fault(column.place, fmt::format("{} has two columns {}", table_.id, column.name),
                           "give each column its own name");
                 }
             }
         }
-        const std::size_t before = faults_.size();
         check_cells();
-        if (faults_.size() == before) {
+        if (faults_.size() == before && table_.complete) {
             std::vector<std::size_t> rows(table_.rows.size());
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 rows[i] = i;
@@ -51,7 +52,7 @@ class TableCheck {
         }
         const Enumeration* found = content_.enumeration(part_, column.enumeration);
         if (found == nullptr) {
-            fault(table_.place,
+            fault(column.place,
                   fmt::format("{} column {} names enumeration {}, which does not exist", table_.id, column.name,
                               column.enumeration),
                   "name an [[enumeration]] of this device or of spec/canopen");
@@ -60,6 +61,35 @@ class TableCheck {
         column.words.clear();
         for (const auto& [word, number] : found->values) {
             column.words.push_back(word);
+        }
+    }
+
+    void check_column(const Column& column, bool input) {
+        if (!column.name.empty() && !is_cpp_name(column.name)) {
+            fault(column.place, fmt::format("{} column {} is no C++ name", table_.id, column.name),
+                  "use letters, digits and underscores, and no keyword");
+        }
+        if (!column.type.empty() && (!is_known_type(column.type) || type_size(column.type) == 0)) {
+            fault(column.place,
+                  fmt::format("{} column {} has the unknown type {}", table_.id, column.name, column.type),
+                  "use BOOLEAN, an integer type, REAL32 or REAL64");
+        }
+        if (!column.type.empty() && (input || !column.enumeration.empty())) {
+            fault(column.place, fmt::format("{} column {} must not have a type", table_.id, column.name),
+                  input ? "remove type: an input takes it from its domain" : "keep type or enumeration, not both");
+        }
+        if (input && column.kind == Column::Kind::reals) {
+            fault(column.place, fmt::format("{} input {} is a REAL32", table_.id, column.name),
+                  "use whole numbers, booleans or words: their combinations can be counted");
+        }
+        std::set<std::string> words;
+        for (const auto& word : column.words) {
+            if (column.kind == Column::Kind::words &&
+                (snake_case(word).empty() || !words.insert(snake_case(word)).second)) {
+                fault(column.place,
+                      fmt::format("{} column {} has no single C++ name for \"{}\"", table_.id, column.name, word),
+                      "give each word a name of letters and digits that no other has");
+            }
         }
     }
 
@@ -83,23 +113,23 @@ class TableCheck {
 
     void check_part(const Table::Row& row, const Column& column, const Cell::Part& part, bool input) {
         bool fits = false;
-        if (column.kind == Column::Kind::words) {
+        if (input && column.kind == Column::Kind::reals) {
+            return;  // told with the column
+        }
+        if (!input && !column.type.empty()) {
+            fits = fits_type(part.first, column.type);
+        } else if (column.kind == Column::Kind::words) {
             const auto* word = std::get_if<std::string>(&part.first);
             fits = word != nullptr && std::find(column.words.begin(), column.words.end(), *word) != column.words.end();
         } else if (column.kind == Column::Kind::booleans) {
             fits = std::holds_alternative<bool>(part.first);
         } else if (column.kind == Column::Kind::reals) {
-            fits = !input &&
-                   (std::holds_alternative<double>(part.first) || std::holds_alternative<std::int64_t>(part.first));
+            fits = (std::holds_alternative<double>(part.first) || std::holds_alternative<std::int64_t>(part.first));
         } else {
             const auto* first = std::get_if<std::int64_t>(&part.first);
             const auto* last = std::get_if<std::int64_t>(&part.last);
             fits = first != nullptr && last != nullptr && *first <= *last && *first >= *column.minimum &&
                    *last <= *column.maximum;
-            const auto own = integer_limits(column.type);
-            if (fits && !input && own) {
-                fits = *first >= own->first && *last <= own->second;
-            }
         }
         if (!fits) {
             fault(row.place,
@@ -192,68 +222,11 @@ class TableCheck {
     int told_{0};
 };
 
-void check_constant(const Constant& constant, Faults& faults) {
-    const auto limits = integer_limits(constant.type);
-    const bool real = constant.type == "REAL32" || constant.type == "REAL64";
-    const auto* whole = std::get_if<std::int64_t>(&constant.value);
-    const bool fits = real ? (whole != nullptr || std::holds_alternative<double>(constant.value))
-                           : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
-    if (!fits) {
-        faults.push_back({constant.place,
-                          fmt::format("{} value {} is no {}", constant.id, to_text(constant.value), constant.type),
-                          "correct the value or the type"});
-    }
-}
-
-void check_signal(const Signal& signal, Faults& faults) {
-    const auto* whole = std::get_if<std::int64_t>(&signal.value);
-    const auto* real = std::get_if<double>(&signal.value);
-    const auto* truth = std::get_if<bool>(&signal.value);
-    const bool is_real = signal.type == "REAL32" || signal.type == "REAL64";
-    const auto limits = integer_limits(signal.type);
-    const bool typed = signal.type == "BOOLEAN" ? truth != nullptr
-                       : is_real                ? (real != nullptr || whole != nullptr)
-                                 : (limits && whole != nullptr && *whole >= limits->first && *whole <= limits->second);
-    if (!typed) {
-        faults.push_back({signal.place,
-                          fmt::format("{} default {} is no {}", signal.id, to_text(signal.value), signal.type),
-                          "give a default of the signal's type"});
-        return;
-    }
-    const double value = truth != nullptr   ? (*truth ? 1.0 : 0.0)
-                         : whole != nullptr ? static_cast<double>(*whole)
-                                            : *real;
-    if ((signal.minimum && value < *signal.minimum) || (signal.maximum && value > *signal.maximum)) {
-        faults.push_back({signal.place,
-                          fmt::format("{} default {} is outside {} … {}", signal.id, to_text(signal.value),
-                                      signal.minimum.value_or(-INFINITY), signal.maximum.value_or(INFINITY)),
-                          "correct the default or the range"});
-    }
-}
-
 }  // namespace
 
 void check_tables(const Register& content, Part& part, Faults& faults) {
     for (Table& table : part.tables) {
         TableCheck{content, part, table, faults}.run();
-    }
-}
-
-void check_literals(const Register&, Part& part, Faults& faults) {
-    for (const auto& constant : part.constants) {
-        check_constant(constant, faults);
-    }
-    for (const auto& signal : part.signals) {
-        check_signal(signal, faults);
-    }
-    for (const auto& enumeration : part.enumerations) {
-        std::set<std::int64_t> numbers;
-        for (const auto& [word, number] : enumeration.values) {
-            if (!numbers.insert(number).second) {
-                faults.push_back({enumeration.place, fmt::format("{} gives {} to two words", enumeration.id, number),
-                                  "give each word its own number"});
-            }
-        }
     }
 }
 

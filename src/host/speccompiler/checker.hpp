@@ -7,10 +7,15 @@ namespace canproof::host {
 
 /// Ids, sources, references and decisions of the whole register.
 void check_references(const Register& content, Faults& faults);
-/// Types, defaults, limits and sub-indices of one part's objects. Ranges that name a table get their values here.
-void check_objects(Part& part, Faults& faults);
-/// Domains, gaps and overlaps of decision tables; types of constants, enumerations and signals.
+/// Domains, gaps and overlaps of decision tables. Columns of an enumeration get its words.
 void check_tables(const Register& content, Part& part, Faults& faults);
-void check_literals(const Register& content, Part& part, Faults& faults);
+/// Types, names and values of constants, enumerations and signals.
+void check_literals(const Part& part, Faults& faults);
+/// Ranges that name a table get its values.
+void resolve_ranges(const Register& content, Part& part, Faults& faults);
+/// Types, defaults, limits and sub-indices of one part's objects. Strings get their length from the default.
+void check_objects(Part& part, Faults& faults);
+/// The limits of one part's entries: the objects they name, their order, and the defaults within.
+void check_limits(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

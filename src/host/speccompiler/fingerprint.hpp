@@ -1,16 +1,12 @@
 // A short mark of what an item demands: when it changes, its tests are suspect until someone has reviewed them.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 
 #include "host/speccompiler/register.hpp"
 
 namespace canproof::host {
-
-/// FNV-1a, 32 bit.
-std::uint32_t fnv1a(const std::string& bytes, std::uint32_t start = 0x811C9DC5U);
 
 /// Eight hexadecimal digits over what the item says; titles, sources, places and the spacing of its text do not count.
 std::string fingerprint(const Requirement& requirement);

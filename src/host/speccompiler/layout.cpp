@@ -37,26 +37,29 @@ std::uint64_t bits_of(const Entry& entry) {
     return whole == nullptr ? 0U : static_cast<std::uint64_t>(*whole);
 }
 
-void append_value(std::vector<std::uint8_t>& to, const Entry& entry, std::size_t size) {
-    if (is_string_type(entry.type)) {
-        std::string text = std::get<std::string>(entry.value);
-        text.resize(size, '\0');
-        to.insert(to.end(), text.begin(), text.end());
-        return;
-    }
-    const std::uint64_t bits = bits_of(entry);
-    for (std::size_t i = 0; i < size; ++i) {
-        to.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
-    }
-}
-
 /// Only what never changes may lie in flash.
 bool is_constant(const Entry& entry) {
-    const bool fixed = entry.access == "const" || entry.access == "ro";
-    return fixed && !entry.factory && !entry.live && !entry.node_id && entry.mapping == "none";
+    if (entry.factory || entry.node_id || entry.mapping != "none") {
+        return false;
+    }
+    return entry.access == "const" || (entry.access == "ro" && !entry.live && entry.service == "none");
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
+    if (is_string_type(entry.type)) {
+        std::string text = std::get<std::string>(entry.value);
+        text.resize(size, '\0');
+        return {text.begin(), text.end()};
+    }
+    std::vector<std::uint8_t> bytes;
+    const std::uint64_t bits = bits_of(entry);
+    for (std::size_t i = 0; i < size; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
+    }
+    return bytes;
+}
 
 Layout make_layout(const Part& part) {
     Layout layout;
@@ -69,10 +72,11 @@ Layout make_layout(const Part& part) {
             place.size = static_cast<std::uint16_t>(is_string_type(entry.type) ? entry.length : type_size(entry.type));
             auto& pool = place.constant ? layout.constants : layout.image;
             place.offset = static_cast<std::uint16_t>(pool.size());
-            append_value(pool, entry, place.size);
+            const auto bytes = value_bytes(entry, place.size);
+            pool.insert(pool.end(), bytes.begin(), bytes.end());
             if (entry.stored) {
-                print =
-                    fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.size), print);
+                print = fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.offset),
+                              print);
             }
             placed.push_back(place);
         }
@@ -80,18 +84,6 @@ Layout make_layout(const Part& part) {
     }
     layout.fingerprint = print;
     return layout;
-}
-
-std::string cpp_type(const std::string& cia_type) {
-    if (cia_type == "BOOLEAN")
-        return "bool";
-    if (cia_type == "REAL32")
-        return "float";
-    if (cia_type == "REAL64")
-        return "double";
-    const bool is_unsigned = cia_type.rfind("UNSIGNED", 0) == 0;
-    const std::string width = cia_type.substr(is_unsigned ? 8 : 7);
-    return fmt::format("std::{}int{}_t", is_unsigned ? "u" : "", width);
 }
 
 }  // namespace canproof::host

@@ -12,7 +12,8 @@ LoadResult load_register(const SpecFiles& files) {
     check_references(result.content, result.faults);
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
-        check_literals(result.content, part, result.faults);
+        check_literals(part, result.faults);
+        resolve_ranges(result.content, part, result.faults);
         check_objects(part, result.faults);
     }
     std::stable_sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
@@ -24,6 +25,10 @@ LoadResult load_register(const SpecFiles& files) {
     };
     result.faults.erase(std::unique(result.faults.begin(), result.faults.end(), same), result.faults.end());
     return result;
+}
+
+LoadResult load_register(const std::filesystem::path& spec) {
+    return load_register(read_spec_files(spec));
 }
 
 }  // namespace canproof::host

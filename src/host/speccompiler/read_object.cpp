@@ -46,6 +46,7 @@ Limit read_limit(TomlItem& range, const std::string& key) {
     if (node == nullptr) {
         return limit;
     }
+    limit.place = range.place(key);
     if (node->is_number()) {
         limit.kind = Limit::Kind::number;
         limit.number = literal(*node);
@@ -70,6 +71,7 @@ Limit read_limit(TomlItem& range, const std::string& key) {
 Range read_range(TomlItem& item) {
     Range range;
     auto table = item.item("range");
+    range.place = item.place("range");
     if (!table) {
         return range;
     }
@@ -111,6 +113,7 @@ void set_default(Entry& entry, const Value& value) {
 Entry read_entry_fields(TomlItem& item) {
     Entry entry;
     entry.place = item.place();
+    entry.default_place = item.place("default");
     entry.type = item.text("type");
     if (!entry.type.empty() && !is_known_type(entry.type)) {
         item.fault(item.place("type"), fmt::format("type {} is unknown", entry.type),
@@ -134,7 +137,12 @@ Entry sub_zero(const Place& place, std::size_t highest) {
     entry.access = "const";
     entry.value = static_cast<std::int64_t>(highest);
     entry.place = place;
+    entry.default_place = place;
     return entry;
+}
+
+Place place_of(const TomlItem& item, const toml::node& node) {
+    return {item.file(), static_cast<unsigned>(node.source().begin.line)};
 }
 
 const toml::node* default_for(const toml::node* node, std::int64_t n) {
@@ -156,7 +164,9 @@ void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t c
         entry.subindex = static_cast<std::uint8_t>(sub);
         entry.name = numbered(element, static_cast<std::int64_t>(sub));
         if (list != nullptr) {
-            set_default(entry, sub <= list->size() ? literal(*list->get(sub - 1)) : Value{});
+            const toml::node* one = list->get(std::min(sub, list->size()) - 1);
+            set_default(entry, one == nullptr ? Value{} : literal(*one));
+            entry.default_place = one == nullptr ? entry.default_place : place_of(item, *one);
         } else if (defaults != nullptr) {
             set_default(entry, literal(*defaults));
         }
@@ -169,6 +179,7 @@ void read_var(TomlItem& item, Object& object, std::int64_t n) {
     entry.name = object.name;
     if (const auto* node = default_for(item.node("default"), n)) {
         set_default(entry, literal(*node));
+        entry.default_place = place_of(item, *node);
     }
     object.entries.push_back(entry);
 }
@@ -177,6 +188,10 @@ void read_listed_entries(TomlItem& item, Object& object) {
     for (TomlItem& sub : item.items("entry")) {
         Entry entry = read_entry_fields(sub);
         entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
+        if (object.kind == Object::Kind::array && entry.subindex != 0) {
+            sub.fault(sub.place("sub"), fmt::format("an array lists entry {}", entry.subindex),
+                      "list entry 0 only, or make it a record without `array`");
+        }
         entry.name = sub.text("name");
         if (const auto* node = sub.node("default")) {
             set_default(entry, literal(*node));
@@ -202,6 +217,7 @@ void add_sub_zero(Object& object) {
 Object read_one(TomlItem& item, const std::string& prefix, std::int64_t base, std::int64_t n, std::int64_t offset) {
     Object object;
     read_common(item, object, false);
+    object.id_place = item.place("index");
     object.index = static_cast<std::uint16_t>(base + offset);
     object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
     object.name = numbered(item.text("name"), n);
@@ -223,6 +239,30 @@ Object read_one(TomlItem& item, const std::string& prefix, std::int64_t base, st
     return object;
 }
 
+/// `default = { 1 = 0, 2 = 5 }` must name each member of the family, and no other.
+void check_family_default(TomlItem& item, std::int64_t first, std::int64_t last) {
+    const toml::node* node = item.node("default");
+    const auto table = node == nullptr ? nullptr : node->as_table();
+    if (table == nullptr) {
+        return;
+    }
+    for (std::int64_t n = first; n <= last; ++n) {
+        if (!table->contains(std::to_string(n))) {
+            item.fault(item.place("default"), fmt::format("default gives no value for member {}", n),
+                       fmt::format("add `{} = …`", n));
+        }
+    }
+    for (const auto& [key, value] : *table) {
+        const std::string word{key.str()};
+        const bool number =
+            !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == std::string::npos;
+        if (!number || std::stoll(word) < first || std::stoll(word) > last) {
+            item.fault(place_of(item, value), fmt::format("default names member {}, which the family lacks", word),
+                       fmt::format("use members {} to {}", first, last));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
@@ -235,7 +275,15 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
         step = repeat->integer("step", 1, 0x1000);
         repeat->finish();
     }
+    const std::size_t before_index = item.faults().size();
     const std::int64_t base = item.integer("index", 0x1000, 0xFFFF);
+    const bool has_index = item.faults().size() == before_index;
+    if (base + (last - first) * step > 0xFFFF) {
+        item.fault(item.place("repeat"), fmt::format("family reaches index {:X}h", base + (last - first) * step),
+                   "lower last or step: an index ends at FFFFh");
+        last = first;
+    }
+    check_family_default(item, first, last);
     std::vector<Object> all;
     // Each member of a family would tell the same faults again: only the first one's are kept.
     const std::size_t faults_before = item.faults().size();
@@ -248,6 +296,9 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     }
     item.faults().resize(faults_after);
     item.finish();
+    if (!has_index) {
+        all.clear();  // told above; a made-up index would only raise false alarms
+    }
     return all;
 }
 

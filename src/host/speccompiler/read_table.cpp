@@ -11,6 +11,7 @@ namespace {
 
 Column read_column(const toml::node& node, TomlItem& table) {
     Column column;
+    column.place = {table.file(), static_cast<unsigned>(node.source().begin.line)};
     if (const auto name = node.as_string()) {
         column.name = name->get();
         return column;
@@ -113,7 +114,7 @@ void infer(Column& column, const Table& table, std::size_t at) {
 Table read_table(TomlItem& item) {
     Table table;
     read_common(item, table, false);
-    table.id = item.text("id");
+    read_id(item, table);
     table.text = item.text("title");
     table.inputs = read_columns(item, "inputs");
     table.outputs = read_columns(item, "outputs");
@@ -131,6 +132,7 @@ Table read_table(TomlItem& item) {
                 item.fault(row.place,
                            fmt::format("row of {} has {} cells", table.id, cells == nullptr ? 0 : cells->size()),
                            fmt::format("write {}: one for each input and output", width));
+                table.complete = false;
                 continue;
             }
             for (const auto& cell : *cells) {

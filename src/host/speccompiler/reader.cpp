@@ -50,12 +50,14 @@ void read_device(TomlItem& item, Part& part) {
     info.vendor = item.text("vendor");
     part.prefix = item.text("prefix");
     info.manual = item.text("manual");
+    info.manual_place = item.place("manual");
     info.part_numbers = item.texts("part_numbers", true);
     info.node_id = static_cast<int>(item.integer("node_id", 1, 127));
     info.node_id_note = item.text_or("node_id_note", "");
     info.bit_rate = item.integer("bit_rate", 1000, 1000000);
     info.bit_rates = item.integers("bit_rates");
     info.sources = item.texts("source", true);
+    info.source_place = item.place("source");
     if (auto services = item.item("services")) {
         info.lss = services->boolean_or("lss", false);
         info.block_sdo = services->boolean_or("block_sdo", false);
@@ -69,7 +71,7 @@ void read_device(TomlItem& item, Part& part) {
 Requirement read_requirement(TomlItem& item) {
     Requirement requirement;
     read_common(item, requirement, true);
-    requirement.id = item.text("id");
+    read_id(item, requirement);
     requirement.kind = item.word("kind", kinds, "");
     requirement.verify = item.texts("verify", true);
     requirement.retired = item.text_or("retired", "");
@@ -86,7 +88,7 @@ Requirement read_requirement(TomlItem& item) {
 Enumeration read_enumeration(TomlItem& item) {
     Enumeration enumeration;
     read_common(item, enumeration, false);
-    enumeration.id = item.text("id");
+    read_id(item, enumeration);
     enumeration.name = item.text("name");
     const toml::node* values = item.node("values");
     if (const auto list = values == nullptr ? nullptr : values->as_array()) {
@@ -113,11 +115,12 @@ Enumeration read_enumeration(TomlItem& item) {
 Constant read_constant(TomlItem& item) {
     Constant constant;
     read_common(item, constant, false);
-    constant.id = item.text("id");
+    read_id(item, constant);
     constant.name = item.text("name");
     constant.type = item.text("type");
     constant.unit = item.text_or("unit", "");
     constant.value = item.value("value");
+    constant.value_place = item.place("value");
     item.finish();
     return constant;
 }
@@ -125,7 +128,7 @@ Constant read_constant(TomlItem& item) {
 Signal read_signal(TomlItem& item) {
     Signal signal;
     read_common(item, signal, true);
-    signal.id = item.text("id");
+    read_id(item, signal);
     signal.name = item.text("name");
     signal.count = static_cast<int>(item.integer_or("count", 1, 1, 64));
     signal.input = item.word("direction", {"input", "output"}, "") == "input";
@@ -134,6 +137,7 @@ Signal read_signal(TomlItem& item) {
     signal.minimum = item.number("min");
     signal.maximum = item.number("max");
     signal.value = item.value("default");
+    signal.default_place = item.place("default");
     if (signal.count > 1 && signal.name.find("{n}") == std::string::npos) {
         item.fault(fmt::format("signal {} has a count but no {{n}} in its name", signal.name),
                    "write name = \"aout{n}\"");
@@ -145,15 +149,20 @@ Signal read_signal(TomlItem& item) {
 Decision read_decision(TomlItem& item) {
     Decision decision;
     decision.place = item.place();
-    decision.id = item.text("id");
+    read_id(item, decision);
     decision.text = item.text("question");
     for (TomlItem& one : item.items("readings")) {
-        decision.readings.push_back({one.text("says"), one.text("source")});
+        Decision::Reading reading;
+        reading.place = one.place();
+        reading.says = one.text("says");
+        reading.source = one.text("source");
+        decision.readings.push_back(reading);
         one.finish();
     }
     decision.chosen = item.text("chosen");
     decision.because = item.text("because");
     decision.affects = item.texts("affects", false);
+    decision.affects_place = item.place("affects");
     decision.none = item.text_or("none", "");
     decision.severity = item.word("severity", {"high", "medium", "low"}, "");
     decision.ref = item.text_or("ref", "");
@@ -185,6 +194,7 @@ void read_items(TomlItem& file, Part& part) {
     if (auto reviewed = file.item("reviewed")) {
         for (const auto& [id, print] : reviewed->table()) {
             part.reviews[std::string{id.str()}] = to_text(literal(print));
+            part.review_places[std::string{id.str()}] = reviewed->place(std::string{id.str()});
         }
     }
     file.finish();
@@ -233,10 +243,16 @@ void read_file(const std::string& path, const toml::table& root, Register& conte
 
 }  // namespace
 
+void read_id(TomlItem& item, Item& into) {
+    into.id = item.text("id");
+    into.id_place = item.place("id");
+}
+
 void read_common(TomlItem& item, Item& into, bool text_required) {
     into.place = item.place();
     into.text = text_required ? item.text("text") : item.text_or("text", "");
     into.sources = item.texts("source", true);
+    into.source_place = item.place("source");
 }
 
 Register read_register(const SpecFiles& files, Faults& faults) {
@@ -248,6 +264,9 @@ Register read_register(const SpecFiles& files, Faults& faults) {
             const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";
             if (is_device != device_files) {
                 continue;
+            }
+            if (is_device) {
+                part_named(content, part_of(path)).has_device_file = true;
             }
             try {
                 read_file(path, toml::parse(text, path), content, faults);

@@ -13,7 +13,8 @@ Register read_register(const SpecFiles& files, Faults& faults);
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix);
 Table read_table(TomlItem& item);
 
-/// id, text and source as every item has them; `text_required` for those that consist of a sentence.
+void read_id(TomlItem& item, Item& into);
+/// text and source as every item has them; `text_required` for those that consist of a sentence.
 void read_common(TomlItem& item, Item& into, bool text_required);
 
 }  // namespace canproof::host

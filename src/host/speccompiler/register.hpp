@@ -23,6 +23,8 @@ struct Item {
     std::string text;
     std::vector<std::string> sources;
     Place place;
+    Place id_place;      ///< of `id`, or of an object's `index`
+    Place source_place;  ///< of `source`
 };
 
 struct Section {
@@ -57,6 +59,7 @@ struct Limit {
     std::uint16_t index{0};
     int subindex{-1};  ///< -1: the sub-index of the entry itself
     std::int64_t add{0};
+    Place place;
 };
 
 struct Range {
@@ -64,6 +67,7 @@ struct Range {
     Limit maximum;
     std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
     std::string table;
+    Place place;
     bool empty() const {
         return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&
                table.empty();
@@ -85,6 +89,7 @@ struct Entry {
     bool factory{false};
     bool live{false};
     Place place;
+    Place default_place;  ///< of `default`, or of its element in a list; `place` where there is none
 };
 
 struct Object : Item {
@@ -103,6 +108,7 @@ struct Column {
     std::optional<std::int64_t> minimum;
     std::optional<std::int64_t> maximum;
     std::vector<std::string> words;  ///< domain of a column of words
+    Place place;
     enum class Kind { words, integers, booleans, reals } kind{Kind::words};
 };
 
@@ -124,6 +130,7 @@ struct Table : Item {
         Place place;
     };
     std::vector<Row> rows;
+    bool complete{true};  ///< false when a row could not be read: gaps are not looked for
 };
 
 struct Enumeration : Item {
@@ -136,6 +143,7 @@ struct Constant : Item {
     std::string type;
     std::string unit;
     Value value;
+    Place value_place;
 };
 
 struct Signal : Item {
@@ -147,6 +155,7 @@ struct Signal : Item {
     std::optional<double> minimum;
     std::optional<double> maximum;
     Value value;
+    Place default_place;
     /// Names of the single signals: aout1, aout2 …
     std::vector<std::string> names() const;
 };
@@ -155,11 +164,13 @@ struct Decision : Item {
     struct Reading {
         std::string says;
         std::string source;
+        Place place;
     };
     std::vector<Reading> readings;
     std::string chosen;
     std::string because;
     std::vector<std::string> affects;
+    Place affects_place;
     std::string none;
     std::string severity;
     std::string ref;
@@ -176,6 +187,8 @@ struct DeviceInfo {
     std::int64_t bit_rate{0};
     std::vector<std::int64_t> bit_rates;
     std::vector<std::string> sources;
+    Place source_place;
+    Place manual_place;
     bool lss{false};
     bool block_sdo{false};
     std::string limit_abort{"high_low"};
@@ -188,6 +201,7 @@ struct Part {
     std::string name;
     std::string prefix;
     DeviceInfo info;
+    bool has_device_file{false};
     std::vector<Requirement> requirements;
     std::vector<Object> objects;  ///< ascending by index
     std::vector<Table> tables;
@@ -196,6 +210,7 @@ struct Part {
     std::vector<Signal> signals;
     std::vector<Decision> decisions;
     std::map<std::string, std::string> reviews;  ///< id → fingerprint at its last review
+    std::map<std::string, Place> review_places;
     std::vector<std::string> files;
 
     /// `cbx-ao412` as C++ spells it: cbx_ao412.
@@ -239,6 +254,7 @@ using SpecFiles = std::map<std::string, std::string>;
 
 /// The .toml files below a folder, as if it were named spec/.
 SpecFiles read_spec_files(const std::filesystem::path& spec);
+LoadResult load_register(const std::filesystem::path& spec);
 /// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
 LoadResult load_register(const SpecFiles& files);
 

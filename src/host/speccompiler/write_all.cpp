@@ -33,7 +33,7 @@ void write_all(const Register& content, const SpecFiles& files, const std::files
         write_if_changed(folder / "constants.hpp", write_constants(part));
         write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
         write_if_changed(folder / "tables.hpp", write_tables(content, part));
-        if (part.is_device() && !part.objects.empty()) {
+        if (part.is_device()) {
             write_if_changed(folder / "objects.hpp", write_objects(part));
             write_if_changed(folder / "signals.hpp", write_signals(part));
         }

@@ -9,12 +9,6 @@ namespace canproof::host {
 
 namespace {
 
-std::string heading(const Part& part) {
-    return fmt::format(
-        "// Written by canproof's speccompiler from\n//   {}\n// Do not edit: change the register.\n#pragma once\n\n",
-        fmt::join(part.files, "\n//   "));
-}
-
 const std::string raw_type(const std::string& type) {
     std::string lower = snake_case(type);
     return "DataType::" + lower;
@@ -113,18 +107,31 @@ class LimitPool {
     }
 };
 
-std::string byte_array(const std::string& name, const std::vector<std::uint8_t>& bytes) {
-    std::string text = fmt::format("inline constexpr std::array<std::uint8_t, {}U> {}{{{{", bytes.size(), name);
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        text += fmt::format("{}0x{:02X}U,", i % 20 == 0 ? "\n    " : " ", bytes[i]);
+/// One pool of values, a row an entry.
+std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant) {
+    const auto& pool = constant ? layout.constants : layout.image;
+    std::string text = fmt::format("inline constexpr std::array<std::uint8_t, {}U> {}{{{{\n", pool.size(), name);
+    for (std::size_t o = 0; o < part.objects.size(); ++o) {
+        const Object& object = part.objects[o];
+        for (std::size_t e = 0; e < object.entries.size(); ++e) {
+            const Placement& place = layout.placements[o][e];
+            if (place.constant != constant || place.size == 0) {
+                continue;
+            }
+            text += "   ";
+            for (std::size_t i = 0; i < place.size; ++i) {
+                text += fmt::format(" 0x{:02X}U,", pool[place.offset + i]);
+            }
+            text += fmt::format("  // {}: {} {}\n", place.offset, object.id, object.entries[e].name);
+        }
     }
-    return text + "\n}};\n\n";
+    return text + "}};\n\n";
 }
 
 std::string string_rows(const std::string& type, const std::string& name, const std::vector<std::string>& rows) {
     std::string text = fmt::format("inline constexpr std::array<{}, {}U> {}{{{{\n", type, rows.size(), name);
     for (const auto& row : rows) {
-        text += "    " + row + ",\n";
+        text += "    " + row + "\n";
     }
     return text + "}};\n\n";
 }
@@ -140,7 +147,12 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
         text +=
             fmt::format("inline constexpr ArrayField<{}, {}U> {}{{{}U}};  // {}\n", cpp_type(object.entries[1].type),
                         object.entries.size() - 1, base, places[1].offset, object.id);
-        return text;
+        if (!has_field(object.entries[0], places[0])) {
+            return text;
+        }
+        return text + fmt::format("inline constexpr Field<{}> o{:04x}_0_{}{{{}U}};  // {}\n",
+                                  cpp_type(object.entries[0].type), object.index, snake_case(object.entries[0].name),
+                                  places[0].offset, object.id);
     }
     for (std::size_t i = 0; i < object.entries.size(); ++i) {
         const Entry& entry = object.entries[i];
@@ -171,12 +183,12 @@ std::string write_objects(const Part& part) {
         const char* kind = object.kind == Object::Kind::var     ? "var"
                            : object.kind == Object::Kind::array ? "array"
                                                                 : "record";
-        objects.push_back(fmt::format("{{0x{:04X}U, {}U, {}U, ObjectKind::{}}}", object.index, entries.size(),
-                                      object.entries.size(), kind));
+        objects.push_back(fmt::format("{{0x{:04X}U, {}U, {}U, ObjectKind::{}}},  // {} {}", object.index,
+                                      entries.size(), object.entries.size(), kind, object.id, object.name));
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
             const Entry& entry = object.entries[e];
             const Placement& place = layout.placements[o][e];
-            entries.push_back(fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}} /* {} {} */", place.offset,
+            entries.push_back(fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}},  // {} {}", place.offset,
                                           place.size, limits.row_for(entry), entry.subindex, raw_type(entry.type),
                                           rights_of(entry, place.constant), entry.service, object.id, entry.name));
         }
@@ -184,7 +196,7 @@ std::string write_objects(const Part& part) {
     }
     std::vector<std::string> allowed;
     for (const auto bits : limits.allowed) {
-        allowed.push_back(fmt::format("0x{:08X}U", bits));
+        allowed.push_back(fmt::format("0x{:08X}U,", bits));
     }
     std::string text = heading(part);
     text += "#include <array>\n#include <cstdint>\n\n#include \"firmware/canopen/object_types.hpp\"\n\n";
@@ -192,10 +204,13 @@ std::string write_objects(const Part& part) {
     text += string_rows("ObjectRow", "object_rows", objects);
     text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
     text += string_rows("EntryRow", "entry_rows", entries);
+    for (std::string& row : limits.rows) {
+        row += ",";
+    }
     text += string_rows("LimitRow", "limit_rows", limits.rows);
     text += string_rows("std::uint32_t", "allowed_values", allowed);
-    text += byte_array("constant_pool", layout.constants);
-    text += byte_array("default_image", layout.image);
+    text += value_pool("constant_pool", part, layout, true);
+    text += value_pool("default_image", part, layout, false);
     text += fmt::format("inline constexpr std::size_t image_size = {}U;\n\n", layout.image.size());
     text += fmt::format(
         "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "

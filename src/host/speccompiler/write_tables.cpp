@@ -2,50 +2,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
+#include "host/speccompiler/literals.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-std::string heading(const Part& part, const std::string& includes) {
-    return fmt::format(
-        "// Written by canproof's speccompiler from\n//   {}\n// Do not edit: change the register.\n#pragma "
-        "once\n\n{}\n"
-        "namespace canproof::generated::{} {{\n\n",
-        fmt::join(part.files, "\n//   "), includes, part.cpp_name());
-}
-
-std::string ending(const Part& part) {
-    return fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
-}
-
-/// Narrowest unsigned (or 32-bit signed) type for a range.
-std::string integer_type(std::int64_t low, std::int64_t high) {
-    if (low < 0)
-        return "std::int32_t";
-    return high <= UINT8_MAX ? "std::uint8_t" : high <= UINT16_MAX ? "std::uint16_t" : "std::uint32_t";
-}
-
-std::string comment(const Item& item) {
-    return item.text.empty() ? fmt::format("/// {} ({})\n", item.id, fmt::join(item.sources, ", "))
-                             : fmt::format("/// {} ({}; {})\n", item.text, item.id, fmt::join(item.sources, ", "));
-}
-
-std::string whole_literal(std::int64_t value, const std::string& type) {
-    if (type.find("uint") == std::string::npos)
-        return fmt::format("{}", value);
-    return value > 255 ? fmt::format("0x{:X}U", value) : fmt::format("{}U", value);
-}
-
-std::string real_literal(double value, bool narrow) {
-    std::string text = fmt::format("{}", value);
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return narrow ? text + "F" : text;
-}
 
 class TableWriter {
   public:
@@ -53,7 +16,7 @@ class TableWriter {
         : content_{content}, part_{part}, table_{table} {}
 
     std::string text() {
-        std::string out = comment(table_);
+        std::string out = item_comment(table_, "");
         out += fmt::format("namespace t_{} {{\n\n", snake_case(table_.id));
         for (const auto* columns : {&table_.inputs, &table_.outputs}) {
             for (const auto& column : *columns) {
@@ -101,7 +64,7 @@ class TableWriter {
             case Column::Kind::reals:
                 return "float";
             case Column::Kind::integers:
-                return integer_type(*column.minimum, *column.maximum);
+                return cpp_integer_type(*column.minimum, *column.maximum);
             default:
                 return enumeration_of(column);
         }
@@ -118,23 +81,16 @@ class TableWriter {
     static std::string own_enumeration(const Column& column) {
         std::vector<std::string> words;
         for (const auto& word : column.words)
-            words.push_back(snake_case(word));
+            words.push_back(cpp_word(word));
         return fmt::format("enum class {} : std::uint8_t {{ {} }};\n", pascal_case(column.name),
                            fmt::join(words, ", "));
     }
 
     std::string literal(const Column& column, const Value& value) const {
-        if (const auto* word = std::get_if<std::string>(&value))
-            return enumeration_of(column) + "::" + snake_case(*word);
-        if (const auto* truth = std::get_if<bool>(&value))
-            return *truth ? "true" : "false";
-        const std::string type = type_of(column);
-        if (type == "float" || type == "double") {
-            const auto* real = std::get_if<double>(&value);
-            return real_literal(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)),
-                                type == "float");
+        if (const auto* word = std::get_if<std::string>(&value)) {
+            return enumeration_of(column) + "::" + cpp_word(*word);
         }
-        return whole_literal(std::get<std::int64_t>(value), type);
+        return cpp_literal(value, type_of(column));
     }
 
     /// The ways to write one input cell: "*" and alternatives become one row each, an integer range a pair.
@@ -180,7 +136,7 @@ class TableWriter {
             }
             for (const auto& head : heads)
                 lines.push_back(
-                    fmt::format("    {{{}{}}},  // line {}\n", head, fmt::join(outputs, ", "), row.place.line));
+                    fmt::format("    {{{}{}}},  // {}\n", head, fmt::join(outputs, ", "), table_.id));
         }
         return fmt::format("inline constexpr std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", lines.size(),
                            fmt::join(lines, ""));
@@ -211,129 +167,16 @@ class TableWriter {
 }  // namespace
 
 std::string write_tables(const Register& content, const Part& part) {
-    std::string includes = "#include <array>\n#include <cstdint>\n\n#include \"generated/canopen/enumerations.hpp\"\n";
-    if (part.is_device())
-        includes += fmt::format("#include \"generated/{}/enumerations.hpp\"\n", part.cpp_name());
-    std::string text = heading(part, includes);
+    std::string text = heading(part);
+    text += "#include <array>\n#include <cstdint>\n\n#include \"generated/canopen/enumerations.hpp\"\n";
+    if (part.is_device()) {
+        text += fmt::format("#include \"generated/{}/enumerations.hpp\"\n", part.cpp_name());
+    }
+    text += fmt::format("\nnamespace canproof::generated::{} {{\n\n", part.cpp_name());
     for (const auto& table : part.tables) {
         text += TableWriter{content, part, table}.text();
     }
-    return text + ending(part);
-}
-
-std::string write_constants(const Part& part) {
-    std::string text = heading(part, "#include <cstdint>\n");
-    for (const auto& constant : part.constants) {
-        const std::string type = cpp_type(constant.type);
-        std::string value;
-        if (type == "float" || type == "double") {
-            const auto* real = std::get_if<double>(&constant.value);
-            value = real_literal(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(constant.value)),
-                                 type == "float");
-        } else {
-            value = whole_literal(std::get<std::int64_t>(constant.value), type);
-        }
-        text += comment(constant);
-        text += fmt::format("inline constexpr {} {}{{{}}};{}\n", type, constant.name, value,
-                            constant.unit.empty() ? "" : "  // " + constant.unit);
-    }
-    return text + "\n" + ending(part);
-}
-
-std::string write_enumerations(const Part& part) {
-    std::string text = heading(part, "#include <cstdint>\n");
-    for (const auto& enumeration : part.enumerations) {
-        std::int64_t high = 0;
-        for (const auto& [word, number] : enumeration.values)
-            high = std::max(high, number);
-        const std::string type = integer_type(0, high);
-        text += comment(enumeration);
-        text += fmt::format("enum class {} : {} {{\n", enumeration.name, type);
-        for (const auto& [word, number] : enumeration.values) {
-            text += fmt::format("    {} = {},\n", snake_case(word),
-                                high > UINT16_MAX ? fmt::format("0x{:08X}U", number) : whole_literal(number, type));
-        }
-        text += "};\n\n";
-    }
-    return text + ending(part);
-}
-
-std::string write_signals(const Part& part) {
-    std::string text = heading(part, "#include <array>\n#include <cstdint>\n");
-    for (const bool input : {true, false}) {
-        text += input ? "/// What the physical world gives the device.\nstruct Inputs {\n"
-                      : "/// What the device gives the physical world.\nstruct Outputs {\n";
-        for (const auto& signal : part.signals) {
-            if (signal.input != input)
-                continue;
-            const std::string type = cpp_type(signal.type);
-            std::string name = signal.name;
-            if (const auto at = name.find("{n}"); at != std::string::npos)
-                name.erase(at, 3);
-            std::string value = to_text(signal.value);
-            if (type == "float" || type == "double") {
-                const auto* real = std::get_if<double>(&signal.value);
-                value =
-                    real_literal(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(signal.value)),
-                                 type == "float");
-            } else if (type != "bool") {
-                value = whole_literal(std::get<std::int64_t>(signal.value), type);
-            }
-            const std::string what = fmt::format("  ///< {} {}({})", signal.text,
-                                                 signal.unit.empty() ? "" : "[" + signal.unit + "] ", signal.id);
-            text += signal.count > 1
-                        ? fmt::format("    std::array<{}, {}U> {}{{}};{}\n", type, signal.count, name, what)
-                        : fmt::format("    {} {}{{{}}};{}\n", type, name, value, what);
-        }
-        text += "};\n\n";
-    }
-    return text + ending(part);
-}
-
-std::string write_requirements(const Register& content) {
-    std::string text =
-        "// Written by canproof's speccompiler from spec/: every id of the register as a type, for implements<> and "
-        "verifies<>.\n"
-        "#pragma once\n\nnamespace canproof::req {\n\n";
-    const auto add = [&](const std::string& id) {
-        std::string name = id;
-        std::replace(name.begin(), name.end(), '-', '_');
-        text += fmt::format(
-            "struct {0} {{ static constexpr bool in_force = true; static constexpr const char* id = \"{1}\"; }};\n",
-            name, id);
-    };
-    for (const auto& part : content.parts) {
-        std::set<std::string> retired;
-        for (const auto& requirement : part.requirements) {
-            if (!requirement.retired.empty())
-                retired.insert(requirement.id);
-        }
-        content.for_each_item(part, [&](const Item& item, const char*) {
-            if (retired.count(item.id) == 0)
-                add(item.id);
-        });
-        for (const auto& decision : part.decisions)
-            add(decision.id);
-    }
-    return text + "\n}  // namespace canproof::req\n";
-}
-
-std::string write_embedded(const SpecFiles& files) {
-    // A string literal has a length limit: long files are written in pieces that the compiler joins at run time.
-    constexpr std::size_t piece = 8000;
-    std::string text =
-        "// Written by canproof's speccompiler: the register's own files, so that the program needs no folder beside "
-        "it.\n"
-        "#include \"host/embedded_spec.hpp\"\n\nnamespace canproof::host {\n\nconst SpecFiles& embedded_spec() {\n    "
-        "static const SpecFiles files{\n";
-    for (const auto& [path, body] : files) {
-        text += fmt::format("        {{\"{}\", std::string{{}}", path);
-        for (std::size_t at = 0; at < body.size(); at += piece) {
-            text += fmt::format(" +\n            std::string{{R\"~~~~({})~~~~\"}}", body.substr(at, piece));
-        }
-        text += "},\n";
-    }
-    return text + "    };\n    return files;\n}\n\n}  // namespace canproof::host\n";
+    return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }
 
 }  // namespace canproof::host

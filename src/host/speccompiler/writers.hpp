@@ -15,6 +15,9 @@ struct Placement {
     std::uint16_t size{0};
 };
 
+/// The bytes of a default: little-endian, strings padded with zeros to `size`.
+std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
+
 /// The value image of a device: entries in dictionary order, without gaps.
 struct Layout {
     std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
@@ -46,6 +49,17 @@ std::string write_xdd(const Register& content, const Part& part);
 
 /// FNV-1a (32 bit) of text: the fingerprint of layouts and of reviewed requirements.
 std::uint32_t fnv1a(const std::string& text, std::uint32_t start = 0x811C9DC5U);
+
+/// What opens a generated file: the files of the register that it was written from.
+std::string heading(const Part& part);
+/// `0x1FFU`, `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names.
+std::string cpp_literal(const Value& value, const std::string& cpp_type_name);
+/// Narrowest standard integer type that holds both.
+std::string cpp_integer_type(std::int64_t low, std::int64_t high);
+/// What stands above an item in generated code: text, id, sources, unit.
+std::string item_comment(const Item& item, const std::string& unit);
+/// On one line, single spaces.
+std::string one_line(const std::string& text);
 
 /// `std::uint16_t` for UNSIGNED16 …
 std::string cpp_type(const std::string& cia_type);
