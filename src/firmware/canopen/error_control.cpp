@@ -30,18 +30,20 @@ Duration ErrorControl::life_time() const noexcept {
     return milliseconds(guard_time * objects_.read(life_time_factor_index, 0U));
 }
 
-void ErrorControl::send_state(const std::uint8_t octet) noexcept {
+Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
     Frame frame = data_frame(identifier(), 1U);
     frame.data[0] = octet;
-    static_cast<void>(queue_.push(frame));
+    return frame;
 }
+
+void ErrorControl::send_state(const std::uint8_t octet) noexcept { static_cast<void>(queue_.push(message(octet))); }
 
 void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexcept {
     node_id_ = node_id;
     toggle_ = false;
     life_failed_ = false;
     life_deadline_ = never;
-    send_state(static_cast<std::uint8_t>(NmtState::initialising));
+    queue_.push_boot_up(message(static_cast<std::uint8_t>(NmtState::initialising)));
     start_heartbeat(now);
 }
 

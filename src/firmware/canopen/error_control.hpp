@@ -32,6 +32,7 @@ class ErrorControl {
     std::uint32_t identifier() const noexcept;
     Duration heartbeat_time() const noexcept;
     Duration life_time() const noexcept;
+    Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;
     void start_heartbeat(Instant now) noexcept;
 

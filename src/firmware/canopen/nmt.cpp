@@ -5,6 +5,13 @@
 
 namespace canproof {
 
+namespace services = generated::canopen::t_co_t_services;
+
+bool is_allowed(const NmtService service, const NmtState state) noexcept {
+    const auto* const row = services::find(service, state);
+    return (row != nullptr) && row->allowed;
+}
+
 std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
     constexpr std::uint8_t command_length{2U};
     if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||

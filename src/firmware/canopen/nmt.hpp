@@ -5,11 +5,12 @@
 
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/vocabulary.hpp"
+#include "generated/canopen/tables.hpp"
 
 namespace canproof {
 
 /// The services whose use depends on the NMT state.
-enum class NmtService : std::uint8_t { pdo, sdo, sync, emcy };
+using NmtService = generated::canopen::t_co_t_services::Service;
 
 /// Whether a service works in a state: table CO-T-SERVICES.
 bool is_allowed(NmtService service, NmtState state) noexcept;

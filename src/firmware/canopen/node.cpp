@@ -47,9 +47,8 @@ void Node::reset_node(const Instant now) noexcept {
     emcy_.reset();
     communication_failed_ = false;
     application_.restart(now);
-    boot_up(now);
     emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
-    emcy_.set(ErrorId::internal_software, found == StoredSet::corrupt, now);
+    boot_up(now);
 }
 
 void Node::reset_communication(const Instant now) noexcept {
@@ -222,9 +221,18 @@ void Node::watch_communication(const Instant now) noexcept {
     application_.communication_failed(failed, now);
 }
 
+Result<EntryRef, AbortCode> Node::find(const std::uint16_t index, const std::uint8_t subindex) noexcept {
+    const auto found = objects_.find(index, subindex);
+    if (found.ok() && (found.value().row->service == Service::program)) {
+        const AbortCode code = application_.check_access(found.value());
+        return (code == AbortCode::none) ? found : Result<EntryRef, AbortCode>::failure(code);
+    }
+    return found;
+}
+
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
     using Read = Result<ByteView, AbortCode>;
-    const auto found = objects_.find(index, subindex);
+    const auto found = find(index, subindex);
     if (!found.ok()) {
         return Read::failure(found.error());
     }
@@ -236,7 +244,7 @@ Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uin
 
 Result<std::uint16_t, AbortCode> Node::writable_size(const std::uint16_t index, const std::uint8_t subindex) {
     using Size = Result<std::uint16_t, AbortCode>;
-    const auto found = objects_.find(index, subindex);
+    const auto found = find(index, subindex);
     if (!found.ok()) {
         return Size::failure(found.error());
     }
@@ -248,7 +256,7 @@ Result<std::uint16_t, AbortCode> Node::writable_size(const std::uint16_t index, 
 
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value,
                       const Instant now) {
-    const auto found = objects_.find(index, subindex);
+    const auto found = find(index, subindex);
     if (!found.ok()) {
         return found.error();
     }

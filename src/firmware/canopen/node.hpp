@@ -33,6 +33,8 @@ class Application {
     Application(Application&&) = delete;
     Application& operator=(Application&&) = delete;
 
+    /// Whether an entry of Service::program can be read or written at all in the present state of the device.
+    virtual AbortCode check_access(const EntryRef& entry) = 0;
     /// The last word on a write to an entry of Service::device or Service::program.
     virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
     /// Any entry outside the communication area, or of Service::program, has a new value.
@@ -89,6 +91,8 @@ class Node final : private ObjectAccess {
     void boot_up(Instant now) noexcept;
     void enter(NmtState state, Instant now) noexcept;
 
+    /// The entry, if it exists and can be accessed now.
+    Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) noexcept;
     AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode store(const EntryRef& entry, ByteView value) noexcept;

@@ -6,11 +6,6 @@ namespace canproof {
 
 namespace {
 
-bool is_signed(const DataType type) noexcept {
-    return (type == DataType::integer8) || (type == DataType::integer16) || (type == DataType::integer32) ||
-           (type == DataType::integer64);
-}
-
 /// The number that `size` little-endian bytes stand for in a type of at most 32 bits.
 std::int64_t as_integer(const DataType type, const std::uint64_t bits) noexcept {
     switch (type) {

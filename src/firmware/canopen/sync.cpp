@@ -68,9 +68,16 @@ AbortCode Sync::before_write(const EntryRef& entry, const ByteView value) const 
         return cob_id::check_change(current, read_u32(value, 0U) & ~cob_id::not_valid, cob_id::produces_sync,
                                     is_producer());
     }
+    if (entry.index != counter_overflow_index) {
+        return AbortCode::none;
+    }
+    constexpr std::uint8_t reserved_overflow{1U};
+    if (value[0] == reserved_overflow) {
+        return AbortCode::value_range;
+    }
     const bool cycle_is_set = objects_.read(period_index, 0U) != 0U;
     // CiA 301, 7.5.2.22: the counter may change only while the communication cycle period is zero.
-    return ((entry.index == counter_overflow_index) && cycle_is_set) ? AbortCode::device_state : AbortCode::none;
+    return cycle_is_set ? AbortCode::device_state : AbortCode::none;
 }
 
 }  // namespace canproof

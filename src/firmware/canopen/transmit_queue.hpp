@@ -18,6 +18,9 @@ class TransmitQueue {
 
     /// False when the queue is full or closed: the frame is lost.
     bool push(const Frame& frame) noexcept;
+    /// The boot-up message of a reset: what waited is forgotten with the state that sent it, and what follows, of whatever priority,
+    /// stays behind it.
+    void push_boot_up(const Frame& frame) noexcept;
     bool empty() const noexcept { return count_ == 0U; }
     std::size_t size() const noexcept { return count_; }
     /// Removes the frame to be sent next. Without one, gives an empty frame.
@@ -31,6 +34,7 @@ class TransmitQueue {
     std::array<Frame, capacity> frames_{};  ///< descending: the next one to send is the last
     std::size_t count_{0U};
     bool open_{true};
+    bool boot_up_waits_{false};
 };
 
 }  // namespace canproof

@@ -1,0 +1,29 @@
+#include "firmware/blocks/indicator.hpp"
+
+namespace canproof {
+
+IndicatorPhase indicator_phase(const IndicatorPattern& pattern, const Instant now, const Duration shift) noexcept {
+    const std::uint64_t period = pattern.period().us;
+    if (pattern.is_steady() || (period == 0U)) {
+        return IndicatorPhase{pattern.gap.us != 0U, never};
+    }
+    // Counted from one period before time 0, so that a shifted round is never before its start.
+    const std::uint64_t position = ((now.us + period) - (shift.us % period)) % period;
+    std::uint64_t edge{0U};
+    bool lit{true};
+    for (std::uint16_t flash = 0U; flash < pattern.flashes; ++flash) {
+        edge += pattern.on.us;
+        if (position < edge) {
+            return IndicatorPhase{lit, now + Duration{edge - position}};
+        }
+        const bool last = (flash + 1U) == pattern.flashes;
+        edge += last ? pattern.pause.us : pattern.gap.us;
+        if (position < edge) {
+            lit = false;
+            return IndicatorPhase{lit, now + Duration{edge - position}};
+        }
+    }
+    return IndicatorPhase{false, now + Duration{period - position}};
+}
+
+}  // namespace canproof

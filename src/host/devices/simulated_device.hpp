@@ -1,0 +1,46 @@
+// A device of the catalogue as the host runs it: frames, named signals and virtual time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "host/devices/memory.hpp"
+
+namespace canproof::host {
+
+class SimulatedDevice {
+  public:
+    virtual ~SimulatedDevice() = default;
+
+    /// Sets what gives the device its node-ID: coding switches, or the LSS value.
+    virtual void set_node_id(int node_id) = 0;
+    virtual void power_on(Instant now) = 0;
+    virtual void receive(const Frame& frame, Instant now) = 0;
+    virtual void advance(Instant now) = 0;
+    virtual Instant next_deadline() const = 0;
+    /// False when there is no input of that name.
+    virtual bool set_input(const std::string& name, double value, Instant now) = 0;
+    /// The value of each output, in the order of output_names().
+    virtual std::vector<double> outputs() const = 0;
+    virtual const std::vector<std::string>& output_names() const = 0;
+
+    TransmitQueue& queue() { return queue_; }
+    Memory& memory() { return memory_; }
+
+  protected:
+    explicit SimulatedDevice(std::size_t memory_size) : memory_{memory_size} {}
+
+    TransmitQueue queue_;
+    Memory memory_;
+};
+
+/// The device of that name (`cbx-ao412`); nullptr when it cannot be run.
+std::unique_ptr<SimulatedDevice> make_device(const std::string& name);
+
+}  // namespace canproof::host
