@@ -1,0 +1,90 @@
+// devices, signals, eds, spec check: what the register says, printed.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+#include "host/bus/candump.hpp"
+#include "host/cli/commands.hpp"
+#include "host/devices/simulated_device.hpp"
+#include "host/embedded_spec.hpp"
+#include "host/speccompiler/writers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const Register& built_in_register() {
+    static const LoadResult loaded = load_register(embedded_spec());
+    return loaded.content;
+}
+
+const Part& device_named(const std::string& name) {
+    const Part* part = built_in_register().part(name);
+    if (part == nullptr || !part->is_device()) {
+        throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
+    }
+    return *part;
+}
+
+const Part& described_device(const std::string& name) {
+    const Part& part = device_named(name);
+    if (part.objects.empty()) {
+        throw InputError{fmt::format("{} is registered by its manual only so far; its objects are not described yet", name)};
+    }
+    return part;
+}
+
+}  // namespace
+
+int list_devices() {
+    fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", "device", "part numbers", "node-ID", "bit rate", "runs");
+    for (const auto& part : built_in_register().parts) {
+        if (part.is_device()) {
+            fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", part.name, fmt::format("{}", fmt::join(part.info.part_numbers, ", ")),
+                       part.info.node_id, fmt::format("{} bit/s", part.info.bit_rate),
+                       make_device(part.name) == nullptr ? "not yet" : "yes");
+        }
+    }
+    return 0;
+}
+
+int list_signals(const std::string& device) {
+    fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", "signal", "", "type", "unit", "range", "meaning");
+    for (const auto& signal : described_device(device).signals) {
+        const std::string range =
+            signal.minimum && signal.maximum ? fmt::format("{} … {}", *signal.minimum, *signal.maximum) : "";
+        for (const auto& name : signal.names()) {
+            fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type, signal.unit,
+                       range, signal.text);
+        }
+    }
+    return 0;
+}
+
+int print_eds(const std::string& device, const std::string& format) {
+    const Part& part = described_device(device);
+    std::cout << (format == "json"  ? write_object_json(part)
+                  : format == "md"  ? write_object_markdown(part)
+                  : format == "xdd" ? write_xdd(built_in_register(), part)
+                                    : write_eds(built_in_register(), part));
+    return 0;
+}
+
+int check_spec(const std::string& spec) {
+    if (!std::filesystem::is_directory(spec)) {
+        throw InputError{fmt::format("{} is no folder; name the register with --spec", spec)};
+    }
+    const LoadResult loaded = load_register(read_spec_files(spec));
+    for (const auto& fault : loaded.faults) {
+        fmt::print(stderr, "{}\n", fault.text());
+    }
+    std::size_t items = 0;
+    for (const auto& part : loaded.content.parts) {
+        loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
+    }
+    fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size());
+    return loaded.faults.empty() ? 0 : 1;
+}
+
+}  // namespace canproof::host

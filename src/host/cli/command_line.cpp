@@ -1,0 +1,91 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "host/bus/candump.hpp"
+#include "host/cli/commands.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int wrong_use = 2;
+
+void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
+    app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")->callback([&chosen] {
+        chosen = list_devices;
+    });
+    static std::string device;
+    auto* signals = app.add_subcommand("signals", "physical inputs and outputs of a device");
+    signals->add_option("DEVICE", device)->required();
+    signals->callback([&chosen] { chosen = [] { return list_signals(device); }; });
+
+    static std::string format = "eds";
+    auto* eds = app.add_subcommand("eds", "electronic data sheet of a device");
+    eds->add_option("DEVICE", device)->required();
+    eds->add_option("--format", format, "eds, xdd, json or md")->check(CLI::IsMember({"eds", "xdd", "json", "md"}));
+    eds->callback([&chosen] { chosen = [] { return print_eds(device, format); }; });
+
+    static std::string folder = "spec";
+    auto* spec = app.add_subcommand("spec", "the register");
+    spec->require_subcommand(1);
+    auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and mend");
+    check->add_option("--spec", folder, "folder of the register")->capture_default_str();
+    check->callback([&chosen] { chosen = [] { return check_spec(folder); }; });
+}
+
+void add_running(CLI::App& app, std::function<int()>& chosen) {
+    static ReplayOptions options;
+    auto* replay = app.add_subcommand("replay", "play a candump log to one device in virtual time");
+    replay->add_option("DEVICE", options.device)->required();
+    replay->add_option("LOG", options.log, "candump log, or - for standard input")->required();
+    replay->add_option("--node", options.node, "node-ID")->check(CLI::Range(1, 255));
+    replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
+    replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
+    replay->add_option("--outputs", options.outputs, "CSV file to write changes of outputs to");
+    replay->add_option("--until", options.until, "end of virtual time in seconds")->check(CLI::Range(0.0, 1.0e9));
+    replay->callback([&chosen] { chosen = [] { return replay_log(options); }; });
+
+    static RunOptions running;
+    auto* run = app.add_subcommand("run", "run devices in real time on the in-process bus");
+    run->add_option("DEVICE", running.devices, "NAME or NAME@NODE")->required();
+    run->add_option("--bus", running.bus, "inproc")->capture_default_str();
+    run->add_option("--seconds", running.seconds, "end after so long");
+    run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
+
+    app.add_subcommand("demo", "the manuals' worked examples, answered by the devices")->callback([&chosen] {
+        chosen = play_examples;
+    });
+}
+
+void add_audit(CLI::App& app, std::function<int()>& chosen) {
+    static AuditOptions options;
+    auto* command = app.add_subcommand("audit", "manual section to requirement to code to test to verdict");
+    command->add_option("SUBJECT", options.subject, "a device or a requirement; all without it");
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--verdicts", options.verdicts, "folder of test results; build/release/verdicts without it");
+    command->add_option("--html", options.html, "folder to write index.html to");
+    command->callback([&chosen] { chosen = [] { return audit(options); }; });
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app{"canproof: four CANopen devices, generated from their requirements"};
+    app.require_subcommand(1);
+    std::function<int()> chosen;
+    add_catalogue(app, chosen);
+    add_running(app, chosen);
+    add_audit(app, chosen);
+    try {
+        app.parse(argc, argv);
+        return chosen();
+    } catch (const CLI::ParseError& error) {
+        const int status = app.exit(error);
+        return status == 0 ? 0 : wrong_use;
+    } catch (const std::exception& error) {
+        std::cerr << "canproof: " << error.what() << '\n';
+        return wrong_use;
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,44 @@
+// The command line: one function a command. Exit status 0 done, 1 the thing checked does not hold, 2 wrong use or unreadable input.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+struct ReplayOptions {
+    std::string device;
+    std::string log;  ///< file, or - for standard input
+    int node{0};      ///< 0: as shipped
+    std::string nvm;
+    std::string stimulus;
+    std::string outputs;
+    std::optional<double> until;
+};
+
+struct RunOptions {
+    std::vector<std::string> devices;  ///< NAME or NAME@NODE
+    std::string bus{"inproc"};
+    std::optional<double> seconds;
+};
+
+struct AuditOptions {
+    std::string root{"."};
+    std::string subject;  ///< device, requirement id or nothing
+    std::string verdicts;
+    std::string html;
+};
+
+int list_devices();
+int list_signals(const std::string& device);
+int print_eds(const std::string& device, const std::string& format);
+int check_spec(const std::string& spec);
+int replay_log(const ReplayOptions& options);
+int run_devices(const RunOptions& options);
+int play_examples();
+int audit(const AuditOptions& options);
+
+int run_command_line(int argc, char** argv);
+
+}  // namespace canproof::host
