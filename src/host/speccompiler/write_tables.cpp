@@ -135,8 +135,7 @@ class TableWriter {
                 outputs.push_back(literal(table_.outputs[i], row.cells[table_.inputs.size() + i].parts.front().first));
             }
             for (const auto& head : heads)
-                lines.push_back(
-                    fmt::format("    {{{}{}}},  // {}\n", head, fmt::join(outputs, ", "), table_.id));
+                lines.push_back(fmt::format("    {{{}{}}},  // {}\n", head, fmt::join(outputs, ", "), table_.id));
         }
         return fmt::format("inline constexpr std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", lines.size(),
                            fmt::join(lines, ""));
