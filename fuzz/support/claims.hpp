@@ -1,0 +1,20 @@
+// What a fuzz target shows, as names that must compile; the replay of its corpus leaves them with its verdict.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace canproof::fuzz {
+
+std::vector<std::string> claims();
+
+}  // namespace canproof::fuzz
+
+#define CANPROOF_FUZZ_CLAIMS(...)                                                                 \
+    namespace canproof::fuzz {                                                                    \
+    template <typename... Requirements>                                                           \
+    std::vector<std::string> ids() {                                                              \
+        return {Requirements::id...};                                                             \
+    }                                                                                             \
+    std::vector<std::string> claims() { return ids<__VA_ARGS__>(); }                              \
+    }

@@ -1,0 +1,62 @@
+// Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] FILE|FOLDER…
+// A violated invariant aborts the process, so that reaching the end is the verdict.
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "support/claims.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+void write_verdict(const std::filesystem::path& path, const std::string& target, std::size_t inputs) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream out{path};
+    out << "<testsuites><testsuite><testcase classname=\"fuzz\" name=\"" << target << " (" << inputs
+        << " inputs)\" status=\"run\"><properties>";
+    for (const auto& id : canproof::fuzz::claims()) {
+        out << "<property name=\"" << id << "\" value=\"fuzz\"/>";
+    }
+    out << "</properties></testcase></testsuite></testsuites>\n";
+}
+
+std::size_t run_file(const std::filesystem::path& path) {
+    std::ifstream in{path, std::ios::binary};
+    const std::vector<char> text{std::istreambuf_iterator<char>{in}, {}};
+    const std::vector<std::uint8_t> bytes{text.begin(), text.end()};
+    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    std::filesystem::path xml;
+    if (arguments.size() >= 2 && arguments[0] == "--xml") {
+        xml = arguments[1];
+        arguments.erase(arguments.begin(), arguments.begin() + 2);
+    }
+    std::size_t inputs = 0;
+    for (const std::filesystem::path path : arguments) {
+        if (!std::filesystem::is_directory(path)) {
+            inputs += run_file(path);
+            continue;
+        }
+        for (const auto& file : std::filesystem::recursive_directory_iterator(path)) {
+            inputs += file.is_regular_file() ? run_file(file.path()) : 0;
+        }
+    }
+    std::cout << inputs << " input(s) replayed\n";
+    if (inputs == 0) {
+        std::cerr << "nothing to replay; name a file or a folder with files\n";
+        return 2;
+    }
+    if (!xml.empty()) {
+        write_verdict(xml, std::filesystem::path{argv[0]}.filename().string(), inputs);
+    }
+    return 0;
+}
