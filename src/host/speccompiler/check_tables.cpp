@@ -116,7 +116,7 @@ class TableCheck {
         if (input && column.kind == Column::Kind::reals) {
             return;  // told with the column
         }
-        if (!input && !column.type.empty()) {
+        if (!input && is_known_type(column.type)) {
             fits = fits_type(part.first, column.type);
         } else if (column.kind == Column::Kind::words) {
             const auto* word = std::get_if<std::string>(&part.first);

@@ -88,7 +88,7 @@ Range read_range(TomlItem& item) {
             table->fault(table->place("values"), "values allows nothing", "list the values that may be written");
         }
     }
-    if (range.empty()) {
+    if (table->table().empty()) {
         item.fault(item.place("range"), "range says nothing", "give min, max, values or table, or leave range out");
     }
     table->finish();
@@ -147,7 +147,12 @@ Place place_of(const TomlItem& item, const toml::node& node) {
 
 const toml::node* default_for(const toml::node* node, std::int64_t n) {
     const auto table = node == nullptr ? nullptr : node->as_table();
-    return table == nullptr ? node : table->get(std::to_string(n));
+    if (table == nullptr) {
+        return node;
+    }
+    // A member without a value is told by check_family_default(); it borrows another's, so that it is told once.
+    const toml::node* own = table->get(std::to_string(n));
+    return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
 
 void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t count) {

@@ -123,6 +123,7 @@ Table read_table(TomlItem& item) {
     const auto rows = node == nullptr ? nullptr : node->as_array();
     if (rows == nullptr || rows->empty()) {
         item.fault("table without rows", "add `rows = [ [ … ], … ]`");
+        table.complete = false;
     } else {
         for (const auto& one : *rows) {
             Table::Row row;
