@@ -16,8 +16,9 @@ LoadResult load_register(const SpecFiles& files) {
         resolve_ranges(result.content, part, result.faults);
         check_objects(part, result.faults);
     }
-    std::stable_sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
-        return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);
+    std::sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
+        return std::tie(a.place.file, a.place.line, a.what, a.mend) <
+               std::tie(b.place.file, b.place.line, b.what, b.mend);
     });
     // The elements of an array share their place: what is wrong with one is told once.
     const auto same = [](const Fault& a, const Fault& b) {

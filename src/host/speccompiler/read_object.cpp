@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "host/speccompiler/reader.hpp"
 
@@ -215,8 +216,9 @@ void add_sub_zero(Object& object) {
         }
         object.entries.push_back(sub_zero(object.place, highest));
     }
-    std::stable_sort(object.entries.begin(), object.entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; });
+    std::sort(object.entries.begin(), object.entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.subindex, a.place.line) < std::tie(b.subindex, b.place.line);
+    });
 }
 
 Object read_one(TomlItem& item, const std::string& prefix, std::int64_t base, std::int64_t n, std::int64_t offset) {

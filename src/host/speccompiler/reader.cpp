@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace canproof::host {
 
@@ -278,11 +279,12 @@ Register read_register(const SpecFiles& files, Faults& faults) {
         }
     }
     for (Part& part : content.parts) {
-        std::stable_sort(part.objects.begin(), part.objects.end(),
-                         [](const Object& a, const Object& b) { return a.index < b.index; });
+        std::sort(part.objects.begin(), part.objects.end(), [](const Object& a, const Object& b) {
+            return std::tie(a.index, a.place.file, a.place.line) < std::tie(b.index, b.place.file, b.place.line);
+        });
     }
-    std::stable_sort(content.parts.begin() + 1, content.parts.end(),
-                     [](const Part& a, const Part& b) { return a.name < b.name; });
+    std::sort(content.parts.begin() + 1, content.parts.end(),
+              [](const Part& a, const Part& b) { return a.name < b.name; });
     return content;
 }
 

@@ -83,8 +83,7 @@ std::string write_enumerations(const Part& part) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Enumeration& enumeration : part.enumerations) {
         auto values = enumeration.values;
-        std::stable_sort(values.begin(), values.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
+        std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
         const std::string type = cpp_integer_type(values.front().second, values.back().second);
         text += item_comment(enumeration, "");
         text += fmt::format("enum class {} : {} {{\n", enumeration.name, type);
