@@ -96,7 +96,10 @@ Range read_range(TomlItem& item) {
     return range;
 }
 
-void set_default(Entry& entry, const Value& value) {
+void set_default(Entry& entry, const toml::node& node) {
+    // A list where one value belongs is told as what it is, with the default.
+    const bool list = !node.is_value() && !is_string_type(entry.type);
+    const Value value = list ? Value{std::string{"[list]"}} : literal(node);
     const auto* text = std::get_if<std::string>(&value);
     if (text != nullptr && !is_string_type(entry.type) && text->rfind(node_id_mark, 0) == 0) {
         try {
@@ -171,10 +174,12 @@ void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t c
         entry.name = numbered(element, static_cast<std::int64_t>(sub));
         if (list != nullptr) {
             const toml::node* one = list->get(std::min(sub, list->size()) - 1);
-            set_default(entry, one == nullptr ? Value{} : literal(*one));
-            entry.default_place = one == nullptr ? entry.default_place : place_of(item, *one);
+            if (one != nullptr) {
+                set_default(entry, *one);
+                entry.default_place = place_of(item, *one);
+            }
         } else if (defaults != nullptr) {
-            set_default(entry, literal(*defaults));
+            set_default(entry, *defaults);
         }
         object.entries.push_back(entry);
     }
@@ -184,7 +189,7 @@ void read_var(TomlItem& item, Object& object, std::int64_t n) {
     Entry entry = read_entry_fields(item);
     entry.name = object.name;
     if (const auto* node = default_for(item.node("default"), n)) {
-        set_default(entry, literal(*node));
+        set_default(entry, *node);
         entry.default_place = place_of(item, *node);
     }
     object.entries.push_back(entry);
@@ -200,7 +205,7 @@ void read_listed_entries(TomlItem& item, Object& object) {
         }
         entry.name = sub.text("name");
         if (const auto* node = sub.node("default")) {
-            set_default(entry, literal(*node));
+            set_default(entry, *node);
         }
         sub.finish();
         object.entries.push_back(entry);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <regex>
 
 #include "host/speccompiler/reader.hpp"
@@ -49,12 +50,22 @@ std::vector<Column> read_columns(TomlItem& item, const std::string& key) {
     return columns;
 }
 
+std::optional<std::int64_t> to_number(const std::string& digits) {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc{} ? std::optional{number} : std::nullopt;
+}
+
 Cell::Part read_part(const toml::node& node) {
     static const std::regex range{R"(^(-?\d+)\.\.(-?\d+)$)"};
     const Value value = literal(node);
     std::smatch match;
     if (const auto* text = std::get_if<std::string>(&value); text != nullptr && std::regex_match(*text, match, range)) {
-        return {static_cast<std::int64_t>(std::stoll(match[1])), static_cast<std::int64_t>(std::stoll(match[2]))};
+        const auto first = to_number(match[1]);
+        const auto last = to_number(match[2]);
+        if (first && last) {
+            return {*first, *last};
+        }
     }
     return {value, value};
 }
@@ -64,6 +75,9 @@ Cell read_cell(const toml::node& node) {
     if (const auto list = node.as_array()) {
         for (const auto& one : *list) {
             cell.parts.push_back(read_part(one));
+        }
+        if (list->empty()) {
+            cell.parts.push_back({});  // allows nothing: told with the column's domain
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));

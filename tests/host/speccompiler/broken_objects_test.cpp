@@ -43,6 +43,8 @@ const std::vector<Broken> cases{
      "use a whole number"},
     {"DefaultIsText", items_file, rw16 + "default = \"1\"\n", 7, "2000h:0 default 1 is no INTEGER16",
      "use a whole number"},
+    {"ListForOneValue", items_file, rw16 + "default = [1, 2]\n", 7, "2000h:0 default [list] is no INTEGER16",
+     "use a whole number"},
     {"BooleanAsNumber", items_file, rw16 + "default = true\n", 7, "2000h:0 default true is no INTEGER16",
      "use a whole number"},
     {"NodeIdWithoutNumber", items_file, rw16 + "default = \"$NODEID+x\"\n", 7, "default $NODEID+x is no INTEGER16",

@@ -97,6 +97,13 @@ const std::vector<Broken> table_cases{
     {"CellOutsideDomain", items_file,
      table("inputs = [{ name = \"a\", min = 0, max = 1 }]\noutputs = [\"b\"]\nrows = [\n  [\"0..2\", 1],\n]\n"), 8,
      "AO4-T1 value 0 is outside the domain of a", "correct the cell or the column's domain"},
+    {"CellAllowsNothing", items_file,
+     table("inputs = [{ name = \"a\", min = 0, max = 1 }]\noutputs = [\"b\"]\nrows = [[[], 1]]\n"), 7,
+     "AO4-T1 value  is outside the domain of a", "correct the cell"},
+    {"RangeBeyondNumbers", items_file,
+     table("inputs = [{ name = \"a\", values = [\"x\"] }]\noutputs = [\"b\"]\nrows = [[\"1..99999999999999999999\", "
+           "1]]\n"),
+     7, "AO4-T1 value 1..99999999999999999999 is outside the domain of a", "correct the cell"},
     {"WordOutsideDomain", items_file,
      table("inputs = [{ name = \"a\", values = [\"x\"] }]\noutputs = [\"b\"]\nrows = [\n  [\"y\", 1],\n]\n"), 8,
      "AO4-T1 value y is outside the domain of a", "correct the cell"},
