@@ -1,0 +1,145 @@
+// Emergency messages and the error list (CiA 301, 7.2.7; CAN-CBX-AO412, 7.9.3, 7.9.4, 7.9.14, 7.9.15), node 3.
+#include <fmt/format.h>
+
+#include "support/bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Errors : public CbxTest {
+  protected:
+    Frames overrun(bool lost) {
+        inputs.can_overrun = lost;
+        return set_inputs();
+    }
+    Frames can_state(std::uint8_t state) {
+        inputs.can_state = state;
+        return set_inputs();
+    }
+    std::string listed(int sub) {
+        return send(fmt::format("603#400310{:02X}00000000", sub)).at(0).substr(12);
+    }
+    std::string error_register() { return send("603#4001100000000000").at(0).substr(12, 2); }
+};
+
+}  // namespace
+
+TEST_F(Errors, MessageHoldsCodeRegisterAndCount) {
+    verifies<req::CO_EMCY_001, req::AO4_ERR_001, req::AO4_T_ERRORS, req::AO4_OD_1014>();
+    EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
+}
+
+TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
+    verifies<req::AO4_ERR_002>();
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(overrun(true).empty());
+    EXPECT_TRUE(pass(10000).empty());
+    EXPECT_EQ(overrun(false), (Frames{"083#0000000100000000"}));
+    EXPECT_TRUE(overrun(false).empty());
+}
+
+TEST_F(Errors, RegisterShowsWhatIsActive) {
+    verifies<req::AO4_ERR_006, req::AO4_OD_1001>();
+    EXPECT_EQ(error_register(), "00");
+    overrun(true);
+    EXPECT_EQ(error_register(), "11");
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_EQ(error_register(), "11");
+    overrun(false);
+    EXPECT_EQ(error_register(), "01");
+    inputs.internal_fault = false;
+    EXPECT_EQ(set_inputs(), (Frames{"083#0000000200000000"}));
+    EXPECT_EQ(error_register(), "00");
+}
+
+TEST_F(Errors, EachErrorHasItsCode) {
+    verifies<req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
+    EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
+    EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun lasts
+    inputs.internal_fault = true;
+    EXPECT_EQ(set_inputs(), (Frames{"083#1061110300000000"}));
+    EXPECT_TRUE(can_state(1).empty());  // the warning limit is no error yet
+    EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
+}
+
+TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
+    verifies<req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
+    can_state(2);
+    EXPECT_EQ(listed(0), "01000000");
+    EXPECT_EQ(listed(1), "20810000");
+    for (int i = 0; i < 9; ++i) {
+        overrun(true);
+        overrun(false);
+    }
+    EXPECT_EQ(listed(0), "0A000000");
+    EXPECT_EQ(listed(1), "10810000");
+    EXPECT_EQ(listed(10), "20810000");
+    overrun(true);  // the eleventh
+    EXPECT_EQ(listed(0), "0A000000");
+    EXPECT_EQ(listed(10), "10810000");
+    EXPECT_EQ(send("603#4003100B00000000"), (Frames{"583#8003100B11000906"}));
+}
+
+TEST_F(Errors, WritingZeroEmptiesTheList) {
+    verifies<req::AO4_ERR_004>();
+    overrun(true);
+    EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
+    EXPECT_EQ(listed(0), "01000000");
+    write("603#2F03100000000000");
+    EXPECT_EQ(listed(0), "00000000");
+    EXPECT_EQ(listed(1), "00000000");
+    EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
+}
+
+TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
+    verifies<req::CO_EMCY_002>();
+    write("603#2314100083000080");
+    EXPECT_TRUE(overrun(true).empty());
+    EXPECT_EQ(listed(1), "10810000");
+    EXPECT_EQ(error_register(), "11");
+}
+
+TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
+    verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
+    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_TRUE(overrun(false).empty());
+    EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
+}
+
+TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
+    verifies<req::CO_EMCY_004>();
+    send("000#0203");
+    EXPECT_TRUE(overrun(true).empty());
+    EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
+}
+
+TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
+    verifies<req::CO_EMCY_005>();
+    EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
+    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
+    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // bit 11
+    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is kept for SDO
+    write("603#2314100083000080");
+    write("603#2314100084000000");
+    EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
+}
+
+TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
+    verifies<req::AO4_ERR_008, req::AO4_ERR_011>();
+    EXPECT_TRUE(can_state(3).empty());
+    EXPECT_TRUE(overrun(true).empty());
+    EXPECT_TRUE(send("603#4001100000000000").empty());
+    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, then 8140h, then the end of 8120h.
+    EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
+    EXPECT_EQ(listed(1), "40810000");
+    EXPECT_TRUE(pass(1000).empty());
+}
+
+}  // namespace canproof::test

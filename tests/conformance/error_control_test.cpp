@@ -1,0 +1,148 @@
+// Heartbeat, node guarding and life guarding (CiA 301, 7.2.8.2; CAN-CBX-AO412, 7.9.10, 7.9.11, 7.9.16, 7.9.17, 7.9.21), node 3.
+#include "support/bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+using ErrorControlService = CbxTest;
+
+TEST_F(ErrorControlService, HeartbeatTellsTheStateEachPeriod) {
+    verifies<req::CO_HB_001>();
+    write("603#2B17100064000000");  // 100 ms
+    EXPECT_EQ(pass(250), (Frames{"100:703#7F", "200:703#7F"}));
+    send("000#0103");
+    EXPECT_EQ(pass(100), (Frames{"50:703#05"}));
+    send("000#0203");
+    EXPECT_EQ(pass(100), (Frames{"50:703#04"}));
+    send("000#8003");
+    write("603#2B17100000000000");
+    EXPECT_TRUE(pass(500).empty());
+}
+
+TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
+    verifies<req::CO_HB_001>();
+    write("603#2B17100064000000");
+    write("603#2310100173617665");
+    EXPECT_EQ(power_on(), (Frames{"703#00"}));
+    EXPECT_EQ(pass(100), (Frames{"100:703#7F"}));
+}
+
+TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
+    verifies<req::CO_HB_002, req::AO4_ERR_007>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    EXPECT_TRUE(pass(1000).empty());  // nothing heard yet, nothing watched
+    send("731#05");
+    EXPECT_TRUE(pass(199).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
+    EXPECT_EQ(send("731#05"), (Frames{"083#0000000100000000"}));
+    pass(150);
+    send("731#05");
+    EXPECT_TRUE(pass(199).empty());
+}
+
+TEST_F(ErrorControlService, OtherNodesAndOtherLengthsAreNoHeartbeat) {
+    verifies<req::CO_HB_002>();
+    write("603#23161001C8003100");
+    send("732#05");
+    send("731#0505");
+    send("731#R1");
+    EXPECT_TRUE(pass(1000).empty());
+}
+
+TEST_F(ErrorControlService, IncompleteEntriesWatchNobody) {
+    verifies<req::CO_HB_003>();
+    for (const char* entry : {"00003100", "C8000000"}) {
+        write(std::string{"603#23161001"} + entry);
+        send("731#05");
+        send("700#05");
+        EXPECT_TRUE(pass(1000).empty()) << entry;
+    }
+}
+
+TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
+    verifies<req::CO_GUARD_001>();
+    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
+    EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
+    send("000#0103");
+    EXPECT_EQ(send("703#R1"), (Frames{"703#05"}));
+    EXPECT_EQ(send("703#R1"), (Frames{"703#85"}));
+    send("000#8203");
+    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit begins anew
+}
+
+TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
+    verifies<req::CO_GUARD_002, req::AO4_ERR_007>();
+    write("603#2B0C100064000000");  // 100 ms …
+    write("603#2F0D100003000000");  // … times 3
+    EXPECT_TRUE(pass(1000).empty());
+    send("703#R1");
+    EXPECT_TRUE(pass(299).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
+    EXPECT_EQ(send("703#R1"), (Frames{"083#0000000100000000", "703#FF"}));
+}
+
+TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
+    verifies<req::CO_GUARD_003>();
+    write("603#2B0C100064000000");
+    write("603#2F0D100001000000");
+    send("703#R1");
+    write("603#2B171000F4010000");
+    EXPECT_TRUE(send("703#R1").empty());
+    EXPECT_EQ(pass(600), (Frames{"500:703#7F"}));
+}
+
+TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
+    verifies<req::AO4_GUARD_001, req::AO4_OD_100E>();
+    write("603#230E100020070000");  // 720h
+    EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
+    EXPECT_TRUE(send("703#R1").empty());
+    write("603#2B17100064000000");
+    EXPECT_EQ(pass(100), (Frames{"100:720#7F"}));
+    write("603#2310100173617665");
+    EXPECT_EQ(power_on(), (Frames{"720#00"}));
+}
+
+TEST_F(ErrorControlService, TheIdentifierOf100EhHasElevenBitsAndIsNotZero) {
+    verifies<req::AO4_GUARD_002>();
+    for (const char* value : {"00000000", "00080000", "03070020", "03070080"}) {
+        EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
+    }
+    write("603#230E100001000000");
+    write("603#230E1000FF070000");
+}
+
+namespace {
+
+/// The state after a heartbeat error with this value of 1029h:1, begun in a state.
+std::string state_after_error(const std::string& begin, const std::string& reaction) {
+    CbxBench bench;
+    bench.power_on();
+    bench.write("603#23161001C8003100");
+    bench.write("603#2F291001" + reaction + "000000");
+    bench.send("000#" + begin + "03");
+    bench.send("731#05");
+    bench.pass(300);
+    return bench.send("703#R1").at(0).substr(4);
+}
+
+}  // namespace
+
+TEST(ErrorBehaviour, AHeartbeatErrorActsBy1029h) {
+    verifies<req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
+    EXPECT_EQ(state_after_error("01", "00"), "7F");  // operational: to pre-operational
+    EXPECT_EQ(state_after_error("01", "01"), "05");  // no change
+    EXPECT_EQ(state_after_error("01", "02"), "04");  // stopped
+    EXPECT_EQ(state_after_error("80", "00"), "7F");
+    EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
+    EXPECT_EQ(state_after_error("80", "02"), "04");
+}
+
+TEST_F(ErrorControlService, BusOffActsBy1029h) {
+    verifies<req::AO4_GUARD_003>();
+    send("000#0103");
+    inputs.can_state = 3;
+    EXPECT_TRUE(set_inputs().empty());
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+}  // namespace canproof::test

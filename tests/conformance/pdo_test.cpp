@@ -1,0 +1,243 @@
+// Receive PDOs and mapping (CiA 301, 7.2.2, 7.5.2.35, 7.5.2.36; CAN-CBX-AO412, 7.6, 7.7), node 3.
+#include "support/bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Pdo : public CbxTest {
+  protected:
+    void SetUp() override {
+        CbxTest::SetUp();
+        send("000#0103");
+    }
+    std::string output(int number) { return send("603#4011640" + std::to_string(number) + "00000000").at(0).substr(12, 4); }
+    void disable_rpdo2() { write("603#2301140103030080"); }
+    void enable_rpdo2() { write("603#2301140103030000"); }
+};
+
+}  // namespace
+
+TEST_F(Pdo, Rpdo2SetsTheFourOutputsAtOnce) {
+    verifies<req::CO_PDO_001, req::AO4_PDO_001, req::AO4_AOUT_005>();
+    EXPECT_TRUE(send("303#0100020003000400").empty());
+    EXPECT_EQ(output(1), "0100");
+    EXPECT_EQ(output(2), "0200");
+    EXPECT_EQ(output(3), "0300");
+    EXPECT_EQ(output(4), "0400");
+}
+
+TEST_F(Pdo, Type254IsAppliedAtOnceToo) {
+    verifies<req::CO_PDO_001, req::CO_T_TRANSMISSION_TYPE>();
+    write("603#2F011402FE000000");
+    send("303#0100020003000400");
+    EXPECT_EQ(output(1), "0100");
+}
+
+TEST_F(Pdo, SynchronousTypesWaitForTheSyncAndTakeTheLastValues) {
+    verifies<req::CO_PDO_002, req::CO_T_TRANSMISSION_TYPE>();
+    for (const char* type : {"00", "01", "F0"}) {
+        write(std::string{"603#2F011402"} + type + "000000");
+        send("303#1111000000000000");
+        send("303#2222000000000000");
+        EXPECT_NE(output(1), "2222") << type;
+        send("080#");
+        EXPECT_EQ(output(1), "2222") << type;
+        send("303#0000000000000000");
+        send("080#");
+        EXPECT_EQ(output(1), "0000") << type;
+    }
+}
+
+TEST_F(Pdo, NothingOutsideOperationalAndNoWaitingAcrossIt) {
+    verifies<req::CO_PDO_003>();
+    send("000#8003");
+    send("303#0100000000000000");
+    EXPECT_EQ(output(1), "0000");
+    send("000#0103");
+    write("603#2F01140201000000");
+    send("303#0100000000000000");
+    send("000#8003");
+    send("000#0103");
+    send("080#");
+    EXPECT_EQ(output(1), "0000");
+}
+
+TEST_F(Pdo, ShortFramesChangeNothingAndLongOnesGiveTheirMappedPart) {
+    verifies<req::CO_PDO_004>();
+    send("303#01000200030004");
+    EXPECT_EQ(output(1), "0000");
+    disable_rpdo2();
+    write("603#2F01160000000000");
+    write("603#2F01160001000000");  // the first entry, 6411h:1, alone
+    enable_rpdo2();
+    send("303#3412FFFFFFFF");
+    EXPECT_EQ(output(1), "3412");
+    EXPECT_EQ(output(2), "0000");
+}
+
+TEST_F(Pdo, AValueOutsideItsLimitsSpoilsTheWholePdo) {
+    verifies<req::CO_PDO_005>();
+    // No mappable object of this device has limits: the law is held against the mapping itself, below.
+    const std::array<ObjectRow, 2> objects{{{0x1600U, 0U, 3U, ObjectKind::array}, {0x2000U, 3U, 3U, ObjectKind::array}}};
+    const std::array<EntryRow, 6> entries{{
+        {0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
+        {1U, 4U, no_limit, 1U, DataType::unsigned32, rights::read, Service::none},
+        {5U, 4U, no_limit, 2U, DataType::unsigned32, rights::read, Service::none},
+        {9U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
+        {10U, 1U, no_limit, 1U, DataType::unsigned8, rights::read | rights::write | rights::rpdo, Service::none},
+        {11U, 1U, 0U, 2U, DataType::unsigned8, rights::read | rights::write | rights::rpdo, Service::none},
+    }};
+    const std::array<LimitRow, 1> limits{{{{LimitKind::none, 0U, 0}, {LimitKind::value, 100U, 0}}}};
+    const DictionaryTables tables{table_view(objects), table_view(entries), table_view(limits), {}, {}, {}, 0U};
+    std::array<std::uint8_t, 12> image{2, 0x08, 0x01, 0x00, 0x20, 0x08, 0x02, 0x00, 0x20, 2, 7, 7};
+    ObjectDictionary dictionary{tables, MutableBytes{image}, LimitAbort::range};
+
+    struct Access final : ObjectAccess {
+        explicit Access(ObjectDictionary& d) : od{d} {}
+        Result<ByteView, AbortCode> read(std::uint16_t, std::uint8_t) override {
+            return Result<ByteView, AbortCode>::failure(AbortCode::general);
+        }
+        AbortCode write(std::uint16_t index, std::uint8_t sub, ByteView value, Instant) override {
+            od.put(od.find(index, sub).value(), value);
+            return AbortCode::none;
+        }
+        Result<std::uint16_t, AbortCode> writable_size(std::uint16_t, std::uint8_t) override {
+            return Result<std::uint16_t, AbortCode>::failure(AbortCode::general);
+        }
+        ObjectDictionary& od;
+    } access{dictionary};
+
+    const PdoMapping mapping{dictionary, 0x1600U, rights::rpdo};
+    mapping.apply(host::parse_frame("200#0165", "test"), access, Instant{});  // 101 > 100
+    EXPECT_EQ(image[10], 7);
+    EXPECT_EQ(image[11], 7);
+    mapping.apply(host::parse_frame("200#0164", "test"), access, Instant{});
+    EXPECT_EQ(image[10], 1);
+    EXPECT_EQ(image[11], 100);
+}
+
+TEST_F(Pdo, Bit31SwitchesThePdoOff) {
+    verifies<req::CO_PDO_006>();
+    disable_rpdo2();
+    send("303#0100000000000000");
+    EXPECT_EQ(output(1), "0000");
+    enable_rpdo2();
+    send("303#0100000000000000");
+    EXPECT_EQ(output(1), "0100");
+}
+
+TEST_F(Pdo, TheIdentifierChangesOnlyWhileNotValid) {
+    verifies<req::CO_PDO_007, req::CO_T_RESTRICTED_COB_ID>();
+    EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
+    EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // bit 29
+    EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // bit 12
+    disable_rpdo2();
+    write("603#2301140133020000");
+    send("233#0100000000000000");
+    EXPECT_EQ(output(1), "0100");
+    // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are kept for others
+    for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
+        write("603#2301140133020080");
+        EXPECT_EQ(send(std::string{"603#23011401"} + id + "0000"), (Frames{"583#8001140130000906"})) << id;
+    }
+    // the neighbours of those ranges are free
+    for (const char* id : {"8000", "0001", "8101", "8005", "0006", "8006", "DF06", "0007"}) {
+        write("603#2301140133020080");
+        write(std::string{"603#23011401"} + id + "0000");
+        write(std::string{"603#23011401"} + id + "0080");
+    }
+}
+
+TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
+    verifies<req::CO_PDO_008, req::CO_T_TRANSMISSION_TYPE>();
+    for (const char* type : {"F1", "FB", "FC", "FD"}) {
+        EXPECT_EQ(send(std::string{"603#2F011402"} + type + "000000"), (Frames{"583#8001140230000906"})) << type;
+    }
+    EXPECT_EQ(send("603#4001140200000000"), (Frames{"583#4F011402FF000000"}));
+}
+
+TEST_F(Pdo, RemappingFollowsItsOrder) {
+    verifies<req::CO_PDO_009>();
+    EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // still valid
+    disable_rpdo2();
+    EXPECT_EQ(send("603#2301160110026411"), (Frames{"583#8001160122000008"}));  // sub 0 still 4
+    write("603#2F01160000000000");
+    write("603#2301160110046411");  // 6411h:4
+    write("603#2301160210036411");  // 6411h:3
+    write("603#2F01160002000000");
+    enable_rpdo2();
+    send("303#44443333");
+    EXPECT_EQ(output(4), "4444");
+    EXPECT_EQ(output(3), "3333");
+}
+
+TEST_F(Pdo, MappingEntriesMustBeMappable) {
+    verifies<req::CO_PDO_010>();
+    disable_rpdo2();
+    write("603#2F01160000000000");
+    EXPECT_EQ(send("603#2301160110013412"), (Frames{"583#8001160100000206"}));  // 1234h is absent
+    EXPECT_EQ(send("603#2301160110056411"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
+    EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));  // 1017h is not mappable
+    EXPECT_EQ(send("603#2301160108016411"), (Frames{"583#8001160141000406"}));  // 8 bits of 16
+}
+
+TEST_F(Pdo, AMappingHoldsAtMost64Bits) {
+    verifies<req::CO_PDO_011>();
+    disable_rpdo2();
+    write("603#2F01160000000000");
+    for (const char* entry : {"01", "02", "03"}) {
+        write(std::string{"603#230116"} + entry + "20000700");  // dummy UNSIGNED32
+    }
+    EXPECT_EQ(send("603#2F01160003000000"), (Frames{"583#8001160042000406"}));  // 96 bits
+    write("603#2F01160002000000");
+    write("603#2F01160000000000");
+    write("603#2301160200000000");  // an empty entry …
+    EXPECT_EQ(send("603#2F01160002000000"), (Frames{"583#8001160041000406"}));  // … cannot be counted
+}
+
+TEST_F(Pdo, DummyEntriesSkipTheirBits) {
+    verifies<req::CO_PDO_012>();
+    disable_rpdo2();
+    write("603#2F01160000000000");
+    write("603#2301160108000500");  // dummy UNSIGNED8
+    write("603#2301160210016411");
+    write("603#2F01160002000000");
+    enable_rpdo2();
+    send("303#AA3412");
+    EXPECT_EQ(output(1), "3412");
+    disable_rpdo2();
+    write("603#2F01160000000000");
+    EXPECT_EQ(send("603#2301160110000500"), (Frames{"583#8001160141000406"}));  // UNSIGNED8 has 8 bits, not 16
+}
+
+TEST_F(Pdo, Rpdo3IsEmptyUntilItIsMapped) {
+    verifies<req::AO4_PDO_002>();
+    send("403#1111222233334444");
+    for (int number = 1; number <= 4; ++number) {
+        EXPECT_EQ(output(number), "0000");
+    }
+}
+
+TEST_F(Pdo, ThereIsNoRpdo1) {
+    verifies<req::AO4_PDO_003>();
+    EXPECT_EQ(send("603#4000140100000000"), (Frames{"583#8000140100000206"}));
+    EXPECT_EQ(send("603#4000160100000000"), (Frames{"583#8000160100000206"}));
+    send("203#1111222233334444");
+    EXPECT_EQ(output(1), "0000");
+}
+
+TEST_F(Pdo, ARemoteFrameOnRpdo2ReadsTheOutputs) {
+    verifies<req::AO4_PDO_004>();
+    send("303#B33E4DC100000400");
+    EXPECT_EQ(send("303#R8"), (Frames{"303#B33E4DC100000400"}));
+    disable_rpdo2();
+    EXPECT_TRUE(send("303#R8").empty());
+    write("603#2301140103030040");  // bit 30: no RTR
+    EXPECT_TRUE(send("303#R8").empty());
+    send("000#8003");
+    EXPECT_TRUE(send("303#R8").empty());
+}
+
+}  // namespace canproof::test

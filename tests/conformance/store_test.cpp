@@ -1,0 +1,205 @@
+// Store and restore (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node 3.
+#include "support/bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Store : public CbxTest {
+  protected:
+    // 1017h (communication), 2404h:1 (manufacturer) and 6411h:1 (application): one value of each group.
+    void set_values(const std::string& value) {
+        write("603#2B171000" + value + "0000");
+        write("603#2B042401" + value + "0000");
+        write("603#2B116401" + value + "0000");
+    }
+    std::string values() {
+        std::string all;
+        for (const char* object : {"171000", "042401", "116401"}) {
+            all += send(std::string{"603#40"} + object + "00000000").at(0).substr(12, 4) + " ";
+        }
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_F(Store, SaveAllKeepsEachGroup) {
+    verifies<req::CO_STORE_001, req::CO_K_STORE_SIGNATURE, req::AO4_OD_1010>();
+    set_values("3412");
+    EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#6010100100000000"}));
+    power_on();
+    EXPECT_EQ(values(), "3412 3412 3412 ");
+}
+
+TEST_F(Store, WithoutSaveNothingIsKept) {
+    verifies<req::CO_STORE_001>();
+    set_values("3412");
+    power_on();
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, EachSubIndexSavesItsGroupAndLeavesTheOthersAsStored) {
+    verifies<req::CO_STORE_001>();
+    const std::vector<std::pair<const char*, const char*>> groups{
+        {"02", "2222 1111 1111 "}, {"03", "1111 1111 2222 "}, {"04", "1111 2222 1111 "}};
+    for (const auto& [sub, expected] : groups) {
+        set_values("1111");
+        write("603#2310100173617665");
+        set_values("2222");
+        write(std::string{"603#231010"} + sub + "73617665");
+        power_on();
+        EXPECT_EQ(values(), expected) << sub;
+    }
+}
+
+TEST_F(Store, OnlyTheRightWordIsObeyed) {
+    verifies<req::CO_STORE_002>();
+    set_values("3412");
+    for (const char* word : {"65766173", "73617664", "00000000", "6C6F6164", "01000000"}) {
+        EXPECT_EQ(send(std::string{"603#23101001"} + word), (Frames{"583#8010100120000008"})) << word;
+    }
+    EXPECT_EQ(send("603#2311100173617665"), (Frames{"583#8011100120000008"}));
+    power_on();
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, LoadTakesEffectAtTheNextReset) {
+    verifies<req::CO_STORE_003, req::CO_K_RESTORE_SIGNATURE, req::AO4_OD_1011>();
+    set_values("3412");
+    write("603#2310100173617665");
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
+    EXPECT_EQ(values(), "3412 3412 3412 ");
+    send("000#8103");
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, LoadOfOneGroupLeavesTheOthersStored) {
+    verifies<req::CO_STORE_003>();
+    const std::vector<std::pair<const char*, const char*>> groups{
+        {"02", "0000 3412 3412 "}, {"03", "3412 3412 0000 "}, {"04", "3412 0000 3412 "}};
+    for (const auto& [sub, expected] : groups) {
+        set_values("3412");
+        write("603#2310100173617665");
+        write(std::string{"603#231110"} + sub + "6C6F6164");
+        power_on();
+        EXPECT_EQ(values(), expected) << sub;
+    }
+}
+
+TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
+    verifies<req::CO_STORE_004>();
+    set_values("1111");
+    write("603#2310100173617665");
+    const auto stored = memory.bytes();
+    const std::size_t before = memory.written();
+    set_values("2222");
+    write("603#2310100173617665");
+    const std::size_t size_of_save = memory.written() - before;
+    ASSERT_GT(size_of_save, 100U);
+    std::size_t old_sets = 0;
+    for (std::size_t cut = 0; cut <= size_of_save; ++cut) {
+        memory.bytes() = stored;
+        power_on();
+        set_values("2222");
+        memory.cut_power_after(cut);
+        send("603#2310100173617665");
+        memory.restore_power();
+        power_on();
+        const std::string found = values();
+        EXPECT_TRUE(found == "1111 1111 1111 " || found == "2222 2222 2222 ") << "cut after " << cut << " bytes: " << found;
+        old_sets += found == "1111 1111 1111 " ? 1 : 0;
+    }
+    EXPECT_EQ(old_sets, size_of_save);  // the very last byte makes the new set valid
+}
+
+TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
+    verifies<req::CO_STORE_005>();
+    set_values("1111");
+    write("603#2310100173617665");
+    set_values("2222");
+    memory.cut_power_after(10);
+    EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100100000606"}));
+    memory.restore_power();
+    power_on();
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+}
+
+TEST_F(Store, SavingIsForPreOperational) {
+    verifies<req::AO4_STORE_001>();
+    set_values("3412");
+    send("000#0103");
+    EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100122000008"}));
+    power_on();
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, ReadingTellsOnCommandNotByItself) {
+    verifies<req::AO4_STORE_002, req::AO4_OD_1010, req::AO4_OD_1011>();
+    for (const char* object : {"101001", "101002", "101003", "101004", "111001", "111002", "111003", "111004"}) {
+        EXPECT_EQ(send(std::string{"603#40"} + object + "00000000").at(0), std::string{"583#43"} + object + "01000000");
+    }
+}
+
+TEST_F(Store, WhatIsWritableIsStored) {
+    verifies<req::AO4_STORE_003>();
+    // object, length specifier, a value that it takes and that is not its default
+    struct Case {
+        const char* object;
+        const char* specifier;
+        const char* value;
+    };
+    const std::vector<Case> cases{
+        {"051000", "23", "81000000"}, {"061000", "23", "40420F00"}, {"0C1000", "2B", "64000000"}, {"0D1000", "2F", "03000000"},
+        {"0E1000", "23", "13070000"}, {"141000", "23", "83000080"}, {"151000", "2B", "0A000000"}, {"161001", "23", "E8033100"},
+        {"171000", "2B", "D0070000"}, {"201001", "23", "11223344"}, {"201002", "23", "55667700"}, {"291001", "2F", "02000000"},
+        {"801F00", "23", "08000000"}, {"911F01", "2B", "F4010000"}, {"011401", "23", "03030080"}, {"011402", "2F", "01000000"},
+        {"021401", "23", "03040080"}, {"021402", "2F", "FE000000"}, {"116401", "2B", "01000000"}, {"116404", "2B", "04000000"},
+        {"436401", "2F", "02000000"}, {"436404", "2F", "00000000"}, {"446401", "23", "00000140"}, {"446404", "23", "00000240"},
+        {"042401", "2B", "05000000"}, {"042404", "2B", "06000000"}, {"052401", "2B", "07000000"}, {"052404", "2B", "08000000"}};
+    for (const auto& one : cases) {
+        write(std::string{"603#"} + one.specifier + one.object + one.value);
+    }
+    write("603#2310100173617665");
+    queue = TransmitQueue{};
+    device = std::make_unique<cbx_ao412::Device>(memory, queue, factory);
+    device->power_on(inputs, now);
+    sent();
+    for (const auto& one : cases) {
+        const std::string answer = send(std::string{"603#40"} + one.object + "00000000").at(0);
+        EXPECT_EQ(answer.substr(6), std::string{one.object} + one.value);
+    }
+}
+
+TEST_F(Store, StoredCobIdsOutliveTheSwitches) {
+    verifies<req::AO4_STORE_004>();
+    write("603#2310100273617665");
+    inputs.switch_low = 5;
+    EXPECT_EQ(power_on(), (Frames{"703#00"}));  // 100Eh was stored
+    const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
+    EXPECT_EQ(cob_id(), "83000000");
+    EXPECT_EQ(send("605#231110026C6F6164"), (Frames{"585#6011100200000000"}));
+    EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
+    EXPECT_EQ(cob_id(), "85000000");
+}
+
+TEST_F(Store, CobIdsThatWereNotStoredFollowTheSwitches) {
+    verifies<req::AO4_STORE_004>();
+    write("603#2310100373617665");  // application only
+    inputs.switch_low = 5;
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));
+}
+
+TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
+    verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
+    set_values("3412");
+    write("603#2310100173617665");
+    memory.bytes()[40] ^= 0x01;
+    EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"}));
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+    EXPECT_EQ(send("603#4003100100000000"), (Frames{"583#4303100110610000"}));
+    EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,114 @@
+// SYNC consumer and producer (CiA 301, 7.2.5; CAN-CBX-AO412, 7.9.5, 7.9.6, 7.9.19), node 3.
+#include "support/bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class SyncService : public CbxTest {
+  protected:
+    void make_rpdo2_synchronous() {
+        write("603#2F01140201000000");
+        send("000#0103");
+    }
+    std::string output1() { return send("603#4011640100000000").at(0).substr(12, 4); }
+};
+
+}  // namespace
+
+TEST_F(SyncService, HasNoDataWithoutACounterAndOneByteWithIt) {
+    verifies<req::CO_SYNC_001>();
+    make_rpdo2_synchronous();
+    send("303#1100000000000000");
+    send("080#");
+    EXPECT_EQ(output1(), "1100");
+    write("603#2F1910000A000000");  // 1019h = 10
+    send("303#2200000000000000");
+    send("080#01");
+    EXPECT_EQ(output1(), "2200");
+}
+
+TEST_F(SyncService, FollowsTheIdentifierOf1005h) {
+    verifies<req::CO_SYNC_001>();
+    write("603#2305100090000000");
+    make_rpdo2_synchronous();
+    send("303#1100000000000000");
+    send("080#");
+    EXPECT_EQ(output1(), "0000");
+    send("090#");
+    EXPECT_EQ(output1(), "1100");
+}
+
+TEST_F(SyncService, WrongLengthIsAnErrorUntilARightOneComes) {
+    verifies<req::CO_SYNC_002>();
+    make_rpdo2_synchronous();
+    send("303#1100000000000000");
+    EXPECT_EQ(send("080#01"), (Frames{"083#4082110100000000"}));
+    EXPECT_EQ(output1(), "0000");
+    EXPECT_TRUE(send("080#01").empty());
+    EXPECT_EQ(send("080#"), (Frames{"083#0000000100000000"}));
+    EXPECT_EQ(output1(), "1100");
+}
+
+TEST_F(SyncService, IsProducedEachPeriod) {
+    verifies<req::CO_SYNC_003>();
+    write("603#2306100088130000");  // 5000 us
+    EXPECT_TRUE(pass(20).empty());      // bit 30 of 1005h is clear
+    write("603#2305100080000040");
+    EXPECT_EQ(pass(11), (Frames{"5:080#", "10:080#"}));
+    send("000#0203");
+    EXPECT_TRUE(pass(20).empty());
+    send("000#0103");
+    EXPECT_EQ(pass(5), (Frames{"5:080#"}));
+    write("603#2306100000000000");
+    EXPECT_TRUE(pass(20).empty());
+}
+
+TEST_F(SyncService, CounterRunsFromOneToItsOverflow) {
+    verifies<req::CO_SYNC_004>();
+    write("603#2F19100003000000");
+    write("603#23061000E8030000");  // 1 ms
+    write("603#2305100080000040");
+    EXPECT_EQ(pass(5), (Frames{"1:080#01", "2:080#02", "3:080#03", "4:080#01", "5:080#02"}));
+}
+
+TEST_F(SyncService, AProducedSyncTakesEffectInTheNode) {
+    verifies<req::CO_SYNC_005>();
+    make_rpdo2_synchronous();
+    write("603#2306100010270000");
+    write("603#2305100080000040");
+    send("303#1100000000000000");
+    EXPECT_EQ(output1(), "0000");
+    pass(10);
+    EXPECT_EQ(output1(), "1100");
+}
+
+TEST_F(SyncService, CounterAndIdentifierAreLockedWhileInUse) {
+    verifies<req::CO_SYNC_006>();
+    write("603#2306100010270000");
+    EXPECT_EQ(send("603#2F1910000A000000"), (Frames{"583#8019100022000008"}));
+    write("603#2305100080000040");
+    EXPECT_EQ(send("603#2305100090000040"), (Frames{"583#8005100022000008"}));
+    write("603#2306100000000000");
+    write("603#2F1910000A000000");
+}
+
+TEST_F(SyncService, IdentifierMustBeFreeAndOfElevenBits) {
+    verifies<req::CO_SYNC_006, req::AO4_OD_1005>();
+    EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
+    EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
+    EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11
+    write("603#2305100080000080");                                              // bit 31 has no meaning
+}
+
+TEST_F(SyncService, ReservedCounterValuesAreRefused) {
+    verifies<req::CO_SYNC_007, req::AO4_OD_1019>();
+    for (const char* value : {"01", "F1", "FF"}) {
+        EXPECT_EQ(send(std::string{"603#2F191000"} + value + "000000"), (Frames{"583#8019100030000906"})) << value;
+    }
+    write("603#2F19100002000000");
+    write("603#2F191000F0000000");
+}
+
+}  // namespace canproof::test
