@@ -162,10 +162,10 @@ TEST_F(Pdo, RemappingFollowsItsOrder) {
     verifies<req::CO_PDO_009>();
     EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // still valid
     disable_rpdo2();
-    EXPECT_EQ(send("603#2301160110026411"), (Frames{"583#8001160122000008"}));  // sub 0 still 4
+    EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // sub 0 still 4
     write("603#2F01160000000000");
-    write("603#2301160110046411");  // 6411h:4
-    write("603#2301160210036411");  // 6411h:3
+    write("603#2301160110041164");  // 6411h:4
+    write("603#2301160210031164");  // 6411h:3
     write("603#2F01160002000000");
     enable_rpdo2();
     send("303#44443333");
@@ -178,9 +178,9 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     disable_rpdo2();
     write("603#2F01160000000000");
     EXPECT_EQ(send("603#2301160110013412"), (Frames{"583#8001160100000206"}));  // 1234h is absent
-    EXPECT_EQ(send("603#2301160110056411"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
+    EXPECT_EQ(send("603#2301160110051164"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
     EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));  // 1017h is not mappable
-    EXPECT_EQ(send("603#2301160108016411"), (Frames{"583#8001160141000406"}));  // 8 bits of 16
+    EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 bits of 16
 }
 
 TEST_F(Pdo, AMappingHoldsAtMost64Bits) {
@@ -202,7 +202,7 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
     disable_rpdo2();
     write("603#2F01160000000000");
     write("603#2301160108000500");  // dummy UNSIGNED8
-    write("603#2301160210016411");
+    write("603#2301160210011164");
     write("603#2F01160002000000");
     enable_rpdo2();
     send("303#AA3412");

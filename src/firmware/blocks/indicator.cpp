@@ -5,7 +5,7 @@ namespace canproof {
 IndicatorPhase indicator_phase(const IndicatorPattern& pattern, const Instant now, const Duration shift) noexcept {
     const std::uint64_t period = pattern.period().us;
     if (pattern.is_steady() || (period == 0U)) {
-        return IndicatorPhase{pattern.gap.us != 0U, never};
+        return IndicatorPhase{pattern.on.us != 0U, never};
     }
     // Counted from one period before time 0, so that a shifted round is never before its start.
     const std::uint64_t position = ((now.us + period) - (shift.us % period)) % period;

@@ -5,7 +5,7 @@
 
 namespace canproof {
 
-/// One round of an indicator: `flashes` times on with gaps between them, then a pause. No flashes: steadily off, or on when `gap` is not 0.
+/// One round of an indicator: `flashes` times on with gaps between them, then a pause. Without flashes steadily lit when `on` is not 0, else dark.
 struct IndicatorPattern {
     std::uint16_t flashes{0U};
     Duration on{};

@@ -34,7 +34,7 @@ void Node::power_on(const std::uint8_t node_id, const Instant now) noexcept {
 
 void Node::load_group(const ParameterGroup group) noexcept {
     objects_.load_defaults(group, node_id_);
-    application_.put_factory_values();
+    application_.put_factory_values(group);
     store_.load(group_bit(group));
 }
 

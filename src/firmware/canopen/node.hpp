@@ -39,8 +39,8 @@ class Application {
     virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
     /// Any entry outside the communication area, or of Service::program, has a new value.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
-    /// Defaults were put into the dictionary: values that belong to this very unit (serial number, calibration) go in now.
-    virtual void put_factory_values() = 0;
+    /// The defaults of a group were put into the dictionary: those that belong to this very unit (serial number, calibration) go in now.
+    virtual void put_factory_values(ParameterGroup group) = 0;
     /// Power-on or NMT reset node: parameters are loaded, all states start anew.
     virtual void restart(Instant now) = 0;
     /// The boot-up message is sent, the node is pre-operational.

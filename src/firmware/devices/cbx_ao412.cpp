@@ -156,10 +156,12 @@ void Device::after_write(const EntryRef& entry, const Instant) {
 }
 
 static_assert(implements<req::AO4_AOUT_009>);
-void Device::put_factory_values() {
-    objects_.set(field::o1018_3_revision_number, factory_.revision);
-    objects_.set(field::o1018_4_serial_number, factory_.serial_number);
-    for (std::uint8_t number = 1U; number <= output_count; ++number) {
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        objects_.set(field::o1018_3_revision_number, factory_.revision);
+        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+    }
+    for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
         objects_.set(field::o2404_calibration_offset_value[number], factory_.offset[number - 1U]);
         objects_.set(field::o2405_calibration_gain_value[number], factory_.gain[number - 1U]);
     }

@@ -1,0 +1,65 @@
+#include "firmware/canopen/transmit_queue.hpp"
+
+#include "firmware/base/crc32.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+Frame numbered(std::uint32_t id, std::uint8_t number) {
+    Frame frame = data_frame(id, 1);
+    frame.data[0] = number;
+    return frame;
+}
+
+}  // namespace
+
+TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    for (const auto& [id, number] : {std::pair{0x583U, 1}, {0x183U, 2}, {0x583U, 3}, {0x083U, 4}, {0x183U, 5}}) {
+        ASSERT_TRUE(queue.push(numbered(id, static_cast<std::uint8_t>(number))));
+    }
+    for (const int expected : {4, 2, 5, 1, 3}) {
+        EXPECT_EQ(queue.pop().data[0], expected);
+    }
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
+    verifies<req::CO_FRAME_002, req::CO_NMT_001>();
+    TransmitQueue queue;
+    queue.push(numbered(0x583, 1));
+    queue.push_boot_up(numbered(0x703, 2));
+    queue.push(numbered(0x083, 3));
+    queue.push(numbered(0x183, 4));
+    for (const int expected : {2, 3, 4}) {
+        EXPECT_EQ(queue.pop().data[0], expected);
+    }
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST(TransmitQueueOrder, IsBoundedAndRefusesWhileClosed) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
+        EXPECT_TRUE(queue.push(numbered(0x100, 0)));
+    }
+    EXPECT_FALSE(queue.push(numbered(0x100, 0)));
+    queue.close();
+    EXPECT_TRUE(queue.empty());
+    EXPECT_FALSE(queue.push(numbered(0x100, 0)));
+    queue.open();
+    EXPECT_TRUE(queue.push(numbered(0x100, 0)));
+}
+
+TEST(Crc, CheckValueOfTheCatalogue) {
+    // CRC-32/ISO-HDLC of "123456789"
+    const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};
+    Crc32 crc;
+    crc.add(ByteView{digits});
+    EXPECT_EQ(crc.value(), 0xCBF43926U);
+}
+
+}  // namespace canproof::test
