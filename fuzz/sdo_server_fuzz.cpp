@@ -21,7 +21,8 @@ void require(bool holds) {
     }
 }
 
-/// At most one answer a request, eight bytes, with a server's command specifier; frames on the device's own identifiers only.
+/// At most one answer a request, eight bytes, with a server's command specifier; frames on the device's own identifiers
+/// only.
 void check_answers(TransmitQueue& queue) {
     int answers = 0;
     while (!queue.empty()) {

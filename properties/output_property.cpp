@@ -24,9 +24,11 @@ RC_GTEST_PROP(VoltageOutputLaw, StepIsTheNearestAndHalvesGoUp, (std::int16_t val
     RC_ASSERT(step == std::max(-4095, std::min(4095, unclamped)));
 }
 
-RC_GTEST_PROP(VoltageOutputLaw, OutputStaysWithinTheConverter, (std::int16_t value, std::int16_t gain, std::int16_t offset)) {
+RC_GTEST_PROP(VoltageOutputLaw, OutputStaysWithinTheConverter,
+              (std::int16_t value, std::int16_t gain, std::int16_t offset)) {
     verifies<req::AO4_AOUT_003>("property");
-    const OutputCalibration calibration{1.0F + static_cast<float>(gain) / 262144.0F, static_cast<float>(offset) * 312.5e-6F};
+    const OutputCalibration calibration{1.0F + static_cast<float>(gain) / 262144.0F,
+                                        static_cast<float>(offset) * 312.5e-6F};
     const float volts = step_voltage(output_step(value, circuit, calibration), circuit);
     RC_ASSERT(std::fabs(volts) <= 10.2046F);  // 4095 / 4096 of 10.20697 V
 }

@@ -19,7 +19,9 @@ std::string hex(std::uint64_t value, int bytes) {
     return text;
 }
 
-std::string read_back(CbxBench& bench, const std::string& object) { return bench.send("603#40" + object + "00000000").at(0); }
+std::string read_back(CbxBench& bench, const std::string& object) {
+    return bench.send("603#40" + object + "00000000").at(0);
+}
 
 }  // namespace
 
@@ -42,7 +44,8 @@ RC_GTEST_PROP(SdoServerLaw, ARefusedWriteChangesNothing, ()) {
     bench.power_on();
     // 6443h:1 takes 0, 1 and 2 only (CBX-AO412, 7.10.3)
     const auto mode = *rc::gen::inRange(3, 256);
-    RC_ASSERT(bench.send("603#2F436401" + hex(static_cast<std::uint64_t>(mode), 1) + "000000").at(0) == "583#8043640130000906");
+    RC_ASSERT(bench.send("603#2F436401" + hex(static_cast<std::uint64_t>(mode), 1) + "000000").at(0) ==
+              "583#8043640130000906");
     RC_ASSERT(read_back(bench, "436401") == "583#4F43640101000000");
 }
 
@@ -51,10 +54,11 @@ RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
     verifies<req::CO_SDO_015>("property");
     CbxBench bench;
     bench.power_on();
-    const auto requests = *rc::gen::container<std::vector<std::array<std::uint8_t, 8>>>(
-        rc::gen::container<std::array<std::uint8_t, 8>>(rc::gen::oneOf(
-            rc::gen::arbitrary<std::uint8_t>(),
-            rc::gen::element<std::uint8_t>(0x00, 0x01, 0x08, 0x10, 0x20, 0x21, 0x23, 0x2B, 0x2F, 0x40, 0x60, 0x64, 0x70, 0x80))));
+    const auto requests =
+        *rc::gen::container<std::vector<std::array<std::uint8_t, 8>>>(rc::gen::container<std::array<std::uint8_t, 8>>(
+            rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
+                           rc::gen::element<std::uint8_t>(0x00, 0x01, 0x08, 0x10, 0x20, 0x21, 0x23, 0x2B, 0x2F, 0x40,
+                                                          0x60, 0x64, 0x70, 0x80))));
     for (const auto& request : requests) {
         std::string text = "603#";
         for (const auto byte : request) {

@@ -10,11 +10,13 @@ std::vector<std::string> claims();
 
 }  // namespace canproof::fuzz
 
-#define CANPROOF_FUZZ_CLAIMS(...)                                                                 \
-    namespace canproof::fuzz {                                                                    \
-    template <typename... Requirements>                                                           \
-    std::vector<std::string> ids() {                                                              \
-        return {Requirements::id...};                                                             \
-    }                                                                                             \
-    std::vector<std::string> claims() { return ids<__VA_ARGS__>(); }                              \
+#define CANPROOF_FUZZ_CLAIMS(...)       \
+    namespace canproof::fuzz {          \
+    template <typename... Requirements> \
+    std::vector<std::string> ids() {    \
+        return {Requirements::id...};   \
+    }                                   \
+    std::vector<std::string> claims() { \
+        return ids<__VA_ARGS__>();      \
+    }                                   \
     }

@@ -18,9 +18,7 @@ class Errors : public CbxTest {
         inputs.can_state = state;
         return set_inputs();
     }
-    std::string listed(int sub) {
-        return send(fmt::format("603#400310{:02X}00000000", sub)).at(0).substr(12);
-    }
+    std::string listed(int sub) { return send(fmt::format("603#400310{:02X}00000000", sub)).at(0).substr(12); }
     std::string error_register() { return send("603#4001100000000000").at(0).substr(12, 2); }
 };
 
@@ -136,8 +134,10 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, then 8140h, then the end of 8120h.
-    EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
+    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, then 8140h, then the
+    // end of 8120h.
+    EXPECT_EQ(can_state(0),
+              (Frames{"083#2081110100000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
     EXPECT_TRUE(pass(1000).empty());
 }

@@ -1,4 +1,5 @@
-// Heartbeat, node guarding and life guarding (CiA 301, 7.2.8.2; CAN-CBX-AO412, 7.9.10, 7.9.11, 7.9.16, 7.9.17, 7.9.21), node 3.
+// Heartbeat, node guarding and life guarding (CiA 301, 7.2.8.2; CAN-CBX-AO412, 7.9.10, 7.9.11, 7.9.16, 7.9.17, 7.9.21),
+// node 3.
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 
@@ -29,7 +30,7 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
 
 TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
     verifies<req::CO_HB_002, req::AO4_ERR_007>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");    // node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // nothing heard yet, nothing watched
     send("731#05");
     EXPECT_TRUE(pass(199).empty());

@@ -12,7 +12,9 @@ class Pdo : public CbxTest {
         CbxTest::SetUp();
         send("000#0103");
     }
-    std::string output(int number) { return send("603#4011640" + std::to_string(number) + "00000000").at(0).substr(12, 4); }
+    std::string output(int number) {
+        return send("603#4011640" + std::to_string(number) + "00000000").at(0).substr(12, 4);
+    }
     void disable_rpdo2() { write("603#2301140103030080"); }
     void enable_rpdo2() { write("603#2301140103030000"); }
 };
@@ -80,7 +82,8 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongOnesGiveTheirMappedPart) {
 TEST_F(Pdo, AValueOutsideItsLimitsSpoilsTheWholePdo) {
     verifies<req::CO_PDO_005>();
     // No mappable object of this device has limits: the law is held against the mapping itself, below.
-    const std::array<ObjectRow, 2> objects{{{0x1600U, 0U, 3U, ObjectKind::array}, {0x2000U, 3U, 3U, ObjectKind::array}}};
+    const std::array<ObjectRow, 2> objects{
+        {{0x1600U, 0U, 3U, ObjectKind::array}, {0x2000U, 3U, 3U, ObjectKind::array}}};
     const std::array<EntryRow, 6> entries{{
         {0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
         {1U, 4U, no_limit, 1U, DataType::unsigned32, rights::read, Service::none},
@@ -138,7 +141,8 @@ TEST_F(Pdo, TheIdentifierChangesOnlyWhileNotValid) {
     send("233#0100000000000000");
     EXPECT_EQ(output(1), "0100");
     // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are kept for others
-    for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
+    for (const char* id :
+         {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
         write("603#2301140133020080");
         EXPECT_EQ(send(std::string{"603#23011401"} + id + "0000"), (Frames{"583#8001140130000906"})) << id;
     }
@@ -193,7 +197,7 @@ TEST_F(Pdo, AMappingHoldsAtMost64Bits) {
     EXPECT_EQ(send("603#2F01160003000000"), (Frames{"583#8001160042000406"}));  // 96 bits
     write("603#2F01160002000000");
     write("603#2F01160000000000");
-    write("603#2301160200000000");  // an empty entry …
+    write("603#2301160200000000");                                              // an empty entry …
     EXPECT_EQ(send("603#2F01160002000000"), (Frames{"583#8001160041000406"}));  // … cannot be counted
 }
 

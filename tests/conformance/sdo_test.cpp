@@ -99,7 +99,7 @@ TEST_F(Sdo, LengthsMustFit) {
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes into two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));  // one byte
     EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));  // three announced
-    send("603#2117100001000000");                                              // one announced, two sent
+    send("603#2117100001000000");                                               // one announced, two sent
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#8017100010000706"}));
     send("603#2017100000000000");
     EXPECT_EQ(send("603#01E8030000000000"), (Frames{"583#8017100012000706"}));  // seven bytes into two

@@ -54,7 +54,7 @@ TEST_F(SyncService, WrongLengthIsAnErrorUntilARightOneComes) {
 TEST_F(SyncService, IsProducedEachPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
-    EXPECT_TRUE(pass(20).empty());      // bit 30 of 1005h is clear
+    EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h is clear
     write("603#2305100080000040");
     EXPECT_EQ(pass(11), (Frames{"5:080#", "10:080#"}));
     send("000#0203");

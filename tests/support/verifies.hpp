@@ -7,8 +7,8 @@
 
 namespace canproof::test {
 
-/// Says that the running test shows these requirements; one that is retired or misspelt does not compile. `kind` is how:
-/// "test", "property" or "fuzz".
+/// Says that the running test shows these requirements; one that is retired or misspelt does not compile. `kind` is
+/// how: "test", "property" or "fuzz".
 template <typename... Requirements>
 void verifies(const char* kind = "test") {
     (testing::Test::RecordProperty(Requirements::id, kind), ...);

@@ -15,7 +15,8 @@ class NonVolatileMemory {
     virtual std::size_t size() const = 0;
     /// Reads all of `to` from address `at`. False when the memory failed or the range lies outside it.
     virtual bool read(std::size_t at, MutableBytes to) const = 0;
-    /// Writes in ascending order of addresses; a power cut may leave any first part written. False when the memory failed.
+    /// Writes in ascending order of addresses; a power cut may leave any first part written. False when the memory
+    /// failed.
     virtual bool write(std::size_t at, ByteView bytes) = 0;
 
   protected:

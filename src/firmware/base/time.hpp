@@ -15,20 +15,38 @@ struct Instant {
     std::uint64_t us{0U};
 };
 
-constexpr Duration microseconds(const std::uint64_t count) noexcept { return Duration{count}; }
-constexpr Duration milliseconds(const std::uint64_t count) noexcept { return Duration{count * 1000U}; }
+constexpr Duration microseconds(const std::uint64_t count) noexcept {
+    return Duration{count};
+}
+constexpr Duration milliseconds(const std::uint64_t count) noexcept {
+    return Duration{count * 1000U};
+}
 /// CiA 301 counts inhibit times in multiples of 100 µs.
-constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept { return Duration{count * 100U}; }
+constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept {
+    return Duration{count * 100U};
+}
 
 /// "At no time": later than every event. The answer of next_deadline() when nothing is due.
 constexpr Instant never{UINT64_MAX};
 
-constexpr bool operator==(const Instant a, const Instant b) noexcept { return a.us == b.us; }
-constexpr bool operator!=(const Instant a, const Instant b) noexcept { return a.us != b.us; }
-constexpr bool operator<(const Instant a, const Instant b) noexcept { return a.us < b.us; }
-constexpr bool operator<=(const Instant a, const Instant b) noexcept { return a.us <= b.us; }
-constexpr bool operator>(const Instant a, const Instant b) noexcept { return a.us > b.us; }
-constexpr bool operator>=(const Instant a, const Instant b) noexcept { return a.us >= b.us; }
+constexpr bool operator==(const Instant a, const Instant b) noexcept {
+    return a.us == b.us;
+}
+constexpr bool operator!=(const Instant a, const Instant b) noexcept {
+    return a.us != b.us;
+}
+constexpr bool operator<(const Instant a, const Instant b) noexcept {
+    return a.us < b.us;
+}
+constexpr bool operator<=(const Instant a, const Instant b) noexcept {
+    return a.us <= b.us;
+}
+constexpr bool operator>(const Instant a, const Instant b) noexcept {
+    return a.us > b.us;
+}
+constexpr bool operator>=(const Instant a, const Instant b) noexcept {
+    return a.us >= b.us;
+}
 
 /// Saturates at `never`, so that a deadline cannot wrap into the past.
 constexpr Instant operator+(const Instant start, const Duration length) noexcept {
@@ -40,6 +58,8 @@ constexpr Duration elapsed(const Instant earlier, const Instant later) noexcept 
     return (later.us > earlier.us) ? Duration{later.us - earlier.us} : Duration{0U};
 }
 
-constexpr Instant earliest(const Instant a, const Instant b) noexcept { return (a < b) ? a : b; }
+constexpr Instant earliest(const Instant a, const Instant b) noexcept {
+    return (a < b) ? a : b;
+}
 
 }  // namespace canproof

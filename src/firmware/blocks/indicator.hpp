@@ -5,7 +5,8 @@
 
 namespace canproof {
 
-/// One round of an indicator: `flashes` times on with gaps between them, then a pause. Without flashes steadily lit when `on` is not 0, else dark.
+/// One round of an indicator: `flashes` times on with gaps between them, then a pause. Without flashes steadily lit
+/// when `on` is not 0, else dark.
 struct IndicatorPattern {
     std::uint16_t flashes{0U};
     Duration on{};
@@ -24,8 +25,8 @@ struct IndicatorPhase {
     Instant next_change{never};
 };
 
-/// Whether the LED is lit at `now`, and when that changes. All LEDs count their rounds from time 0 plus `shift`, so that those of one
-/// pattern flash together and those shifted by one `on` time in opposite phase.
+/// Whether the LED is lit at `now`, and when that changes. All LEDs count their rounds from time 0 plus `shift`, so
+/// that those of one pattern flash together and those shifted by one `on` time in opposite phase.
 IndicatorPhase indicator_phase(const IndicatorPattern& pattern, Instant now, Duration shift) noexcept;
 
 }  // namespace canproof

@@ -7,8 +7,8 @@ namespace canproof {
 
 /// What describes the output circuit; the device fills it from the register.
 struct VoltageOutputCircuit {
-    float full_scale_v{0.0F};      ///< voltage that 32768 would stand for
-    std::int32_t steps{0};         ///< steps from 0 to full scale; the largest output is one less
+    float full_scale_v{0.0F};        ///< voltage that 32768 would stand for
+    std::int32_t steps{0};           ///< steps from 0 to full scale; the largest output is one less
     std::int32_t codes_per_step{0};  ///< input values that fall on one step
 };
 
@@ -18,7 +18,8 @@ struct OutputCalibration {
 };
 
 /// The converter step, -(steps - 1)…steps - 1: the value corrected by gain and offset, rounded half a step up, clamped.
-std::int32_t output_step(std::int16_t value, const VoltageOutputCircuit& circuit, const OutputCalibration& calibration) noexcept;
+std::int32_t output_step(std::int16_t value, const VoltageOutputCircuit& circuit,
+                         const OutputCalibration& calibration) noexcept;
 
 /// Volts at the terminal for a step.
 float step_voltage(std::int32_t step, const VoltageOutputCircuit& circuit) noexcept;

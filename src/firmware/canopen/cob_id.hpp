@@ -12,14 +12,18 @@ constexpr std::uint32_t no_remote = 0x40000000U;      ///< bit 30 of a PDO: no R
 constexpr std::uint32_t produces_sync = 0x40000000U;  ///< bit 30 of 1005h
 constexpr std::uint32_t identifier_mask = 0x7FFU;
 
-constexpr std::uint32_t identifier(const std::uint32_t entry) noexcept { return entry & identifier_mask; }
-constexpr bool is_valid(const std::uint32_t entry) noexcept { return (entry & not_valid) == 0U; }
+constexpr std::uint32_t identifier(const std::uint32_t entry) noexcept {
+    return entry & identifier_mask;
+}
+constexpr bool is_valid(const std::uint32_t entry) noexcept {
+    return (entry & not_valid) == 0U;
+}
 
 /// Identifiers that CiA 301 keeps for NMT, SDO, error control and LSS: no configurable object may take them (Table 40).
 bool is_restricted(std::uint32_t identifier) noexcept;
 
-/// The common rule for a new value of 1005h, 1014h, 14xxh:1 and 18xxh:1: only the bits of `flags` beside an unrestricted 11-bit
-/// identifier (06090030h), and no other identifier while the object is in use (08000022h).
+/// The common rule for a new value of 1005h, 1014h, 14xxh:1 and 18xxh:1: only the bits of `flags` beside an
+/// unrestricted 11-bit identifier (06090030h), and no other identifier while the object is in use (08000022h).
 AbortCode check_change(std::uint32_t current, std::uint32_t wanted, std::uint32_t flags, bool in_use) noexcept;
 
 }  // namespace canproof::cob_id

@@ -22,9 +22,13 @@ void Emcy::reset() noexcept {
     objects_.write(error_register_index, 0U, 0U);
 }
 
-void Emcy::refresh() noexcept { objects_.write(error_register_index, 0U, active_register()); }
+void Emcy::refresh() noexcept {
+    objects_.write(error_register_index, 0U, active_register());
+}
 
-bool Emcy::is_active(const ErrorId error) const noexcept { return active_[static_cast<std::size_t>(error)]; }
+bool Emcy::is_active(const ErrorId error) const noexcept {
+    return active_[static_cast<std::size_t>(error)];
+}
 
 void Emcy::set(const ErrorId error, const bool present, const Instant now) noexcept {
     const std::size_t at = static_cast<std::size_t>(error);
@@ -147,7 +151,9 @@ void Emcy::advance(const Instant now) noexcept {
     }
 }
 
-Instant Emcy::next_deadline() const noexcept { return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never; }
+Instant Emcy::next_deadline() const noexcept {
+    return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never;
+}
 
 AbortCode Emcy::before_write(const EntryRef& entry, const ByteView value) const noexcept {
     if (entry.index != cob_id_index) {

@@ -1,4 +1,5 @@
-// Errors: the error register 1001h, the error list 1003h and the emergency messages that announce both (CiA 301, 7.2.7).
+// Errors: the error register 1001h, the error list 1003h and the emergency messages that announce both (CiA
+// 301, 7.2.7).
 #pragma once
 
 #include <array>
@@ -9,7 +10,8 @@
 
 namespace canproof {
 
-/// The errors that a node can notice. Those up to `internal` are common to the devices; a device adds its own behind them.
+/// The errors that a node can notice. Those up to `internal` are common to the devices; a device adds its own behind
+/// them.
 enum class ErrorId : std::uint8_t {
     can_overrun = 0U,
     error_passive = 1U,
@@ -24,12 +26,13 @@ enum class ErrorId : std::uint8_t {
 };
 constexpr std::size_t max_errors = 32U;
 
-/// How one error is told. A row with code 0 says that the device does not know the error: it is then passed over in silence.
+/// How one error is told. A row with code 0 says that the device does not know the error: it is then passed over in
+/// silence.
 struct ErrorRow {
-    std::uint16_t code{0U};           ///< emergency error code
-    std::uint8_t register_bits{0U};   ///< set in 1001h while the error lasts
-    bool sent{false};                 ///< announced by an emergency message
-    bool listed{false};               ///< entered into 1003h
+    std::uint16_t code{0U};          ///< emergency error code
+    std::uint8_t register_bits{0U};  ///< set in 1001h while the error lasts
+    bool sent{false};                ///< announced by an emergency message
+    bool listed{false};              ///< entered into 1003h
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 

@@ -36,7 +36,9 @@ Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
     return frame;
 }
 
-void ErrorControl::send_state(const std::uint8_t octet) noexcept { static_cast<void>(queue_.push(message(octet))); }
+void ErrorControl::send_state(const std::uint8_t octet) noexcept {
+    static_cast<void>(queue_.push(message(octet)));
+}
 
 void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexcept {
     node_id_ = node_id;

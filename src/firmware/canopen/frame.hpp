@@ -14,7 +14,7 @@ constexpr std::size_t max_frame_length = 8U;
 struct Frame {
     std::uint32_t id{0U};  ///< 11-bit identifier 0…7FFh, or 29-bit when `extended`
     bool extended{false};
-    bool remote{false};      ///< RTR: asks for the frame, carries no data
+    bool remote{false};       ///< RTR: asks for the frame, carries no data
     std::uint8_t length{0U};  ///< DLC, 0…8
     std::array<std::uint8_t, max_frame_length> data{};
 

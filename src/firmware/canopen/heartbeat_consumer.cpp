@@ -9,7 +9,9 @@ namespace {
 constexpr std::uint32_t time_mask = 0xFFFFU;
 constexpr std::uint32_t max_node_id = 127U;
 
-constexpr std::uint32_t node_id_of(const std::uint32_t setting) noexcept { return (setting >> 16U) & 0xFFU; }
+constexpr std::uint32_t node_id_of(const std::uint32_t setting) noexcept {
+    return (setting >> 16U) & 0xFFU;
+}
 
 /// A time or node-ID of zero, or a node-ID that cannot exist, watches nobody (CiA 301, 7.5.2.19).
 constexpr bool is_active(const std::uint32_t setting) noexcept {
@@ -19,7 +21,9 @@ constexpr bool is_active(const std::uint32_t setting) noexcept {
 
 }  // namespace
 
-void HeartbeatConsumer::reset() noexcept { watches_.fill(Watch{}); }
+void HeartbeatConsumer::reset() noexcept {
+    watches_.fill(Watch{});
+}
 
 std::uint32_t HeartbeatConsumer::setting(const std::size_t slot) const noexcept {
     return objects_.read(index, static_cast<std::uint8_t>(slot + 1U));

@@ -15,8 +15,8 @@ using NmtService = generated::canopen::t_co_t_services::Service;
 /// Whether a service works in a state: table CO-T-SERVICES.
 bool is_allowed(NmtService service, NmtState state) noexcept;
 
-/// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or `node_id`.
-/// Everything else is no command.
+/// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or
+/// `node_id`. Everything else is no command.
 std::optional<NmtCommand> nmt_command(const Frame& frame, std::uint8_t node_id) noexcept;
 
 }  // namespace canproof

@@ -254,8 +254,7 @@ Result<std::uint16_t, AbortCode> Node::writable_size(const std::uint16_t index, 
     return Size::success(found.value().row->size);
 }
 
-AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value,
-                      const Instant now) {
+AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
     const auto found = find(index, subindex);
     if (!found.ok()) {
         return found.error();

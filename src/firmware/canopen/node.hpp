@@ -1,5 +1,5 @@
-// A CANopen slave: the services, wired to one object dictionary. Knows no device; what is special to one is told by NodeProfile and
-// Application.
+// A CANopen slave: the services, wired to one object dictionary. Knows no device; what is special to one is told by
+// NodeProfile and Application.
 #pragma once
 
 #include "firmware/canopen/emcy.hpp"
@@ -18,7 +18,7 @@ namespace canproof {
 struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
-    bool rpdo_answers_remote{false};         ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
+    bool rpdo_answers_remote{false};            ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
 };
 
@@ -39,7 +39,8 @@ class Application {
     virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
     /// Any entry outside the communication area, or of Service::program, has a new value.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
-    /// The defaults of a group were put into the dictionary: those that belong to this very unit (serial number, calibration) go in now.
+    /// The defaults of a group were put into the dictionary: those that belong to this very unit (serial number,
+    /// calibration) go in now.
     virtual void put_factory_values(ParameterGroup group) = 0;
     /// Power-on or NMT reset node: parameters are loaded, all states start anew.
     virtual void restart(Instant now) = 0;
@@ -71,7 +72,9 @@ class Node final : private ObjectAccess {
     /// A frame was lost because the controller or a queue could not take it; false when that has ended.
     void set_overrun(bool lost, Instant now) noexcept { emcy_.set(ErrorId::can_overrun, lost, now); }
     /// An error of the device begins or ends.
-    void set_error(const ErrorId error, const bool present, const Instant now) noexcept { emcy_.set(error, present, now); }
+    void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
+        emcy_.set(error, present, now);
+    }
     /// Enters operational at `at` unless an NMT command comes first.
     void start_at(const Instant at) noexcept { start_at_ = at; }
 

@@ -6,7 +6,8 @@
 
 namespace canproof {
 
-/// The node implements this: type and limit checks, then the service that owns the entry, then the value, then its effects.
+/// The node implements this: type and limit checks, then the service that owns the entry, then the value, then its
+/// effects.
 class ObjectAccess {
   public:
     ObjectAccess(const ObjectAccess&) = delete;

@@ -20,7 +20,9 @@ std::int64_t as_integer(const DataType type, const std::uint64_t bits) noexcept 
     }
 }
 
-float as_real(const std::uint64_t bits) noexcept { return bit_cast<float>(static_cast<std::uint32_t>(bits)); }
+float as_real(const std::uint64_t bits) noexcept {
+    return bit_cast<float>(static_cast<std::uint32_t>(bits));
+}
 
 std::size_t text_length(const ByteView text) noexcept {
     std::size_t length{0U};

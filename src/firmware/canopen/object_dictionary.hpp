@@ -1,4 +1,5 @@
-// The object dictionary as services see it: a view over generated (or, on the host, run-time) tables and an image of values.
+// The object dictionary as services see it: a view over generated (or, on the host, run-time) tables and an image of
+// values.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +57,8 @@ class ObjectDictionary {
     /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
 
-    /// Value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its object is idle.
+    /// Value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its object is
+    /// idle.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex) const noexcept;
     /// Sets a value of at most 32 bits that the device itself keeps; without the entry nothing happens.
     void write(std::uint16_t index, std::uint8_t subindex, std::uint32_t bits) noexcept;

@@ -1,5 +1,5 @@
-// The rows of an object dictionary as the register's compiler writes them. Plain constants in flash; see object_dictionary.hpp
-// for the view that the services use.
+// The rows of an object dictionary as the register's compiler writes them. Plain constants in flash; see
+// object_dictionary.hpp for the view that the services use.
 #pragma once
 
 #include <cstddef>
@@ -115,13 +115,13 @@ constexpr auto table_view(const Array& rows) noexcept {
 
 /// Everything the compiler knows of one dictionary.
 struct DictionaryTables {
-    TableView<ObjectRow> objects;              ///< ascending by index
-    TableView<EntryRow> entries;               ///< ascending by index, sub-index
-    TableView<LimitRow> limits;                ///<
-    TableView<std::uint32_t> allowed;          ///< values of LimitKind::list, as bit patterns of the entry's type
-    TableView<std::uint8_t> constants;         ///< values of rights::constant entries
-    TableView<std::uint8_t> defaults;          ///< the value image as shipped, node-ID terms not yet added
-    std::uint32_t layout;                      ///< fingerprint of entries and offsets: a stored set fits only its own layout
+    TableView<ObjectRow> objects;       ///< ascending by index
+    TableView<EntryRow> entries;        ///< ascending by index, sub-index
+    TableView<LimitRow> limits;         ///<
+    TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
+    TableView<std::uint8_t> constants;  ///< values of rights::constant entries
+    TableView<std::uint8_t> defaults;   ///< the value image as shipped, node-ID terms not yet added
+    std::uint32_t layout;               ///< fingerprint of entries and offsets: a stored set fits only its own layout
 };
 
 /// A value of the image by name: what the device code uses. `T` is an arithmetic type.

@@ -47,9 +47,8 @@ void for_each_stored(const DictionaryTables& tables, const Visit& visit) noexcep
 
 std::size_t ParameterStore::payload_size() const noexcept {
     std::size_t size{0U};
-    for_each_stored(objects_.tables(), [&size](const EntryRef& entry, ParameterGroups, std::size_t) {
-        size += entry.row->size;
-    });
+    for_each_stored(objects_.tables(),
+                    [&size](const EntryRef& entry, ParameterGroups, std::size_t) { size += entry.row->size; });
     return size;
 }
 

@@ -1,7 +1,9 @@
-// Stored parameters: 1010h and 1011h on a memory in which a power cut at any byte leaves the old set or the new (CiA 301, 7.5.2.13).
+// Stored parameters: 1010h and 1011h on a memory in which a power cut at any byte leaves the old set or the new (CiA
+// 301, 7.5.2.13).
 //
-// Two banks take turns. A save writes a whole new set with the next sequence number into the bank that is not in use; only its last
-// bytes, the CRC, make it valid. Start-up uses the valid bank with the higher number, so that an interrupted save was never made.
+// Two banks take turns. A save writes a whole new set with the next sequence number into the bank that is not in use;
+// only its last bytes, the CRC, make it valid. Start-up uses the valid bank with the higher number, so that an
+// interrupted save was never made.
 #pragma once
 
 #include "firmware/base/crc32.hpp"
@@ -35,8 +37,8 @@ class ParameterStore {
     /// Puts the stored values of `groups` into the dictionary; groups that were never saved are left alone.
     void load(ParameterGroups groups) noexcept;
 
-    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h when the
-    /// memory failed; what was stored before is then still stored.
+    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
+    /// when the memory failed; what was stored before is then still stored.
     AbortCode execute(const EntryRef& entry, ByteView value) noexcept;
 
     /// Bytes of memory that this dictionary needs.

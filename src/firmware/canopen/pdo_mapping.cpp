@@ -13,7 +13,9 @@ constexpr std::uint8_t dummy_bits(const std::uint16_t type_index) noexcept {
     return (type_index <= last_dummy_index) ? bits[type_index] : std::uint8_t{0U};
 }
 
-constexpr bool is_dummy(const std::uint16_t index) noexcept { return index <= last_dummy_index; }
+constexpr bool is_dummy(const std::uint16_t index) noexcept {
+    return index <= last_dummy_index;
+}
 
 /// Bits that an entry takes in a PDO: a BOOLEAN one, everything else whole bytes.
 std::uint32_t bit_length(const EntryRow& row) noexcept {

@@ -16,8 +16,8 @@ class PdoMapping {
     /// Length in bytes of a PDO that carries all that is mapped, 0…8.
     std::uint8_t length() const noexcept;
 
-    /// Whether one mapping entry may stand in this PDO: 06020000h or 06090011h when its object is absent, 06040041h when it may not
-    /// be mapped, has another length, or is a dummy of unknown type. Zero (nothing mapped) is allowed.
+    /// Whether one mapping entry may stand in this PDO: 06020000h or 06090011h when its object is absent, 06040041h
+    /// when it may not be mapped, has another length, or is a dummy of unknown type. Zero (nothing mapped) is allowed.
     AbortCode check_entry(std::uint32_t entry) const noexcept;
     /// Whether the first `count` entries make a PDO: each of them sound, 64 bits in all at most (06040042h).
     AbortCode check_count(std::uint8_t count) const noexcept;

@@ -1,4 +1,5 @@
-// Receive PDOs: communication parameters 14xxh, reception, synchronous and immediate application (CiA 301, 7.2.2 and 7.5.2.35).
+// Receive PDOs: communication parameters 14xxh, reception, synchronous and immediate application (CiA 301, 7.2.2
+// and 7.5.2.35).
 #pragma once
 
 #include <array>

@@ -12,8 +12,8 @@ using generated::canopen::sdo_request_cob_id_base;
 using generated::canopen::sdo_response_cob_id_base;
 using generated::canopen::sdo_timeout_ms;
 
-constexpr std::size_t data_position = 4U;      ///< first data byte of an initiate frame
-constexpr std::size_t segment_capacity = 7U;   ///< data bytes of a segment
+constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame
+constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
 constexpr std::uint8_t toggle_bit = 0x10U;
 
@@ -257,7 +257,9 @@ Frame SdoServer::answer(const std::uint8_t command) const noexcept {
     return frame;
 }
 
-void SdoServer::confirm_download() noexcept { send(answer(scs_initiate_download)); }
+void SdoServer::confirm_download() noexcept {
+    send(answer(scs_initiate_download));
+}
 
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();

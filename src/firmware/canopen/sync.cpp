@@ -51,8 +51,8 @@ bool Sync::advance(const Instant now) noexcept {
         frame.data[0] = counter_;
     }
     static_cast<void>(queue_.push(frame));
-    // The next one is due one period after this one was due, so that the producer does not drift; after a long silence it is
-    // not made up for.
+    // The next one is due one period after this one was due, so that the producer does not drift; after a long silence
+    // it is not made up for.
     const Duration period = microseconds(objects_.read(period_index, 0U));
     next_ = next_ + period;
     if (next_ <= now) {

@@ -8,18 +8,18 @@
 
 namespace canproof {
 
-/// Lowest identifier first, and frames of one identifier in the order in which they were queued: a segment never overtakes the one
-/// before it.
+/// Lowest identifier first, and frames of one identifier in the order in which they were queued: a segment never
+/// overtakes the one before it.
 class TransmitQueue {
   public:
-    /// One SDO answer, EMCY, SYNC, error control and four PDOs are the most that one event can cause; the rest is room for a driver
-    /// that drains late, and for a block-upload sub-block.
+    /// One SDO answer, EMCY, SYNC, error control and four PDOs are the most that one event can cause; the rest is room
+    /// for a driver that drains late, and for a block-upload sub-block.
     static constexpr std::size_t capacity = 32U;
 
     /// False when the queue is full or closed: the frame is lost.
     bool push(const Frame& frame) noexcept;
-    /// The boot-up message of a reset: what waited is forgotten with the state that sent it, and what follows, of whatever priority,
-    /// stays behind it.
+    /// The boot-up message of a reset: what waited is forgotten with the state that sent it, and what follows, of
+    /// whatever priority, stays behind it.
     void push_boot_up(const Frame& frame) noexcept;
     bool empty() const noexcept { return count_ == 0U; }
     std::size_t size() const noexcept { return count_; }

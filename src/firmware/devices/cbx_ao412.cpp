@@ -23,8 +23,8 @@ constexpr std::uint8_t max_node_id = 0x7FU;
 constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, true, true};
 
 // 4.3.1: reference times the gain of the differential amplifier.
-constexpr VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor), own::dac_steps,
-                                       own::codes_per_step};
+constexpr VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
+                                       own::dac_steps, own::codes_per_step};
 
 static_assert(implements<req::AO4_T_ERRORS>);
 constexpr ErrorTable make_error_table() noexcept {
@@ -67,11 +67,14 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
     if (row == nullptr) {
         return IndicatorPattern{};
     }
-    return IndicatorPattern{row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms), milliseconds(row->pause_ms)};
+    return IndicatorPattern{row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms),
+                            milliseconds(row->pause_ms)};
 }
 
 /// Red LEDs begin one flash after the green ones (3.2.1, note).
-Duration red_shift() noexcept { return pattern_of(IndicatorState::blinking).on; }
+Duration red_shift() noexcept {
+    return pattern_of(IndicatorState::blinking).on;
+}
 
 template <typename Row>
 IndicatorState led_of(const Row* const row) noexcept {
@@ -144,7 +147,9 @@ AbortCode Device::check_access(const EntryRef& entry) {
     return (entry.index == program_data_index) ? AbortCode::device_state : AbortCode::none;
 }
 
-AbortCode Device::before_write(const EntryRef&, const ByteView) { return AbortCode::none; }
+AbortCode Device::before_write(const EntryRef&, const ByteView) {
+    return AbortCode::none;
+}
 
 static_assert(implements<req::AO4_AOUT_005>);
 void Device::after_write(const EntryRef& entry, const Instant) {
@@ -182,7 +187,9 @@ void Device::booted(const Instant now) {
     }
 }
 
-void Device::communication_failed(const bool failed, const Instant) { set_failed(failed, inputs_.internal_fault); }
+void Device::communication_failed(const bool failed, const Instant) {
+    set_failed(failed, inputs_.internal_fault);
+}
 
 static_assert(implements<req::AO4_AOUT_006> && implements<req::AO4_AOUT_008>);
 void Device::set_failed(const bool communication, const bool internal) noexcept {

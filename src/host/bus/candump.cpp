@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint64_t micros = 1000000;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
-    throw InputError{fmt::format("{}: {}; a line of a candump log reads `(1.000000) can0 603#2B116401B33E0000`", where, what)};
+    throw InputError{
+        fmt::format("{}: {}; a line of a candump log reads `(1.000000) can0 603#2B116401B33E0000`", where, what)};
 }
 
 bool all_of(const std::string& text, const char* allowed) {
@@ -38,14 +39,17 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
     const auto point = text.find('.');
     const std::string whole = text.substr(0, point);
     std::string fraction = point == std::string::npos ? "0" : text.substr(point + 1);
-    if (!all_of(whole, decimal_digits) || whole.size() > 12 || !all_of(fraction, decimal_digits) || fraction.size() > 6) {
+    if (!all_of(whole, decimal_digits) || whole.size() > 12 || !all_of(fraction, decimal_digits) ||
+        fraction.size() > 6) {
         refuse(where, fmt::format("`{}` is no time in seconds with up to six decimals", text));
     }
     fraction.resize(6, '0');
     return Instant{std::stoull(whole) * micros + std::stoull(fraction)};
 }
 
-std::string format_seconds(Instant time) { return fmt::format("{}.{:06}", time.us / micros, time.us % micros); }
+std::string format_seconds(Instant time) {
+    return fmt::format("{}.{:06}", time.us / micros, time.us % micros);
+}
 
 Frame parse_frame(const std::string& text, const std::string& where) {
     const auto hash = text.find('#');

@@ -25,8 +25,8 @@ Register sound_register(const std::filesystem::path& spec) {
 }
 
 void print_part(const PartAudit& audit) {
-    fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s)\n", audit.part->name, audit.items.size(),
-               audit.sections.size(), audit.part->decisions.size(), audit.gaps.size());
+    fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s)\n", audit.part->name,
+               audit.items.size(), audit.sections.size(), audit.part->decisions.size(), audit.gaps.size());
     for (const auto& gap : audit.gaps) {
         fmt::print("  {}\n", gap);
     }
@@ -34,7 +34,8 @@ void print_part(const PartAudit& audit) {
 
 int print_story(const AuditedItem& audited, const Part& part, const Evidence& evidence) {
     const Item& item = *audited.item;
-    fmt::print("{} ({} of {}, {}:{})\n  {}\n", item.id, audited.word, part.name, item.place.file, item.place.line, item.text);
+    fmt::print("{} ({} of {}, {}:{})\n  {}\n", item.id, audited.word, part.name, item.place.file, item.place.line,
+               item.text);
     fmt::print("  sources      {}\n", fmt::join(item.sources, ", "));
     fmt::print("  decisions    {}\n", fmt::join(audited.decisions, ", "));
     if (const auto code = evidence.implemented.find(item.id); code != evidence.implemented.end()) {
@@ -67,7 +68,8 @@ void write_page(const std::string& folder, const std::vector<PartAudit>& audits,
 int audit(const AuditOptions& options) {
     const std::filesystem::path root{options.root};
     const Register content = sound_register(root / "spec");
-    const auto verdicts = options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts};
+    const auto verdicts =
+        options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts);
     const Part* device = content.part(options.subject);
     std::vector<PartAudit> audits;

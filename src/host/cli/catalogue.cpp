@@ -30,7 +30,8 @@ const Part& device_named(const std::string& name) {
 const Part& described_device(const std::string& name) {
     const Part& part = device_named(name);
     if (part.objects.empty()) {
-        throw InputError{fmt::format("{} is registered by its manual only so far; its objects are not described yet", name)};
+        throw InputError{
+            fmt::format("{} is registered by its manual only so far; its objects are not described yet", name)};
     }
     return part;
 }
@@ -41,8 +42,9 @@ int list_devices() {
     fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", "device", "part numbers", "node-ID", "bit rate", "runs");
     for (const auto& part : built_in_register().parts) {
         if (part.is_device()) {
-            fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", part.name, fmt::format("{}", fmt::join(part.info.part_numbers, ", ")),
-                       part.info.node_id, fmt::format("{} bit/s", part.info.bit_rate),
+            fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", part.name,
+                       fmt::format("{}", fmt::join(part.info.part_numbers, ", ")), part.info.node_id,
+                       fmt::format("{} bit/s", part.info.bit_rate),
                        make_device(part.name) == nullptr ? "not yet" : "yes");
         }
     }
@@ -55,8 +57,8 @@ int list_signals(const std::string& device) {
         const std::string range =
             signal.minimum && signal.maximum ? fmt::format("{} … {}", *signal.minimum, *signal.maximum) : "";
         for (const auto& name : signal.names()) {
-            fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type, signal.unit,
-                       range, signal.text);
+            fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type,
+                       signal.unit, range, signal.text);
         }
     }
     return 0;

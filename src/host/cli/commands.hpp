@@ -1,4 +1,5 @@
-// The command line: one function a command. Exit status 0 done, 1 the thing checked does not hold, 2 wrong use or unreadable input.
+// The command line: one function a command. Exit status 0 done, 1 the thing checked does not hold, 2 wrong use or
+// unreadable input.
 #pragma once
 
 #include <optional>

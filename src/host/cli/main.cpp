@@ -1,3 +1,5 @@
 #include "host/cli/commands.hpp"
 
-int main(int argc, char** argv) { return canproof::host::run_command_line(argc, argv); }
+int main(int argc, char** argv) {
+    return canproof::host::run_command_line(argc, argv);
+}

@@ -27,8 +27,9 @@ void load_memory(Memory& memory, const std::string& path) {
     }
     const std::vector<char> bytes{std::istreambuf_iterator<char>{in}, {}};
     if (bytes.size() != memory.size()) {
-        throw InputError{fmt::format("{} has {} bytes and is no image of this device's memory ({} bytes); remove it or name another",
-                                     path, bytes.size(), memory.size())};
+        throw InputError{
+            fmt::format("{} has {} bytes and is no image of this device's memory ({} bytes); remove it or name another",
+                        path, bytes.size(), memory.size())};
     }
     memory.bytes().assign(bytes.begin(), bytes.end());
 }

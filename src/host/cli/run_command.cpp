@@ -1,5 +1,5 @@
-// run: devices in real time on the in-process bus. Frames are printed as candump does; lines `ID#DATA` on standard input go onto
-// the bus.
+// run: devices in real time on the in-process bus. Frames are printed as candump does; lines `ID#DATA` on standard
+// input go onto the bus.
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
@@ -26,7 +26,8 @@ std::unique_ptr<SimulatedDevice> make_named(const std::string& text) {
     }
     if (at != std::string::npos) {
         const std::string node = text.substr(at + 1);
-        if (node.empty() || node.size() > 3 || node.find_first_not_of("0123456789") != std::string::npos || std::stoi(node) > 255) {
+        if (node.empty() || node.size() > 3 || node.find_first_not_of("0123456789") != std::string::npos ||
+            std::stoi(node) > 255) {
             throw InputError{fmt::format("`{}` is no node-ID; write NAME@1 … NAME@127", node)};
         }
         device->set_node_id(std::stoi(node));
@@ -62,7 +63,8 @@ class InProcessRun {
   private:
     Instant now() const {
         const auto passed = std::chrono::steady_clock::now() - start_;
-        return Instant{static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
+        return Instant{
+            static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
     }
 
     void wait() {
@@ -72,7 +74,8 @@ class InProcessRun {
         }
         const auto milliseconds_left = due == never ? 1000 : elapsed(now(), due).us / 1000 + 1;
         pollfd input{STDIN_FILENO, POLLIN, 0};
-        const int ready = poll(&input, input_open_ ? 1 : 0, static_cast<int>(std::min<std::uint64_t>(milliseconds_left, 1000)));
+        const int ready =
+            poll(&input, input_open_ ? 1 : 0, static_cast<int>(std::min<std::uint64_t>(milliseconds_left, 1000)));
         if (ready > 0) {
             read_line();
         }
@@ -127,7 +130,8 @@ class InProcessRun {
 
 int run_devices(const RunOptions& options) {
     if (options.bus != "inproc") {
-        throw InputError{fmt::format("bus `{}` is not offered; this version has the in-process bus (--bus inproc)", options.bus)};
+        throw InputError{
+            fmt::format("bus `{}` is not offered; this version has the in-process bus (--bus inproc)", options.bus)};
     }
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });

@@ -54,7 +54,8 @@ class CbxAo412Simulation final : public SimulatedDevice {
         return values;
     }
     const std::vector<std::string>& output_names() const override {
-        static const std::vector<std::string> names{"aout1", "aout2", "aout3", "aout4", "led_e", "led_s", "led_m", "led_p"};
+        static const std::vector<std::string> names{"aout1", "aout2", "aout3", "aout4",
+                                                    "led_e", "led_s", "led_m", "led_p"};
         return names;
     }
 

@@ -90,7 +90,8 @@ class Player {
         const auto values = device_.outputs();
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (last_.empty() || last_[i] != values[i]) {
-                *outputs_out_ << fmt::format("{},{},{:.6g}\n", format_seconds(now), device_.output_names()[i], values[i]);
+                *outputs_out_ << fmt::format("{},{},{:.6g}\n", format_seconds(now), device_.output_names()[i],
+                                             values[i]);
             }
         }
         last_ = values;

@@ -12,11 +12,11 @@ namespace canproof::host {
 /// One item of the register with what shows it.
 struct AuditedItem {
     const Item* item{nullptr};
-    std::string word;                     ///< requirement, object, table …
-    std::vector<std::string> demanded;    ///< kinds of verification that the register asks for
-    std::vector<std::string> missing;     ///< those of them without a passed run
-    bool failed{false};                   ///< a test that claims it has failed
-    std::vector<std::string> decisions;   ///< ids of decisions that affect it
+    std::string word;                    ///< requirement, object, table …
+    std::vector<std::string> demanded;   ///< kinds of verification that the register asks for
+    std::vector<std::string> missing;    ///< those of them without a passed run
+    bool failed{false};                  ///< a test that claims it has failed
+    std::vector<std::string> decisions;  ///< ids of decisions that affect it
 };
 
 struct AuditedSection {

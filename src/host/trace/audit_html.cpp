@@ -13,17 +13,27 @@ std::string escape(const std::string& text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
         }
     }
     return out;
 }
 
-const char* const head = R"(<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+const char* const head =
+    R"(<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>canproof audit</title><style>
 :root{color-scheme:light dark}body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem}
 h1,h2{line-height:1.2}table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid #8884}
@@ -49,8 +59,9 @@ std::string item_row(const AuditedItem& audited, const Evidence& evidence) {
     const auto code = evidence.implemented.find(item.id);
     const bool open = audited.failed || !audited.missing.empty();
     return fmt::format(
-        "<tr id=\"{0}\"><td><code>{0}</code><br><small>{1}</small><td>{2}<br><small>{3}</small><td>{4}<td>{5}<td class={6}>{7}\n", item.id,
-        audited.word, escape(item.text), escape(fmt::format("{}", fmt::join(item.sources, ", "))),
+        "<tr id=\"{0}\"><td><code>{0}</code><br><small>{1}</small><td>{2}<br><small>{3}</small><td>{4}<td>{5}<td "
+        "class={6}>{7}\n",
+        item.id, audited.word, escape(item.text), escape(fmt::format("{}", fmt::join(item.sources, ", "))),
         code == evidence.implemented.end() ? "" : escape(fmt::format("{}", fmt::join(code->second, ", "))),
         tests_of(item.id, evidence), open ? "open" : "shown", open ? "open" : "shown");
 }
@@ -60,18 +71,20 @@ std::string decision_row(const Decision& decision) {
     for (const auto& reading : decision.readings) {
         readings += fmt::format("{} <small>{}</small><br>", escape(reading.says), escape(reading.source));
     }
-    return fmt::format("<tr id=\"{0}\"><td><code>{0}</code><br><small>{1} {2}</small><td>{3}<td>{4}<td><b>{5}</b><br>{6}\n", decision.id,
-                       decision.severity, escape(decision.ref), escape(decision.text), readings, escape(decision.chosen),
-                       escape(decision.because));
+    return fmt::format(
+        "<tr id=\"{0}\"><td><code>{0}</code><br><small>{1} {2}</small><td>{3}<td>{4}<td><b>{5}</b><br>{6}\n",
+        decision.id, decision.severity, escape(decision.ref), escape(decision.text), readings, escape(decision.chosen),
+        escape(decision.because));
 }
 
 std::string part_section(const PartAudit& audit, const Evidence& evidence) {
     std::string text = fmt::format("<h2 id=\"{0}\">{0}</h2>\n", audit.part->name);
     const auto shown = std::count_if(audit.items.begin(), audit.items.end(),
                                      [](const AuditedItem& one) { return !one.failed && one.missing.empty(); });
-    text += fmt::format("<p>{} of {} items shown, {} normative sections, {} decisions, <b class={}>{} gap(s)</b>.</p>\n", shown,
-                        audit.items.size(), audit.sections.size(), audit.part->decisions.size(), audit.gaps.empty() ? "shown" : "open",
-                        audit.gaps.size());
+    text +=
+        fmt::format("<p>{} of {} items shown, {} normative sections, {} decisions, <b class={}>{} gap(s)</b>.</p>\n",
+                    shown, audit.items.size(), audit.sections.size(), audit.part->decisions.size(),
+                    audit.gaps.empty() ? "shown" : "open", audit.gaps.size());
     if (!audit.gaps.empty()) {
         text += "<details open><summary>Gaps</summary><ul>\n";
         for (const auto& gap : audit.gaps) {
@@ -85,11 +98,14 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence) {
     }
     text += "</table></div>\n<h3>Sections</h3><div class=wrap><table><tr><th>Section<th>Covered by\n";
     for (const auto& section : audit.sections) {
-        text += fmt::format("<tr><td>{} <small>{}</small><td>{}\n", escape(section.section->ref), escape(section.section->title),
-                            section.covered_by.empty() ? "<span class=open>nothing</span>"
-                                                       : escape(fmt::format("{}", fmt::join(section.covered_by, ", "))));
+        text += fmt::format(
+            "<tr><td>{} <small>{}</small><td>{}\n", escape(section.section->ref), escape(section.section->title),
+            section.covered_by.empty() ? "<span class=open>nothing</span>"
+                                       : escape(fmt::format("{}", fmt::join(section.covered_by, ", "))));
     }
-    text += "</table></div>\n<h3>Decisions</h3><div class=wrap><table><tr><th>Decision<th>Question<th>Readings<th>Chosen, because\n";
+    text +=
+        "</table></div>\n<h3>Decisions</h3><div class=wrap><table><tr><th>Decision<th>Question<th>Readings<th>Chosen, "
+        "because\n";
     for (const auto& decision : audit.part->decisions) {
         text += decision_row(decision);
     }
@@ -104,12 +120,15 @@ std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidenc
     for (const auto& audit : audits) {
         gaps += audit.gaps.size();
     }
-    text += fmt::format("<h1>canproof audit</h1><p>What the register claims, what shows it in this build, what is open: {} tests, {} failed, "
-                        "<b class={}>{} gap(s)</b>.</p>\n",
-                        evidence.tests, evidence.failed, gaps == 0 ? "shown" : "open", gaps);
+    text += fmt::format(
+        "<h1>canproof audit</h1><p>What the register claims, what shows it in this build, what is open: {} tests, {} "
+        "failed, "
+        "<b class={}>{} gap(s)</b>.</p>\n",
+        evidence.tests, evidence.failed, gaps == 0 ? "shown" : "open", gaps);
     text += "<div class=wrap><table><tr><th>Part<th>Items<th>Gaps\n";
     for (const auto& audit : audits) {
-        text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}\n", audit.part->name, audit.items.size(), audit.gaps.size());
+        text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}\n", audit.part->name, audit.items.size(),
+                            audit.gaps.size());
     }
     text += "</table></div>\n";
     for (const auto& audit : audits) {

@@ -30,9 +30,11 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
         const bool passed = ran && !one.child("failure");
         ++evidence.tests;
         evidence.failed += passed ? 0 : 1;
-        const std::string name = fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
+        const std::string name =
+            fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
         for (const auto& claim : one.child("properties").children("property")) {
-            evidence.verdicts[claim.attribute("name").value()].push_back({name, claim.attribute("value").value(), passed});
+            evidence.verdicts[claim.attribute("name").value()].push_back(
+                {name, claim.attribute("value").value(), passed});
         }
     }
 }
@@ -49,7 +51,8 @@ void scan_source(const std::filesystem::path& root, const std::filesystem::path&
     }
 }
 
-std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder, const std::set<std::string>& endings) {
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder,
+                                               const std::set<std::string>& endings) {
     std::vector<std::filesystem::path> all;
     if (std::filesystem::is_directory(folder)) {
         for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
@@ -70,7 +73,8 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
         read_verdicts(file, evidence);
     }
     if (evidence.tests == 0) {
-        throw InputError{fmt::format("no test results in {}; run ./run or ctest first, or name a folder with --verdicts", verdicts.string())};
+        throw InputError{fmt::format(
+            "no test results in {}; run ./run or ctest first, or name a folder with --verdicts", verdicts.string())};
     }
     for (const auto& file : files_below(root / "src" / "firmware", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);

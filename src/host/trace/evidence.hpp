@@ -16,14 +16,14 @@ struct Verdict {
 };
 
 struct Evidence {
-    std::map<std::string, std::vector<Verdict>> verdicts;        ///< by requirement id
+    std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/firmware/…:line`
     std::size_t tests{0};
     std::size_t failed{0};
 };
 
-/// Reads the XML that the test binaries leave (a property of a test case named like a requirement is its claim) and scans
-/// src/firmware for implements<>. Throws InputError when there are no verdicts.
+/// Reads the XML that the test binaries leave (a property of a test case named like a requirement is its claim) and
+/// scans src/firmware for implements<>. Throws InputError when there are no verdicts.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts);
 
 }  // namespace canproof::host

@@ -1,4 +1,5 @@
-// Every object of the CAN-CBX-AO412 as chapter 7 of its manual has it: default, type (by length), access, limits. Node 3.
+// Every object of the CAN-CBX-AO412 as chapter 7 of its manual has it: default, type (by length), access, limits.
+// Node 3.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,21 +54,26 @@ std::string little_endian(std::uint32_t value, int bytes) {
     return text;
 }
 
-std::string address(const Row& row) { return little_endian(row.index, 2) + little_endian(row.sub, 1); }
+std::string address(const Row& row) {
+    return little_endian(row.index, 2) + little_endian(row.sub, 1);
+}
 
 using Dictionary = CbxTest;
 
 }  // namespace
 
 TEST_F(Dictionary, DefaultsAndLengths) {
-    verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1003, req::AO4_OD_1005, req::AO4_OD_1006, req::AO4_OD_100C,
-             req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014, req::AO4_OD_1015, req::AO4_OD_1016,
-             req::AO4_OD_1017, req::AO4_OD_1018, req::AO4_OD_1019, req::AO4_OD_1020, req::AO4_OD_1029>();
-    verifies<req::AO4_OD_1401, req::AO4_OD_1402, req::AO4_OD_1601, req::AO4_OD_1602, req::AO4_OD_1F51, req::AO4_OD_1F52, req::AO4_OD_1F80,
-             req::AO4_OD_1F91, req::AO4_OD_2404, req::AO4_OD_2405, req::AO4_OD_6411, req::AO4_OD_6443, req::AO4_OD_6444>();
+    verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1003, req::AO4_OD_1005, req::AO4_OD_1006,
+             req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014,
+             req::AO4_OD_1015, req::AO4_OD_1016, req::AO4_OD_1017, req::AO4_OD_1018, req::AO4_OD_1019, req::AO4_OD_1020,
+             req::AO4_OD_1029>();
+    verifies<req::AO4_OD_1401, req::AO4_OD_1402, req::AO4_OD_1601, req::AO4_OD_1602, req::AO4_OD_1F51, req::AO4_OD_1F52,
+             req::AO4_OD_1F80, req::AO4_OD_1F91, req::AO4_OD_2404, req::AO4_OD_2405, req::AO4_OD_6411, req::AO4_OD_6443,
+             req::AO4_OD_6444>();
     const std::vector<std::string> specifier{"", "4F", "4B", "", "43"};
     for (const auto& row : rows) {
-        const std::string data = little_endian(row.value, row.bytes) + std::string(static_cast<std::size_t>(8 - 2 * row.bytes), '0');
+        const std::string data =
+            little_endian(row.value, row.bytes) + std::string(static_cast<std::size_t>(8 - 2 * row.bytes), '0');
         EXPECT_EQ(send("603#40" + address(row) + "00000000"),
                   (Frames{"583#" + specifier[static_cast<std::size_t>(row.bytes)] + address(row) + data}));
     }
@@ -91,20 +97,22 @@ TEST_F(Dictionary, NothingElseExists) {
         const Frames answer = send(fmt::format("603#40{}00000000", little_endian(index, 2) + "00"));
         found += answer.at(0).substr(12) == "00000206" ? 0 : 1;
     }
-    // 23 of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h, 1029h), 4 PDO objects,
-    // 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
+    // 23 of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h, 1029h), 4
+    // PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
     EXPECT_EQ(found, 4U + 2U + 3U + 3U + 2U + 7U + 1U + 4U + 2U + 3U + 2U + 3U);
 }
 
 TEST_F(Dictionary, SubIndicesEndWhereTheManualEndsThem) {
     verifies<req::AO4_OD_1020, req::AO4_OD_1401, req::AO4_OD_1601, req::AO4_OD_2405>();
-    const std::vector<std::pair<std::uint16_t, int>> highest{{0x1003, 10}, {0x1010, 4}, {0x1011, 4}, {0x1016, 1}, {0x1018, 4}, {0x1020, 2},
-                                                             {0x1029, 1},  {0x1401, 2}, {0x1402, 2}, {0x1601, 4}, {0x1602, 4}, {0x1F51, 1},
-                                                             {0x1F52, 2},  {0x1F91, 1}, {0x2404, 4}, {0x2405, 4}, {0x6411, 4}, {0x6443, 4},
-                                                             {0x6444, 4}};
+    const std::vector<std::pair<std::uint16_t, int>> highest{
+        {0x1003, 10}, {0x1010, 4}, {0x1011, 4}, {0x1016, 1}, {0x1018, 4}, {0x1020, 2}, {0x1029, 1},
+        {0x1401, 2},  {0x1402, 2}, {0x1601, 4}, {0x1602, 4}, {0x1F51, 1}, {0x1F52, 2}, {0x1F91, 1},
+        {0x2404, 4},  {0x2405, 4}, {0x6411, 4}, {0x6443, 4}, {0x6444, 4}};
     for (const auto& [index, sub] : highest) {
         const auto read = [&, i = index](int at) {
-            return send("603#40" + little_endian(i, 2) + little_endian(static_cast<std::uint32_t>(at), 1) + "00000000").at(0).substr(4, 2);
+            return send("603#40" + little_endian(i, 2) + little_endian(static_cast<std::uint32_t>(at), 1) + "00000000")
+                .at(0)
+                .substr(4, 2);
         };
         EXPECT_NE(read(sub), "80") << std::hex << index;
         EXPECT_EQ(read(sub + 1), "80") << std::hex << index;
@@ -130,10 +138,12 @@ TEST_F(Dictionary, LimitsOfTheManual) {
 }
 
 TEST_F(Dictionary, FullRangeWhereTheManualLimitsNothing) {
-    verifies<req::AO4_OD_1006, req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_1015, req::AO4_OD_1017, req::AO4_OD_1020, req::AO4_OD_6444>();
-    for (const char* request : {"2306100001000000", "23061000FFFFFFFF", "2B0C1000FFFF0000", "2F0D1000FF000000", "2B151000FFFF0000",
-                                "2B171000FFFF0000", "23201001FFFFFFFF", "2344640100000080", "23446401FFFFFF7F", "2B11640100800000",
-                                "2B116401FF7F0000", "2B04240100800000", "2B052401FF7F0000"}) {
+    verifies<req::AO4_OD_1006, req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_1015, req::AO4_OD_1017, req::AO4_OD_1020,
+             req::AO4_OD_6444>();
+    for (const char* request :
+         {"2306100001000000", "23061000FFFFFFFF", "2B0C1000FFFF0000", "2F0D1000FF000000", "2B151000FFFF0000",
+          "2B171000FFFF0000", "23201001FFFFFFFF", "2344640100000080", "23446401FFFFFF7F", "2B11640100800000",
+          "2B116401FF7F0000", "2B04240100800000", "2B052401FF7F0000"}) {
         write(std::string{"603#"} + request);
     }
 }
@@ -143,7 +153,8 @@ TEST_F(Dictionary, MappableIs6411hOnly) {
     write("603#2301140103030080");
     write("603#2F01160000000000");
     for (const auto& row : rows) {
-        const std::uint32_t entry = (std::uint32_t{row.index} << 16U) | (std::uint32_t{row.sub} << 8U) | static_cast<std::uint32_t>(row.bytes * 8);
+        const std::uint32_t entry = (std::uint32_t{row.index} << 16U) | (std::uint32_t{row.sub} << 8U) |
+                                    static_cast<std::uint32_t>(row.bytes * 8);
         const bool taken = send("603#23011601" + little_endian(entry, 4)).at(0).substr(4, 2) == "60";
         EXPECT_EQ(taken, row.index == 0x6411 && row.sub > 0) << std::hex << entry;
     }

@@ -18,7 +18,8 @@ class Output : public CbxTest {
 }  // namespace
 
 TEST_F(Output, FiveVoltsOfTheManualsExamples) {
-    verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT, req::AO4_OD_6411>();
+    verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
+             req::AO4_OD_6411>();
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
     expect_steps(1, 2006);
     EXPECT_NEAR(volts(1), 5.0F, step_v);
@@ -29,8 +30,9 @@ TEST_F(Output, FiveVoltsOfTheManualsExamples) {
 
 TEST_F(Output, RoundsToStepsAsTheTableOf7_10_2_2) {
     verifies<req::AO4_AOUT_002, req::AO4_K_CODES_PER_STEP>();
-    const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0}, {"0000", 0}, {"0300", 0},
-                                                        {"0400", 1},  {"0B00", 1}, {"0C00", 2}, {"F3FF", -2}};
+    const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0},
+                                                        {"0000", 0},  {"0300", 0}, {"0400", 1},
+                                                        {"0B00", 1},  {"0C00", 2}, {"F3FF", -2}};
     for (const auto& [value, steps] : rows) {
         set(3, value);
         expect_steps(3, steps);
@@ -93,7 +95,8 @@ class OutputInError : public Output {
 }  // namespace
 
 TEST_F(OutputInError, InternalFailureFollowsTheErrorMode) {
-    verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444, req::AO4_S_INTERNAL_FAULT>();
+    verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444,
+             req::AO4_S_INTERNAL_FAULT>();
     inputs.internal_fault = true;
     set_inputs();
     expect_error_outputs();
