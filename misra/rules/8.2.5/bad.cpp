@@ -1,0 +1,10 @@
+// Each marked line must be flagged.
+#include <cstdint>
+
+float as_float(std::uint32_t& bits) {
+    return reinterpret_cast<float&>(bits);  // flagged
+}
+
+std::uintptr_t address_of(const int* const place) {
+    return reinterpret_cast<std::uintptr_t>(place);  // flagged
+}

@@ -1,0 +1,11 @@
+// Nothing here may be flagged.
+#include <cstdint>
+#include <cstring>
+
+float as_float(const std::uint32_t bits) {
+    float value{};
+    static_cast<void>(std::memcpy(&value, &bits, sizeof value));
+    return value;
+}
+
+const void* as_untyped(const int* const place) { return static_cast<const void*>(place); }

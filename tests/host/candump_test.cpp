@@ -1,0 +1,122 @@
+// candump logs, stimuli and replay: what is read, what is refused, what comes out.
+#include "host/bus/candump.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "host/devices/simulated_device.hpp"
+#include "host/replay/replay.hpp"
+#include "host/replay/stimulus.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string message(const std::string& line) {
+    try {
+        parse_candump_line(line, "log:7");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string replayed(const std::string& log, const std::string& stimuli, double until, std::string* outputs = nullptr) {
+    const auto device = make_device("cbx-ao412");
+    std::istringstream log_in{log};
+    std::istringstream stimuli_in{stimuli};
+    ReplayInput input;
+    input.frames = read_candump_log(log_in, "log");
+    input.stimuli = read_stimuli(stimuli_in, "stimuli");
+    if (until > 0.0) {
+        input.until = Instant{static_cast<std::uint64_t>(until * 1e6)};
+    }
+    std::ostringstream frames;
+    std::ostringstream changes;
+    replay(*device, input, frames, outputs == nullptr ? nullptr : &changes);
+    if (outputs != nullptr) {
+        *outputs = changes.str();
+    }
+    return frames.str();
+}
+
+}  // namespace
+
+TEST(Candump, ReadsWhatItWrites) {
+    for (const char* line : {"(1.000000) can0 603#2B116401B33E0000", "(0.000001) vcan3 080#", "(12.345678) can0 703#R",
+                             "(2.000000) can0 303#R8", "(3.000000) can0 1FFFFFFF#0102"}) {
+        EXPECT_EQ(format_candump_line(parse_candump_line(line, "log:1")), line);
+    }
+}
+
+TEST(Candump, RefusalsNameThePlaceAndTheForm) {
+    for (const char* line :
+         {"", "603#00", "(1.0) can0", "1.0 can0 603#00", "(1.0000000) can0 603#00", "(x) can0 603#00", "(1.0) can0 603",
+          "(1.0) can0 6#00", "(1.0) can0 603#0", "(1.0) can0 603#001122334455667788", "(1.0) can0 603#GG",
+          "(1.0) can0 FFF#00", "(1.0) can0 603#R9", "(1.0) can0 603#00 more"}) {
+        EXPECT_EQ(message(line).rfind("log:7: ", 0), 0U) << line;
+        EXPECT_NE(message(line).find("a line of a candump log reads"), std::string::npos) << line;
+    }
+}
+
+TEST(Candump, TimeMustNotGoBackwards) {
+    std::istringstream in{"(2.0) can0 080#\n\n(1.0) can0 080#\n"};
+    try {
+        read_candump_log(in, "bus.log");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "bus.log:3: time goes backwards; sort the log by time");
+    }
+}
+
+TEST(StimulusFile, RefusesWhatIsNoNumberOrNoThreeFields) {
+    for (const char* text :
+         {"1.0,can_state", "1.0,can_state,x", "1.0,can_state,", "x,can_state,1", "1.0,can_state,nan"}) {
+        std::istringstream in{text};
+        EXPECT_THROW(read_stimuli(in, "s.csv"), InputError) << text;
+    }
+}
+
+// The acceptance run of the manual's telegrams, byte for byte
+TEST(Replay, TheManualsTelegramsTwiceTheSame) {
+    const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
+    const std::string expected =
+        "(0.000000) can0 703#00\n(1.000000) can0 583#6011640100000000\n(1.100000) can0 583#4300100091010800\n";
+    EXPECT_EQ(replayed(log, "", 0.0), expected);
+    EXPECT_EQ(replayed(log, "", 0.0), expected);
+}
+
+TEST(Replay, GoesOnUntilItIsTold) {
+    // heartbeat of 100 ms set at 0.05 s: due at 0.15, 0.25, 0.35
+    const std::string log = "(0.050000) can7 603#2B17100064000000\n";
+    EXPECT_EQ(replayed(log, "", 0.3),
+              "(0.000000) can7 703#00\n(0.050000) can7 583#6017100000000000\n(0.150000) can7 703#7F\n(0.250000) can7 "
+              "703#7F\n");
+}
+
+TEST(Replay, StimuliActAndOutputsAreWritten) {
+    std::string outputs;
+    const std::string frames = replayed("(0.010000) can0 603#2B11640108000000\n",
+                                        "seconds,signal,value\n0.020000,internal_fault,1\n", 0.03, &outputs);
+    EXPECT_EQ(frames,
+              "(0.000000) can0 703#00\n(0.010000) can0 583#6011640100000000\n(0.020000) can0 083#1061010100000000\n");
+    // one step = 1 mV * 30.9 / 12.4 = 2.49194 mV; error mode 1, error value 0
+    EXPECT_NE(outputs.find("0.010000,aout1,0.00249194\n"), std::string::npos);
+    EXPECT_NE(outputs.find("0.020000,aout1,0\n"), std::string::npos);
+}
+
+TEST(Replay, StimuliAtZeroStandBeforePowerOn) {
+    EXPECT_EQ(replayed("", "0.0,switch_low,5\n", 0.0), "(0.000000) can0 705#00\n");
+}
+
+TEST(Replay, AnUnknownSignalIsNamed) {
+    EXPECT_THROW(replayed("", "0.5,temperature,20\n", 1.0), InputError);
+}
+
+TEST(Catalogue, KnowsWhatItCanRun) {
+    EXPECT_NE(make_device("cbx-ao412"), nullptr);
+    EXPECT_EQ(make_device("cbx-ao413"), nullptr);
+}
+
+}  // namespace canproof::host
