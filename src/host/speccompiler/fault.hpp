@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace canproof::host {
@@ -13,6 +14,9 @@ struct Place {
 };
 
 struct Fault {
+    Fault(Place at, std::string wrong, std::string remedy)
+        : place{std::move(at)}, what{std::move(wrong)}, mend{std::move(remedy)} {}
+
     Place place;
     std::string what;
     std::string mend;

@@ -306,7 +306,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
             faults_after = item.faults().size();
         }
     }
-    item.faults().resize(faults_after);
+    item.faults().erase(item.faults().begin() + static_cast<std::ptrdiff_t>(faults_after), item.faults().end());
     item.finish();
     if (!has_index) {
         all.clear();  // told above; a made-up index would only raise false alarms
