@@ -49,6 +49,9 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
     auto* run = app.add_subcommand("run", "run devices in real time on the in-process bus");
     run->add_option("DEVICE", running.devices, "NAME or NAME@NODE")->required();
     run->add_option("--bus", running.bus, "inproc")->capture_default_str();
+    run->add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
+    run->add_option("--stimulus", running.stimulus, "CSV seconds,signal,value");
+    run->add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
     run->add_option("--seconds", running.seconds, "end after so long");
     run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
 

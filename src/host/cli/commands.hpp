@@ -21,6 +21,9 @@ struct ReplayOptions {
 struct RunOptions {
     std::vector<std::string> devices;  ///< NAME or NAME@NODE
     std::string bus{"inproc"};
+    std::string nvm;  ///< folder with one memory image a device
+    std::string stimulus;
+    std::string outputs;
     std::optional<double> seconds;
 };
 

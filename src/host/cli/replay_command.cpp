@@ -6,43 +6,10 @@
 #include <iostream>
 
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/replay/replay.hpp"
 
 namespace canproof::host {
-
-namespace {
-
-std::ifstream open_input(const std::string& path) {
-    std::ifstream in{path, std::ios::binary};
-    if (!in) {
-        throw InputError{fmt::format("cannot read {}; name an existing file", path)};
-    }
-    return in;
-}
-
-void load_memory(Memory& memory, const std::string& path) {
-    std::ifstream in{path, std::ios::binary};
-    if (!in) {
-        return;  // the first run makes the file
-    }
-    const std::vector<char> bytes{std::istreambuf_iterator<char>{in}, {}};
-    if (bytes.size() != memory.size()) {
-        throw InputError{
-            fmt::format("{} has {} bytes and is no image of this device's memory ({} bytes); remove it or name another",
-                        path, bytes.size(), memory.size())};
-    }
-    memory.bytes().assign(bytes.begin(), bytes.end());
-}
-
-void save_memory(Memory& memory, const std::string& path) {
-    std::ofstream out{path, std::ios::binary};
-    out.write(reinterpret_cast<const char*>(memory.bytes().data()), static_cast<std::streamsize>(memory.size()));
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", path)};
-    }
-}
-
-}  // namespace
 
 int replay_log(const ReplayOptions& options) {
     const auto device = make_device(options.device);

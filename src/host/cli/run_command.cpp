@@ -4,13 +4,18 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
-#include <iostream>
+#include <filesystem>
+#include <fstream>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/devices/simulated_device.hpp"
+#include "host/replay/stimulus.hpp"
 
 namespace canproof::host {
 
@@ -35,58 +40,128 @@ std::unique_ptr<SimulatedDevice> make_named(const std::string& text) {
     return device;
 }
 
+/// Lines of standard input as they come, without ever waiting for the rest of one.
+class LineInput {
+  public:
+    bool is_open() const { return open_; }
+
+    /// Whole lines that have arrived; call when poll() says that there is input.
+    std::vector<std::string> read_lines() {
+        std::array<char, 4096> piece{};
+        const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
+        if (count <= 0) {
+            open_ = false;
+            return {};
+        }
+        pending_.append(piece.data(), static_cast<std::size_t>(count));
+        std::vector<std::string> lines;
+        for (auto end = pending_.find('\n'); end != std::string::npos; end = pending_.find('\n')) {
+            lines.push_back(pending_.substr(0, end));
+            pending_.erase(0, end + 1);
+        }
+        if (pending_.size() > longest_line) {
+            pending_.clear();
+        }
+        return lines;
+    }
+
+  private:
+    static constexpr std::size_t longest_line = 4096;
+    std::string pending_;
+    bool open_{true};
+};
+
 class InProcessRun {
   public:
-    explicit InProcessRun(const RunOptions& options) : start_{std::chrono::steady_clock::now()} {
+    explicit InProcessRun(const RunOptions& options)
+        : start_{std::chrono::steady_clock::now()}, nvm_folder_{options.nvm} {
         for (const auto& name : options.devices) {
-            devices_.push_back(make_named(name));
+            devices_.push_back({name, make_named(name), {}});
         }
         if (options.seconds) {
             end_ = Instant{static_cast<std::uint64_t>(*options.seconds * 1.0e6)};
         }
+        if (!options.stimulus.empty()) {
+            auto in = open_input(options.stimulus);
+            stimuli_ = read_stimuli(in, options.stimulus);
+        }
+        if (!options.outputs.empty()) {
+            outputs_.open(options.outputs);
+            if (!outputs_) {
+                throw InputError{fmt::format("cannot write {}", options.outputs)};
+            }
+            outputs_ << "seconds,signal,value\n";
+        }
+        load_memories();
     }
 
     void run() {
-        for (auto& device : devices_) {
-            device->power_on(now());
+        stimulate();
+        for (auto& one : devices_) {
+            one.device->power_on(now());
         }
         deliver();
         while (interrupted == 0 && now() < end_) {
             wait();
-            for (auto& device : devices_) {
-                device->advance(now());
+            stimulate();
+            for (auto& one : devices_) {
+                one.device->advance(now());
             }
             deliver();
+        }
+        for (auto& one : devices_) {
+            if (!nvm_folder_.empty()) {
+                save_memory(one.device->memory(), memory_file(one.name));
+            }
         }
     }
 
   private:
+    struct Running {
+        std::string name;
+        std::unique_ptr<SimulatedDevice> device;
+        std::vector<double> last_outputs;
+    };
+
     Instant now() const {
         const auto passed = std::chrono::steady_clock::now() - start_;
         return Instant{
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
     }
 
-    void wait() {
-        Instant due = end_;
-        for (const auto& device : devices_) {
-            due = earliest(due, device->next_deadline());
+    std::string memory_file(const std::string& name) const {
+        return (std::filesystem::path{nvm_folder_} / (name + ".bin")).string();
+    }
+
+    void load_memories() {
+        if (nvm_folder_.empty()) {
+            return;
         }
-        const auto milliseconds_left = due == never ? 1000 : elapsed(now(), due).us / 1000 + 1;
-        pollfd input{STDIN_FILENO, POLLIN, 0};
-        const int ready =
-            poll(&input, input_open_ ? 1 : 0, static_cast<int>(std::min<std::uint64_t>(milliseconds_left, 1000)));
-        if (ready > 0) {
-            read_line();
+        std::filesystem::create_directories(nvm_folder_);
+        for (auto& one : devices_) {
+            load_memory(one.device->memory(), memory_file(one.name));
         }
     }
 
-    void read_line() {
-        std::string line;
-        if (!std::getline(std::cin, line)) {
-            input_open_ = false;
-            return;
+    void wait() {
+        Instant due = end_;
+        for (const auto& one : devices_) {
+            due = earliest(due, one.device->next_deadline());
         }
+        if (next_stimulus_ < stimuli_.size()) {
+            due = earliest(due, stimuli_[next_stimulus_].time);
+        }
+        const std::uint64_t longest_ms = 1000;
+        const std::uint64_t left_ms = due == never ? longest_ms : (elapsed(now(), due).us + 999) / 1000;
+        pollfd input{STDIN_FILENO, POLLIN, 0};
+        if (poll(&input, input_.is_open() ? 1 : 0, static_cast<int>(std::min(left_ms, longest_ms))) > 0) {
+            for (const auto& line : input_.read_lines()) {
+                put_line_on_bus(line);
+            }
+        }
+    }
+
+    void put_line_on_bus(const std::string& line) {
         if (line.empty()) {
             return;
         }
@@ -97,12 +172,27 @@ class InProcessRun {
         }
     }
 
+    /// Stimuli act on every device that has the signal.
+    void stimulate() {
+        for (; next_stimulus_ < stimuli_.size() && stimuli_[next_stimulus_].time <= now(); ++next_stimulus_) {
+            const Stimulus& stimulus = stimuli_[next_stimulus_];
+            bool known = false;
+            for (auto& one : devices_) {
+                known = one.device->set_input(stimulus.signal, stimulus.value, now()) || known;
+            }
+            if (!known) {
+                throw InputError{
+                    fmt::format("no device has an input `{}`; `canproof signals` lists them", stimulus.signal)};
+            }
+        }
+    }
+
     void put_on_bus(const Frame& frame, const SimulatedDevice* sender) {
         fmt::print("{}\n", format_candump_line({now(), "inproc", frame}));
         std::fflush(stdout);
-        for (auto& device : devices_) {
-            if (device.get() != sender) {
-                device->receive(frame, now());
+        for (auto& one : devices_) {
+            if (one.device.get() != sender) {
+                one.device->receive(frame, now());
             }
         }
     }
@@ -111,19 +201,40 @@ class InProcessRun {
         // A frame may cause others; each pass sends one frame a device, so that none starves.
         for (bool any = true; any;) {
             any = false;
-            for (auto& device : devices_) {
-                if (!device->queue().empty()) {
-                    put_on_bus(device->queue().pop(), device.get());
+            for (auto& one : devices_) {
+                if (!one.device->queue().empty()) {
+                    put_on_bus(one.device->queue().pop(), one.device.get());
                     any = true;
                 }
             }
         }
+        write_outputs();
+    }
+
+    /// With several devices a signal is named `device.signal`.
+    void write_outputs() {
+        for (auto& one : devices_) {
+            const auto values = one.device->outputs();
+            for (std::size_t i = 0; outputs_.is_open() && i < values.size(); ++i) {
+                if (one.last_outputs.empty() || one.last_outputs[i] != values[i]) {
+                    const std::string prefix = devices_.size() > 1 ? one.name + "." : "";
+                    outputs_ << fmt::format("{},{}{},{:.6g}\n", format_seconds(now()), prefix,
+                                            one.device->output_names()[i], values[i]);
+                }
+            }
+            one.last_outputs = values;
+        }
+        outputs_.flush();
     }
 
     std::chrono::steady_clock::time_point start_;
-    std::vector<std::unique_ptr<SimulatedDevice>> devices_;
+    std::string nvm_folder_;
+    std::vector<Running> devices_;
+    std::vector<Stimulus> stimuli_;
+    std::size_t next_stimulus_{0};
+    std::ofstream outputs_;
     Instant end_{never};
-    bool input_open_{true};
+    LineInput input_;
 };
 
 }  // namespace

@@ -1,0 +1,16 @@
+// Files that the commands read and write. Each throws InputError with the path and the remedy.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "host/devices/memory.hpp"
+
+namespace canproof::host {
+
+std::ifstream open_input(const std::string& path);
+/// The image of a device's non-volatile memory; a file that does not exist leaves it blank.
+void load_memory(Memory& memory, const std::string& path);
+void save_memory(Memory& memory, const std::string& path);
+
+}  // namespace canproof::host
