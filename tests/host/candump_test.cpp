@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "host/devices/simulated_device.hpp"
+#include "host/embedded_spec.hpp"
 #include "host/replay/replay.hpp"
 #include "host/replay/stimulus.hpp"
 
@@ -112,6 +113,25 @@ TEST(Replay, StimuliAtZeroStandBeforePowerOn) {
 
 TEST(Replay, AnUnknownSignalIsNamed) {
     EXPECT_THROW(replayed("", "0.5,temperature,20\n", 1.0), InputError);
+}
+
+TEST(StimulusFile, SignalsAndValuesAreCheckedAgainstTheRegister) {
+    const LoadResult loaded = load_register(embedded_spec());
+    const Part& part = *loaded.content.part("cbx-ao412");
+    const auto refusal = [&](const std::string& text) {
+        std::istringstream in{text};
+        try {
+            check_stimuli(read_stimuli(in, "s.csv"), {&part});
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    EXPECT_EQ(refusal("0.5,switch_low,15\n1.0,can_overrun,1\n"), "");
+    EXPECT_EQ(refusal("0.5,can_state,0\n1.0,switch_low,16\n"),
+              "s.csv:2: switch_low takes whole numbers from 0 to 15, not 16");
+    EXPECT_EQ(refusal("1.0,can_overrun,0.5\n"), "s.csv:1: can_overrun takes whole numbers from 0 to 1, not 0.5");
+    EXPECT_EQ(refusal("1.0,aout1,1\n"), "s.csv:1: there is no input `aout1`; `canproof signals` lists them");
 }
 
 TEST(Catalogue, KnowsWhatItCanRun) {

@@ -5,27 +5,14 @@
 #include <iostream>
 
 #include "host/bus/candump.hpp"
+#include "host/cli/built_in.hpp"
 #include "host/cli/commands.hpp"
 #include "host/devices/simulated_device.hpp"
-#include "host/embedded_spec.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-const Register& built_in_register() {
-    static const LoadResult loaded = load_register(embedded_spec());
-    return loaded.content;
-}
-
-const Part& device_named(const std::string& name) {
-    const Part* part = built_in_register().part(name);
-    if (part == nullptr || !part->is_device()) {
-        throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
-    }
-    return *part;
-}
 
 const Part& described_device(const std::string& name) {
     const Part& part = device_named(name);

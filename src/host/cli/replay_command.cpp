@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "host/cli/built_in.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/replay/replay.hpp"
@@ -26,6 +27,7 @@ int replay_log(const ReplayOptions& options) {
     if (!options.stimulus.empty()) {
         auto in = open_input(options.stimulus);
         input.stimuli = read_stimuli(in, options.stimulus);
+        check_stimuli(input.stimuli, {&device_named(options.device)});
     }
     if (options.until) {
         input.until = Instant{static_cast<std::uint64_t>(std::llround(*options.until * 1.0e6))};

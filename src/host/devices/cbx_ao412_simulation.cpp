@@ -1,5 +1,4 @@
-#include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "firmware/devices/cbx_ao412.hpp"
 #include "host/devices/simulated_device.hpp"
@@ -24,38 +23,32 @@ class CbxAo412Simulation final : public SimulatedDevice {
     Instant next_deadline() const override { return device_.next_deadline(); }
 
     bool set_input(const std::string& name, double value, Instant now) override {
-        const auto whole = static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-        const bool truth = value != 0.0;
-        if (name == "switch_high") {
-            inputs_.switch_high = whole;
-        } else if (name == "switch_low") {
-            inputs_.switch_low = whole;
-        } else if (name == "switch_baud") {
-            inputs_.switch_baud = whole;
-        } else if (name == "can_state") {
-            inputs_.can_state = whole;
-        } else if (name == "can_overrun") {
-            inputs_.can_overrun = truth;
-        } else if (name == "internal_fault") {
-            inputs_.internal_fault = truth;
-        } else {
-            return false;
+        bool found = false;
+        generated::cbx_ao412::for_each_input(inputs_, [&](const char* one, auto& input) {
+            if (name == one) {
+                input = static_cast<std::decay_t<decltype(input)>>(value);
+                found = true;
+            }
+        });
+        if (found) {
+            device_.set_inputs(inputs_, now);
         }
-        device_.set_inputs(inputs_, now);
-        return true;
+        return found;
     }
 
     std::vector<double> outputs() const override {
-        const auto& out = device_.outputs();
-        std::vector<double> values(out.aout.begin(), out.aout.end());
-        for (const bool lit : {out.led_e, out.led_s, out.led_m, out.led_p}) {
-            values.push_back(lit ? 1.0 : 0.0);
-        }
+        std::vector<double> values;
+        generated::cbx_ao412::for_each_output(
+            device_.outputs(), [&](const char*, const auto& value) { values.push_back(static_cast<double>(value)); });
         return values;
     }
     const std::vector<std::string>& output_names() const override {
-        static const std::vector<std::string> names{"aout1", "aout2", "aout3", "aout4",
-                                                    "led_e", "led_s", "led_m", "led_p"};
+        static const std::vector<std::string> names = [] {
+            std::vector<std::string> all;
+            const cbx_ao412::Outputs any{};
+            generated::cbx_ao412::for_each_output(any, [&](const char* name, const auto&) { all.emplace_back(name); });
+            return all;
+        }();
         return names;
     }
 

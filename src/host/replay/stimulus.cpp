@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -39,6 +40,7 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
             throw InputError{fmt::format("{}: `{}` has no three fields; write seconds,signal,value", where, line)};
         }
         Stimulus one;
+        one.where = where;
         one.time = parse_seconds(line.substr(0, first), where);
         one.signal = line.substr(first + 1, second - first - 1);
         one.value = parse_value(line.substr(second + 1), where);
@@ -48,6 +50,41 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         all.push_back(one);
     }
     return all;
+}
+
+namespace {
+
+const Signal* input_named(const std::string& name, const std::vector<const Part*>& devices) {
+    for (const Part* device : devices) {
+        for (const auto& signal : device->signals) {
+            const auto names = signal.names();
+            if (signal.input && std::find(names.begin(), names.end(), name) != names.end()) {
+                return &signal;
+            }
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const Part*>& devices) {
+    for (const auto& stimulus : stimuli) {
+        const Signal* signal = input_named(stimulus.signal, devices);
+        if (signal == nullptr) {
+            throw InputError{fmt::format("{}: there is no input `{}`; `canproof signals` lists them", stimulus.where,
+                                         stimulus.signal)};
+        }
+        const bool is_truth = signal->type == "BOOLEAN";
+        const bool is_real = signal->type == "REAL32" || signal->type == "REAL64";
+        const double low = is_truth ? 0.0 : signal->minimum.value_or(-INFINITY);
+        const double high = is_truth ? 1.0 : signal->maximum.value_or(INFINITY);
+        const bool whole = is_real || std::floor(stimulus.value) == stimulus.value;
+        if (!whole || stimulus.value < low || stimulus.value > high) {
+            throw InputError{fmt::format("{}: {} takes {} from {} to {}, not {}", stimulus.where, stimulus.signal,
+                                         is_real ? "values" : "whole numbers", low, high, stimulus.value)};
+        }
+    }
 }
 
 }  // namespace canproof::host

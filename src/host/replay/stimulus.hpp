@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "firmware/base/time.hpp"
+#include "host/speccompiler/register.hpp"
 
 namespace canproof::host {
 
 struct Stimulus {
+    std::string where;  ///< file:line
     Instant time{};
     std::string signal;
     double value{0.0};
@@ -17,5 +19,8 @@ struct Stimulus {
 
 /// All lines in ascending time; throws InputError with file and line. A first line `seconds,signal,value` is a heading.
 std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name);
+
+/// Throws InputError for a signal that is no input of any of these devices, or a value outside its range or type.
+void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const Part*>& devices);
 
 }  // namespace canproof::host
