@@ -36,6 +36,7 @@ void write_all(const Register& content, const SpecFiles& files, const std::files
         if (part.is_device()) {
             write_if_changed(folder / "objects.hpp", write_objects(part));
             write_if_changed(folder / "signals.hpp", write_signals(part));
+            write_if_changed(folder / (part.name + ".eds"), write_eds(content, part));
         }
     }
 }
