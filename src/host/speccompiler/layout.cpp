@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "host/speccompiler/dictionary_rows.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {

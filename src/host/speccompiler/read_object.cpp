@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "host/speccompiler/dictionary_rows.hpp"
 #include "host/speccompiler/reader.hpp"
 
 namespace canproof::host {
@@ -11,9 +12,6 @@ namespace {
 
 const std::vector<std::string> access_words{"ro", "wo", "rw", "const"};
 const std::vector<std::string> mapping_words{"none", "rpdo", "tpdo", "both"};
-const std::vector<std::string> service_words{"none", "sync",  "emcy", "heartbeat",       "guarding",
-                                             "pdo",  "store", "nmt",  "error_behaviour", "program",
-                                             "lss",  "device"};
 const std::string node_id_mark = "$NODEID+";
 
 std::string numbered(std::string text, std::int64_t n) {
@@ -127,7 +125,7 @@ Entry read_entry_fields(TomlItem& item) {
     entry.range = read_range(item);
     entry.mapping = item.word("mapping", mapping_words, "none");
     entry.stored = item.boolean_or("stored", entry.access == "rw");
-    entry.service = item.word("service", service_words, "none");
+    entry.service = item.word("service", service_words(), "none");
     entry.factory = item.boolean_or("factory", false);
     entry.live = item.boolean_or("live", false);
     entry.length = static_cast<std::size_t>(item.integer_or("length", 0, 1, 250));

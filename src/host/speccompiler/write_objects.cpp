@@ -1,111 +1,45 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstring>
-
+#include "host/speccompiler/dictionary_rows.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-const std::string raw_type(const std::string& type) {
-    std::string lower = snake_case(type);
-    return "DataType::" + lower;
+std::string data_type_word(const std::string& type) {
+    return "DataType::" + snake_case(type);
 }
 
-std::string rights_of(const Entry& entry, bool constant) {
+std::string rights_words(std::uint8_t bits) {
+    static const std::vector<std::pair<std::uint8_t, std::string>> words{
+        {rights::read, "rights::read"},         {rights::write, "rights::write"},
+        {rights::rpdo, "rights::rpdo"},         {rights::tpdo, "rights::tpdo"},
+        {rights::stored, "rights::stored"},     {rights::node_id, "rights::node_id"},
+        {rights::constant, "rights::constant"},
+    };
     std::vector<std::string> all;
-    if (entry.access != "wo")
-        all.emplace_back("rights::read");
-    if (entry.access == "rw" || entry.access == "wo")
-        all.emplace_back("rights::write");
-    if (entry.mapping == "rpdo" || entry.mapping == "both")
-        all.emplace_back("rights::rpdo");
-    if (entry.mapping == "tpdo" || entry.mapping == "both")
-        all.emplace_back("rights::tpdo");
-    if (entry.stored)
-        all.emplace_back("rights::stored");
-    if (entry.node_id)
-        all.emplace_back("rights::node_id");
-    if (constant)
-        all.emplace_back("rights::constant");
+    for (const auto& [right, word] : words) {
+        if ((bits & right) != 0U) {
+            all.push_back(word);
+        }
+    }
     return fmt::format("{}", fmt::join(all, " | "));
 }
 
-std::uint32_t limit_bits(const std::string& type, const Value& value) {
-    if (type == "REAL32") {
-        const auto* real = std::get_if<double>(&value);
-        const auto narrow =
-            static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &narrow, sizeof bits);
-        return bits;
-    }
-    if (const auto* truth = std::get_if<bool>(&value))
-        return *truth ? 1U : 0U;
-    // As wide as the type: -1 of an INTEGER16 is FFFFh.
-    const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
-    const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
-    return static_cast<std::uint32_t>(bits & mask);
+std::string limit_words(const canproof::Limit& limit) {
+    static const std::vector<std::string> kinds{"none", "value", "entry", "list"};
+    const std::string kind = "LimitKind::" + kinds.at(static_cast<std::size_t>(limit.kind));
+    return limit.kind == LimitKind::none ? fmt::format("{{{}, 0U, 0}}", kind)
+                                         : fmt::format("{{{}, 0x{:08X}U, {}}}", kind, limit.bits, limit.add);
 }
 
-/// Rows of limits and allowed values, each written once however often it is used.
-class LimitPool {
-  public:
-    /// Number of the row, or no_limit.
-    std::string row_for(const Entry& entry) {
-        if (entry.range.empty()) {
-            return "no_limit";
-        }
-        std::string text;
-        if (!entry.range.values.empty()) {
-            text = fmt::format("{{{{LimitKind::list, 0x{:08X}U, 0}}, {{LimitKind::none, 0U, 0}}}}", list_for(entry));
-        } else {
-            text = fmt::format("{{{}, {}}}", limit(entry, entry.range.minimum), limit(entry, entry.range.maximum));
-        }
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (rows[i] == text) {
-                return fmt::format("{}U", i);
-            }
-        }
-        rows.push_back(text);
-        return fmt::format("{}U", rows.size() - 1);
-    }
-
-    std::vector<std::string> rows;
-    std::vector<std::uint32_t> allowed;
-
-  private:
-    static std::string limit(const Entry& entry, const Limit& one) {
-        if (one.kind == Limit::Kind::number) {
-            return fmt::format("{{LimitKind::value, 0x{:08X}U, 0}}", limit_bits(entry.type, one.number));
-        }
-        if (one.kind == Limit::Kind::object) {
-            const unsigned sub = one.subindex < 0 ? 0xFFU : static_cast<unsigned>(one.subindex);
-            return fmt::format("{{LimitKind::entry, 0x{:08X}U, {}}}", (unsigned{one.index} << 8U) | sub, one.add);
-        }
-        return "{LimitKind::none, 0U, 0}";
-    }
-
-    std::uint32_t list_for(const Entry& entry) {
-        std::vector<std::uint32_t> bits;
-        for (const auto& value : entry.range.values) {
-            bits.push_back(limit_bits(entry.type, value));
-        }
-        std::size_t first = 0;
-        for (; first + bits.size() <= allowed.size(); ++first) {
-            if (std::equal(bits.begin(), bits.end(), allowed.begin() + static_cast<std::ptrdiff_t>(first))) {
-                break;
-            }
-        }
-        if (first + bits.size() > allowed.size()) {
-            first = allowed.size();
-            allowed.insert(allowed.end(), bits.begin(), bits.end());
-        }
-        return static_cast<std::uint32_t>((first << 16U) | bits.size());
-    }
-};
+std::string entry_words(const EntryRow& row, const Entry& entry) {
+    return fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}},", row.offset, row.size,
+                       row.limit == no_limit ? "no_limit" : fmt::format("{}U", row.limit), row.subindex,
+                       data_type_word(entry.type), rights_words(row.rights), entry.service);
+}
 
 /// One pool of values, a row an entry.
 std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant) {
@@ -173,8 +107,8 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
 }  // namespace
 
 std::string write_objects(const Part& part) {
-    const Layout layout = make_layout(part);
-    LimitPool limits;
+    const DictionaryRows rows = make_rows(part);
+    const Layout& layout = rows.layout;
     std::vector<std::string> objects;
     std::vector<std::string> entries;
     std::string fields;
@@ -185,17 +119,18 @@ std::string write_objects(const Part& part) {
                                                                 : "record";
         objects.push_back(fmt::format("{{0x{:04X}U, {}U, {}U, ObjectKind::{}}},  // {} {}", object.index,
                                       entries.size(), object.entries.size(), kind, object.id, object.name));
-        for (std::size_t e = 0; e < object.entries.size(); ++e) {
-            const Entry& entry = object.entries[e];
-            const Placement& place = layout.placements[o][e];
-            entries.push_back(fmt::format("{{{}U, {}U, {}, {}U, {}, {}, Service::{}}},  // {} {}", place.offset,
-                                          place.size, limits.row_for(entry), entry.subindex, raw_type(entry.type),
-                                          rights_of(entry, place.constant), entry.service, object.id, entry.name));
+        for (const Entry& entry : object.entries) {
+            entries.push_back(
+                fmt::format("{}  // {} {}", entry_words(rows.entries[entries.size()], entry), object.id, entry.name));
         }
         fields += field_for(object, layout.placements[o]);
     }
+    std::vector<std::string> limits;
+    for (const LimitRow& row : rows.limits) {
+        limits.push_back(fmt::format("{{{}, {}}},", limit_words(row.minimum), limit_words(row.maximum)));
+    }
     std::vector<std::string> allowed;
-    for (const auto bits : limits.allowed) {
+    for (const auto bits : rows.allowed) {
         allowed.push_back(fmt::format("0x{:08X}U,", bits));
     }
     std::string text = heading(part);
@@ -204,10 +139,7 @@ std::string write_objects(const Part& part) {
     text += string_rows("ObjectRow", "object_rows", objects);
     text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
     text += string_rows("EntryRow", "entry_rows", entries);
-    for (std::string& row : limits.rows) {
-        row += ",";
-    }
-    text += string_rows("LimitRow", "limit_rows", limits.rows);
+    text += string_rows("LimitRow", "limit_rows", limits);
     text += string_rows("std::uint32_t", "allowed_values", allowed);
     text += value_pool("constant_pool", part, layout, true);
     text += value_pool("default_image", part, layout, false);

@@ -4,29 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "host/speccompiler/register.hpp"
+#include "host/speccompiler/dictionary_rows.hpp"
 
 namespace canproof::host {
-
-/// Where an entry's value lies: in the image (RAM) or in the constant pool (flash).
-struct Placement {
-    bool constant{false};
-    std::uint16_t offset{0};
-    std::uint16_t size{0};
-};
-
-/// The bytes of a default: little-endian, strings padded with zeros to `size`.
-std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
-
-/// The value image of a device: entries in dictionary order, without gaps.
-struct Layout {
-    std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
-    std::vector<std::uint8_t> image;                 ///< defaults; node-ID terms not added
-    std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< of what is stored and where
-};
-
-Layout make_layout(const Part& part);
 
 std::string write_requirements(const Register& content);
 std::string write_objects(const Part& part);

@@ -1,0 +1,151 @@
+#include "host/speccompiler/dictionary_rows.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+namespace canproof::host {
+
+namespace {
+
+std::uint8_t rights_of(const Entry& entry, bool constant) {
+    std::uint8_t bits = 0;
+    const auto grant = [&bits](bool granted, std::uint8_t right) {
+        bits = granted ? static_cast<std::uint8_t>(bits | right) : bits;
+    };
+    grant(entry.access != "wo", rights::read);
+    grant(entry.access == "rw" || entry.access == "wo", rights::write);
+    grant(entry.mapping == "rpdo" || entry.mapping == "both", rights::rpdo);
+    grant(entry.mapping == "tpdo" || entry.mapping == "both", rights::tpdo);
+    grant(entry.stored, rights::stored);
+    grant(entry.node_id, rights::node_id);
+    grant(constant, rights::constant);
+    return bits;
+}
+
+std::uint32_t limit_bits(const std::string& type, const Value& value) {
+    if (type == "REAL32") {
+        const auto* real = std::get_if<double>(&value);
+        const auto narrow =
+            static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &narrow, sizeof bits);
+        return bits;
+    }
+    if (const auto* truth = std::get_if<bool>(&value)) {
+        return *truth ? 1U : 0U;
+    }
+    // As wide as the type: -1 of an INTEGER16 is FFFFh.
+    const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
+    const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
+    return static_cast<std::uint32_t>(bits & mask);
+}
+
+canproof::Limit limit_of(const Entry& entry, const Limit& one) {
+    if (one.kind == Limit::Kind::number) {
+        return {LimitKind::value, limit_bits(entry.type, one.number), 0};
+    }
+    if (one.kind == Limit::Kind::object) {
+        const unsigned sub = one.subindex < 0 ? same_subindex : static_cast<unsigned>(one.subindex);
+        return {LimitKind::entry, (unsigned{one.index} << 8U) | sub, static_cast<std::int32_t>(one.add)};
+    }
+    return {LimitKind::none, 0U, 0};
+}
+
+/// Position of the entry's allowed values in the shared list, `first << 16 | count`.
+std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed) {
+    std::vector<std::uint32_t> bits;
+    for (const auto& value : entry.range.values) {
+        bits.push_back(limit_bits(entry.type, value));
+    }
+    const auto found = std::search(allowed.begin(), allowed.end(), bits.begin(), bits.end());
+    const auto first = static_cast<std::size_t>(found - allowed.begin());
+    if (found == allowed.end()) {
+        allowed.insert(allowed.end(), bits.begin(), bits.end());
+    }
+    return static_cast<std::uint32_t>((first << 16U) | bits.size());
+}
+
+bool same(const canproof::Limit& a, const canproof::Limit& b) {
+    return a.kind == b.kind && a.bits == b.bits && a.add == b.add;
+}
+
+/// Number of the limit row of an entry, each row written once however often it is used.
+std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows) {
+    if (entry.range.empty()) {
+        return no_limit;
+    }
+    LimitRow row{limit_of(entry, entry.range.minimum), limit_of(entry, entry.range.maximum)};
+    if (!entry.range.values.empty()) {
+        row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed), 0}, {LimitKind::none, 0U, 0}};
+    }
+    const auto found = std::find_if(rows.limits.begin(), rows.limits.end(), [&row](const LimitRow& one) {
+        return same(one.minimum, row.minimum) && same(one.maximum, row.maximum);
+    });
+    const auto at = static_cast<std::uint16_t>(found - rows.limits.begin());
+    if (found == rows.limits.end()) {
+        rows.limits.push_back(row);
+    }
+    return at;
+}
+
+Service service_of(const Entry& entry) {
+    const auto& words = service_words();
+    const auto found = std::find(words.begin(), words.end(), entry.service);
+    return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
+}
+
+}  // namespace
+
+DataType data_type(const std::string& cia_type) {
+    static const std::map<std::string, DataType> types{{"BOOLEAN", DataType::boolean},
+                                                       {"INTEGER8", DataType::integer8},
+                                                       {"INTEGER16", DataType::integer16},
+                                                       {"INTEGER32", DataType::integer32},
+                                                       {"INTEGER64", DataType::integer64},
+                                                       {"UNSIGNED8", DataType::unsigned8},
+                                                       {"UNSIGNED16", DataType::unsigned16},
+                                                       {"UNSIGNED32", DataType::unsigned32},
+                                                       {"UNSIGNED64", DataType::unsigned64},
+                                                       {"REAL32", DataType::real32},
+                                                       {"REAL64", DataType::real64},
+                                                       {"VISIBLE_STRING", DataType::visible_string},
+                                                       {"OCTET_STRING", DataType::octet_string},
+                                                       {"DOMAIN", DataType::domain}};
+    return types.at(cia_type);
+}
+
+const std::vector<std::string>& service_words() {
+    static const std::vector<std::string> words{"none", "sync",  "emcy", "heartbeat",       "guarding",
+                                                "pdo",  "store", "nmt",  "error_behaviour", "program",
+                                                "lss",  "device"};
+    return words;
+}
+
+DictionaryTables DictionaryRows::tables() const {
+    return DictionaryTables{table_view(objects), table_view(entries),          table_view(limits),
+                            table_view(allowed), table_view(layout.constants), table_view(layout.image),
+                            layout.fingerprint};
+}
+
+DictionaryRows make_rows(const Part& part) {
+    DictionaryRows rows;
+    rows.layout = make_layout(part);
+    for (std::size_t o = 0; o < part.objects.size(); ++o) {
+        const Object& object = part.objects[o];
+        rows.objects.push_back(ObjectRow{object.index, static_cast<std::uint16_t>(rows.entries.size()),
+                                         static_cast<std::uint8_t>(object.entries.size()),
+                                         static_cast<ObjectKind>(object.kind)});
+        for (std::size_t e = 0; e < object.entries.size(); ++e) {
+            const Entry& entry = object.entries[e];
+            const Placement& place = rows.layout.placements[o][e];
+            rows.entries.push_back(EntryRow{place.offset, place.size, limit_row_for(entry, rows), entry.subindex,
+                                            data_type(entry.type), rights_of(entry, place.constant),
+                                            service_of(entry)});
+        }
+    }
+    return rows;
+}
+
+}  // namespace canproof::host
