@@ -193,7 +193,38 @@ void read_var(TomlItem& item, Object& object, std::int64_t n) {
     object.entries.push_back(entry);
 }
 
-void read_listed_entries(TomlItem& item, Object& object) {
+/// One object of a family, which are numbered from `first` to `last`.
+struct Member {
+    std::int64_t n;
+    std::int64_t first;
+    std::int64_t last;
+};
+
+/// `default = { 1 = 0, 2 = 5 }` must name each member of the family, and no other.
+void check_family_default(TomlItem& item, const Member& member) {
+    const toml::node* node = item.node("default");
+    const auto table = node == nullptr ? nullptr : node->as_table();
+    if (table == nullptr) {
+        return;
+    }
+    for (std::int64_t n = member.first; n <= member.last; ++n) {
+        if (!table->contains(std::to_string(n))) {
+            item.fault(item.place("default"), fmt::format("default gives no value for member {}", n),
+                       fmt::format("add `{} = …`", n));
+        }
+    }
+    for (const auto& [key, value] : *table) {
+        const std::string word{key.str()};
+        const bool number =
+            !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == std::string::npos;
+        if (!number || std::stoll(word) < member.first || std::stoll(word) > member.last) {
+            item.fault(place_of(item, value), fmt::format("default names member {}, which the family lacks", word),
+                       fmt::format("use members {} to {}", member.first, member.last));
+        }
+    }
+}
+
+void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
     for (TomlItem& sub : item.items("entry")) {
         Entry entry = read_entry_fields(sub);
         entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
@@ -201,9 +232,11 @@ void read_listed_entries(TomlItem& item, Object& object) {
             sub.fault(sub.place("sub"), fmt::format("an array lists entry {}", entry.subindex),
                       "list entry 0 only, or make it a record without `array`");
         }
-        entry.name = sub.text("name");
-        if (const auto* node = sub.node("default")) {
+        entry.name = numbered(sub.text("name"), member.n);
+        check_family_default(sub, member);
+        if (const auto* node = default_for(sub.node("default"), member.n)) {
             set_default(entry, *node);
+            entry.default_place = place_of(sub, *node);
         }
         sub.finish();
         object.entries.push_back(entry);
@@ -224,53 +257,29 @@ void add_sub_zero(Object& object) {
     });
 }
 
-Object read_one(TomlItem& item, const std::string& prefix, std::int64_t base, std::int64_t n, std::int64_t offset) {
+Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, const Member& member) {
     Object object;
     read_common(item, object, false);
     object.id_place = item.place("index");
-    object.index = static_cast<std::uint16_t>(base + offset);
+    object.index = static_cast<std::uint16_t>(index);
     object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
-    object.name = numbered(item.text("name"), n);
+    object.name = numbered(item.text("name"), member.n);
     object.unit = item.text_or("unit", "");
     const auto count = static_cast<std::size_t>(item.integer_or("array", 0, 1, 254));
     if (count > 0) {
         object.kind = Object::Kind::array;
-        read_elements(item, object, n, count);
-        read_listed_entries(item, object);
+        read_elements(item, object, member.n, count);
+        read_listed_entries(item, object, member);
         add_sub_zero(object);
     } else if (item.has("entry")) {
         object.kind = Object::Kind::record;
-        read_listed_entries(item, object);
+        read_listed_entries(item, object, member);
         add_sub_zero(object);
     } else {
         object.kind = Object::Kind::var;
-        read_var(item, object, n);
+        read_var(item, object, member.n);
     }
     return object;
-}
-
-/// `default = { 1 = 0, 2 = 5 }` must name each member of the family, and no other.
-void check_family_default(TomlItem& item, std::int64_t first, std::int64_t last) {
-    const toml::node* node = item.node("default");
-    const auto table = node == nullptr ? nullptr : node->as_table();
-    if (table == nullptr) {
-        return;
-    }
-    for (std::int64_t n = first; n <= last; ++n) {
-        if (!table->contains(std::to_string(n))) {
-            item.fault(item.place("default"), fmt::format("default gives no value for member {}", n),
-                       fmt::format("add `{} = …`", n));
-        }
-    }
-    for (const auto& [key, value] : *table) {
-        const std::string word{key.str()};
-        const bool number =
-            !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == std::string::npos;
-        if (!number || std::stoll(word) < first || std::stoll(word) > last) {
-            item.fault(place_of(item, value), fmt::format("default names member {}, which the family lacks", word),
-                       fmt::format("use members {} to {}", first, last));
-        }
-    }
 }
 
 }  // namespace
@@ -293,13 +302,13 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
                    "lower last or step: an index ends at FFFFh");
         last = first;
     }
-    check_family_default(item, first, last);
+    check_family_default(item, Member{first, first, last});
     std::vector<Object> all;
     // Each member of a family would tell the same faults again: only the first one's are kept.
     const std::size_t faults_before = item.faults().size();
     std::size_t faults_after = faults_before;
     for (std::int64_t n = first; n <= last; ++n) {
-        all.push_back(read_one(item, prefix, base, n, (n - first) * step));
+        all.push_back(read_one(item, prefix, base + (n - first) * step, Member{n, first, last}));
         if (n == first) {
             faults_after = item.faults().size();
         }

@@ -143,6 +143,10 @@ const std::vector<Broken> cases{
     {"FamilyDefaultForStranger", items_file,
      rw16 + "repeat = { first = 1, last = 2, step = 1 }\ndefault = { 1 = 5, 2 = 6, 3 = 7 }\n", 8,
      "default names member 3, which the family lacks", "use members 1 to 2"},
+    {"FamilyEntryDefaultMissing", items_file,
+     var + "repeat = { first = 1, last = 2, step = 1 }\n[[object.entry]]\nsub = 1\nname = \"a\"\ntype = "
+           "\"UNSIGNED8\"\naccess = \"ro\"\ndefault = { 1 = 5 }\n",
+     11, "default gives no value for member 2", "add `2 = …`"},
 };
 
 }  // namespace
