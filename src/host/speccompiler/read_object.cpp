@@ -67,13 +67,11 @@ Limit read_limit(TomlItem& range, const std::string& key) {
     return limit;
 }
 
-Range read_range(TomlItem& item) {
+/// What the table `range = { … }` of an item says.
+Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
     Range range;
-    auto table = item.item("range");
-    range.place = item.place("range");
-    if (!table) {
-        return range;
-    }
+    TomlItem* const table = &table_item;
+    range.place = place;
     range.minimum = read_limit(*table, "min");
     range.maximum = read_limit(*table, "max");
     range.table = table->text_or("table", "");
@@ -92,6 +90,15 @@ Range read_range(TomlItem& item) {
     }
     table->finish();
     return range;
+}
+
+Range read_range(TomlItem& item) {
+    const toml::node* node = item.node("range");
+    if (node != nullptr && node->is_array() && item.has("array")) {
+        return Range{};  // one an element: read_elements()
+    }
+    auto table = item.item("range");
+    return table ? read_range(item, *table, item.place("range")) : Range{};
 }
 
 void set_default(Entry& entry, const toml::node& node) {
@@ -157,9 +164,50 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
 
+/// `element`: one name for all, {n} its number, or a list with one an element.
+std::vector<std::string> read_element_names(TomlItem& item, const std::string& object, std::size_t count) {
+    const toml::node* node = item.node("element");
+    if (node == nullptr || !node->is_array()) {
+        return std::vector<std::string>(count, item.text_or("element", object + " {n}"));
+    }
+    std::vector<std::string> names = item.texts("element", true);
+    if (names.size() != count) {
+        item.fault(item.place("element"), fmt::format("element lists {} names for {} elements", names.size(), count),
+                   "give one name for all or one an element");
+        names.resize(count, object);
+    }
+    return names;
+}
+
+/// `range`: one for all elements, or a list with one an element.
+std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std::size_t count) {
+    std::vector<Range> ranges(count, pattern.range);
+    const toml::node* node = item.node("range");
+    const auto list = node == nullptr ? nullptr : node->as_array();
+    if (list == nullptr) {
+        return ranges;
+    }
+    if (list->size() != count) {
+        item.fault(item.place("range"), fmt::format("range lists {} ranges for {} elements", list->size(), count),
+                   "give one range for all or one an element");
+    }
+    for (std::size_t i = 0; i < std::min(count, list->size()); ++i) {
+        const toml::node& one = *list->get(i);
+        if (const auto table = one.as_table()) {
+            TomlItem range{*table, item.file(), item.faults()};
+            ranges[i] = read_range(item, range, place_of(item, one));
+        } else {
+            item.fault(place_of(item, one), fmt::format("range of element {} is no table", i + 1),
+                       "write { min = …, max = … }");
+        }
+    }
+    return ranges;
+}
+
 void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t count) {
     const Entry pattern = read_entry_fields(item);
-    const std::string element = item.text_or("element", object.name + " {n}");
+    const std::vector<std::string> elements = read_element_names(item, object.name, count);
+    const std::vector<Range> ranges = read_element_ranges(item, pattern, count);
     const toml::node* defaults = default_for(item.node("default"), n);
     const auto list = defaults == nullptr ? nullptr : defaults->as_array();
     if (list != nullptr && list->size() != count) {
@@ -169,7 +217,8 @@ void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t c
     for (std::size_t sub = 1; sub <= count; ++sub) {
         Entry entry = pattern;
         entry.subindex = static_cast<std::uint8_t>(sub);
-        entry.name = numbered(element, static_cast<std::int64_t>(sub));
+        entry.name = numbered(elements[sub - 1], static_cast<std::int64_t>(sub));
+        entry.range = ranges[sub - 1];
         if (list != nullptr) {
             const toml::node* one = list->get(std::min(sub, list->size()) - 1);
             if (one != nullptr) {
