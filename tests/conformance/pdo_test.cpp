@@ -106,8 +106,8 @@ TEST_F(Pdo, AValueOutsideItsLimitsSpoilsTheWholePdo) {
             od.put(od.find(index, sub).value(), value);
             return AbortCode::none;
         }
-        Result<std::uint16_t, AbortCode> writable_size(std::uint16_t, std::uint8_t) override {
-            return Result<std::uint16_t, AbortCode>::failure(AbortCode::general);
+        Result<WritePlace, AbortCode> writable(std::uint16_t, std::uint8_t) override {
+            return Result<WritePlace, AbortCode>::failure(AbortCode::general);
         }
         ObjectDictionary& od;
     } access{dictionary};

@@ -13,6 +13,19 @@ constexpr std::uint16_t store_index = 0x1010U;
 
 }  // namespace
 
+static_assert(implements<req::CO_SDO_032>);
+Result<ByteView, AbortCode> Application::domain_value(const EntryRef&) {
+    return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
+}
+
+MutableBytes Application::staging(const EntryRef&) {
+    return MutableBytes{};
+}
+
+AbortCode Application::commit(const EntryRef&, std::size_t, Instant) {
+    return AbortCode::unsupported_access;
+}
+
 Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
            const ErrorTable& errors, const NodeProfile& profile) noexcept
     : objects_{objects},
@@ -20,7 +33,7 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       application_{application},
       profile_{profile},
       store_{objects, memory},
-      sdo_{*this, queue},
+      sdo_{*this, queue, profile.block_sdo},
       emcy_{objects, queue, errors, profile.error_list},
       sync_{objects, queue},
       error_control_{objects, queue},
@@ -239,19 +252,42 @@ Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uin
     if (!found.value().may(rights::read)) {
         return Read::failure(AbortCode::write_only);
     }
-    return Read::success(objects_.value(found.value()));
+    const bool is_domain = found.value().row->type == DataType::domain;
+    return is_domain ? application_.domain_value(found.value()) : Read::success(objects_.value(found.value()));
 }
 
-Result<std::uint16_t, AbortCode> Node::writable_size(const std::uint16_t index, const std::uint8_t subindex) {
-    using Size = Result<std::uint16_t, AbortCode>;
+Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const std::uint8_t subindex) {
+    using Place = Result<WritePlace, AbortCode>;
     const auto found = find(index, subindex);
     if (!found.ok()) {
-        return Size::failure(found.error());
+        return Place::failure(found.error());
     }
-    if (!found.value().may(rights::write)) {
-        return Size::failure(AbortCode::read_only);
+    const EntryRef& entry = found.value();
+    if (!entry.may(rights::write)) {
+        return Place::failure(AbortCode::read_only);
     }
-    return Size::success(found.value().row->size);
+    if (entry.row->type == DataType::domain) {
+        const MutableBytes staging = application_.staging(entry);
+        return (staging.size() > 0U) ? Place::success(WritePlace{staging.size(), staging})
+                                     : Place::failure(AbortCode::out_of_memory);
+    }
+    const bool is_long = entry.row->size > SdoServer::buffer_size;
+    return Place::success(WritePlace{entry.row->size, is_long ? application_.staging(entry) : MutableBytes{}});
+}
+
+static_assert(implements<req::CO_SDO_033>);
+AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
+    MutableBytes staging = application_.staging(entry);
+    if (staging.size() == 0U) {
+        return AbortCode::out_of_memory;
+    }
+    if (value.size() > staging.size()) {
+        return AbortCode::too_long;
+    }
+    if (value.data() != staging.view().data()) {
+        staging.copy(0U, value);  // an expedited download: its bytes are still in the frame
+    }
+    return application_.commit(entry, value.size(), now);
 }
 
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
@@ -260,6 +296,9 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         return found.error();
     }
     const EntryRef& entry = found.value();
+    if ((entry.row->type == DataType::domain) && entry.may(rights::write)) {
+        return write_domain(entry, value, now);
+    }
     AbortCode code = objects_.check_write(entry, value);
     if ((code == AbortCode::none) && (entry.row->service == Service::store)) {
         return store(entry, value);  // a signature is obeyed, not kept

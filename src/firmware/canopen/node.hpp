@@ -20,6 +20,7 @@ struct NodeProfile {
     ErrorList error_list{ErrorList::history};
     bool rpdo_answers_remote{false};            ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
+    bool block_sdo{false};                      ///< SDO block transfer is offered
 };
 
 /// State of the CAN controller (ISO 11898-1 fault confinement; warning: an error counter reached 96).
@@ -46,6 +47,15 @@ class Application {
     virtual void restart(Instant now) = 0;
     /// The boot-up message is sent, the node is pre-operational.
     virtual void booted(Instant now) = 0;
+    /// The value of a DOMAIN entry, where it lies: it stays as it is until commit() or a reset. 06010000h when there is
+    /// no such memory, 08000024h when it holds nothing.
+    virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry);
+    /// Memory in which the new value of a DOMAIN, or of an entry longer than the SDO server's own buffer, gathers.
+    /// Empty: none. What is written there is not yet a value.
+    virtual MutableBytes staging(const EntryRef& entry);
+    /// The first `length` bytes of the staging of a DOMAIN are its new value: taken as a whole, or refused and the old
+    /// one stays.
+    virtual AbortCode commit(const EntryRef& entry, std::size_t length, Instant now);
     /// A communication error of 1029h:1 (heartbeat, guarding, bus-off) began or ended.
     virtual void communication_failed(bool failed, Instant now) = 0;
 
@@ -84,7 +94,7 @@ class Node final : private ObjectAccess {
   private:
     Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;
     AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) override;
-    Result<std::uint16_t, AbortCode> writable_size(std::uint16_t index, std::uint8_t subindex) override;
+    Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
     void dispatch(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
@@ -99,6 +109,7 @@ class Node final : private ObjectAccess {
     AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode store(const EntryRef& entry, ByteView value) noexcept;
+    AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
     void watch_communication(Instant now) noexcept;
     void consume_sync(Instant now) noexcept;

@@ -1,8 +1,6 @@
 #include "firmware/canopen/sdo_server.hpp"
 
-#include "firmware/base/requirement.hpp"
-#include "generated/canopen/constants.hpp"
-#include "generated/requirements.hpp"
+#include "firmware/canopen/sdo_protocol.hpp"
 
 namespace canproof {
 
@@ -11,27 +9,7 @@ namespace {
 using generated::canopen::sdo_request_cob_id_base;
 using generated::canopen::sdo_response_cob_id_base;
 using generated::canopen::sdo_timeout_ms;
-
-constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame
-constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
-constexpr std::size_t expedited_capacity = 4U;
-constexpr std::uint8_t toggle_bit = 0x10U;
-
-// Client command specifiers: the upper three bits of byte 0.
-constexpr std::uint8_t ccs_download_segment = 0U;
-constexpr std::uint8_t ccs_initiate_download = 1U;
-constexpr std::uint8_t ccs_initiate_upload = 2U;
-constexpr std::uint8_t ccs_upload_segment = 3U;
-constexpr std::uint8_t ccs_abort = 4U;
-
-constexpr std::uint8_t scs_download_segment = 0x20U;
-constexpr std::uint8_t scs_initiate_upload = 0x40U;
-constexpr std::uint8_t scs_initiate_download = 0x60U;
-constexpr std::uint8_t cs_abort = 0x80U;
-
-constexpr std::uint8_t expedited_flag = 0x02U;
-constexpr std::uint8_t size_flag = 0x01U;
-constexpr std::uint8_t last_segment_flag = 0x01U;
+using sdo::ClientCommand;
 
 }  // namespace
 
@@ -41,180 +19,209 @@ void SdoServer::reset(const std::uint8_t node_id) noexcept {
     abandon();
 }
 
-bool SdoServer::is_request(const Frame& frame) const noexcept {
-    return !frame.extended && !frame.remote && (frame.id == request_id_);
-}
-
+static_assert(implements<req::CO_SDO_007>);
 void SdoServer::receive(const Frame& frame, const Instant now) noexcept {
     if (frame.length == max_frame_length) {
         dispatch(frame.payload(), now);
     }
 }
 
+static_assert(implements<req::CO_SDO_006>);
+static_assert(implements<req::CO_SDO_013>);
 void SdoServer::dispatch(const ByteView request, const Instant now) noexcept {
-    switch (request[0] >> 5U) {
-        case ccs_download_segment:
+    if (state_ == State::block_downloading) {
+        block_download_segment(request, now);
+        return;
+    }
+    switch (static_cast<ClientCommand>(request[0] >> 5U)) {
+        case ClientCommand::download_segment:
             download_segment(request, now);
             break;
-        case ccs_initiate_download:
+        case ClientCommand::initiate_download:
             initiate_download(request, now);
             break;
-        case ccs_initiate_upload:
+        case ClientCommand::initiate_upload:
             initiate_upload(request, now);
             break;
-        case ccs_upload_segment:
+        case ClientCommand::upload_segment:
             upload_segment(request, now);
             break;
-        case ccs_abort:
+        case ClientCommand::abort:
             abandon();
             break;
-        default:  // block transfer, which this server does not offer, and the unassigned specifier 7
+        case ClientCommand::block_upload:
+            block_upload(request, now);
+            break;
+        case ClientCommand::block_download:
+            block_download(request, now);
+            break;
+        case ClientCommand::unassigned:
+        default:
             select(request);
             abort(AbortCode::command_specifier);
             break;
     }
 }
 
+static_assert(implements<req::CO_SDO_012>);
 void SdoServer::select(const ByteView request) noexcept {
     abandon();  // a new initiate ends the transfer before it
-    index_ = read_u16(request, 1U);
-    subindex_ = request[3];
+    index_ = read_u16(request, sdo::index_position);
+    subindex_ = request[sdo::subindex_position];
 }
 
 void SdoServer::begin(const State state, const Instant now) noexcept {
     state_ = state;
     toggle_ = 0U;
     done_ = 0U;
-    deadline_ = now + milliseconds(sdo_timeout_ms);
+    last_progress_ = now;
+}
+
+static_assert(implements<req::CO_SDO_034>);
+AbortCode SdoServer::open_download(const bool has_size, const std::uint32_t announced) noexcept {
+    const auto place = objects_.writable(index_, subindex_);
+    if (!place.ok()) {
+        return place.error();
+    }
+    const std::size_t capacity = place.value().capacity;
+    if (has_size && (announced > capacity)) {
+        return AbortCode::too_long;
+    }
+    const MutableBytes lent = place.value().staging;
+    const MutableBytes memory = (lent.size() > 0U) ? lent : MutableBytes{buffer_};
+    if (capacity > memory.size()) {
+        return AbortCode::out_of_memory;
+    }
+    place_ = memory.part(0U, capacity);
+    has_size_ = has_size;
+    announced_ = announced;
+    return AbortCode::none;
+}
+
+static_assert(implements<req::CO_SDO_010>);
+static_assert(implements<req::CO_SDO_011>);
+AbortCode SdoServer::commit(const std::size_t size, const Instant now) noexcept {
+    if (has_size_ && (announced_ != size)) {
+        return AbortCode::length_mismatch;
+    }
+    return objects_.write(index_, subindex_, place_.view().part(0U, size), now);
 }
 
 void SdoServer::initiate_download(const ByteView request, const Instant now) noexcept {
     select(request);
     const std::uint8_t command = request[0];
-    if ((command & expedited_flag) != 0U) {
+    if ((command & sdo::expedited_flag) != 0U) {
         download_expedited(request, command, now);
         return;
     }
-    const auto capacity = objects_.writable_size(index_, subindex_);
-    if (!capacity.ok()) {
-        abort(capacity.error());
-        return;
-    }
-    size_ = capacity.value();
-    announced_ = ((command & size_flag) != 0U) ? read_u32(request, data_position) : 0U;
-    if (announced_ > size_) {
-        abort(AbortCode::too_long);
-        return;
-    }
-    if (size_ > buffer_size) {
-        abort(AbortCode::out_of_memory);
+    const AbortCode code = open_download((command & sdo::size_flag) != 0U, read_u32(request, sdo::data_position));
+    if (code != AbortCode::none) {
+        abort(code);
         return;
     }
     begin(State::downloading, now);
-    confirm_download();
+    send(answer_object(sdo::download_done));
 }
 
+static_assert(implements<req::CO_SDO_003>);
 void SdoServer::download_expedited(const ByteView request, const std::uint8_t command, const Instant now) noexcept {
-    std::size_t length = expedited_capacity - ((command >> 2U) & 0x03U);
-    if ((command & size_flag) == 0U) {
+    std::size_t length = sdo::expedited_capacity - ((command >> 2U) & 0x03U);
+    if ((command & sdo::size_flag) == 0U) {
         // Size not shown: the entry's own length is meant.
-        const auto capacity = objects_.writable_size(index_, subindex_);
-        const bool shorter = capacity.ok() && (capacity.value() < expedited_capacity);
-        length = shorter ? std::size_t{capacity.value()} : expedited_capacity;
+        const auto place = objects_.writable(index_, subindex_);
+        const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
+        length = shorter ? place.value().capacity : sdo::expedited_capacity;
     }
-    const AbortCode code = objects_.write(index_, subindex_, request.part(data_position, length), now);
+    const AbortCode code = objects_.write(index_, subindex_, request.part(sdo::data_position, length), now);
     if (code == AbortCode::none) {
-        confirm_download();
+        send(answer_object(sdo::download_done));
     } else {
         abort(code);
     }
 }
 
+static_assert(implements<req::CO_SDO_004>);
 void SdoServer::download_segment(const ByteView request, const Instant now) noexcept {
     if (state_ != State::downloading) {
-        refuse_segment();
+        refuse_command();
         return;
     }
     const std::uint8_t command = request[0];
     if (!toggle_fits(command)) {
         return;
     }
-    const ByteView data = request.part(1U, segment_capacity - ((command >> 1U) & 0x07U));
-    if ((done_ + data.size()) > size_) {
+    const ByteView data = request.part(1U, sdo::segment_capacity - ((command >> 1U) & 0x07U));
+    if ((done_ + data.size()) > place_.size()) {
         abort(AbortCode::too_long);
         return;
     }
-    MutableBytes{buffer_}.copy(done_, data);
+    place_.copy(done_, data);
     done_ += data.size();
-    deadline_ = now + milliseconds(sdo_timeout_ms);
-    if ((command & last_segment_flag) != 0U) {
-        finish_download(now);
-    } else {
-        send(answer(static_cast<std::uint8_t>(scs_download_segment | (command & toggle_bit))));
+    last_progress_ = now;
+    if ((command & sdo::last_segment_flag) != 0U) {
+        const AbortCode code = commit(done_, now);
+        if (code != AbortCode::none) {
+            abort(code);
+            return;
+        }
+        abandon();
     }
+    send(answer(static_cast<std::uint8_t>(sdo::download_segment_done | (command & sdo::toggle_bit))));
 }
 
-void SdoServer::finish_download(const Instant now) noexcept {
-    if ((announced_ != 0U) && (announced_ != done_)) {
-        abort(AbortCode::length_mismatch);
-        return;
+ByteView SdoServer::keep(const ByteView value) noexcept {
+    if (value.size() > buffer_size) {
+        return value;
     }
-    const std::uint8_t toggled = static_cast<std::uint8_t>(toggle_ ^ toggle_bit);  // of the segment just taken
-    const AbortCode code = objects_.write(index_, subindex_, ByteView{buffer_.data(), done_}, now);
-    if (code == AbortCode::none) {
-        abandon();
-        send(answer(static_cast<std::uint8_t>(scs_download_segment | toggled)));
-    } else {
-        abort(code);
-    }
+    MutableBytes{buffer_}.copy(0U, value);
+    return ByteView{buffer_.data(), value.size()};
 }
 
 void SdoServer::initiate_upload(const ByteView request, const Instant now) noexcept {
     select(request);
     const auto read = objects_.read(index_, subindex_);
-    if (!read.ok()) {
+    if (read.ok()) {
+        answer_upload(read.value(), now);
+    } else {
         abort(read.error());
-        return;
     }
-    const ByteView value = read.value();
-    if ((value.size() > 0U) && (value.size() <= expedited_capacity)) {
-        const std::size_t unused = expedited_capacity - value.size();
-        const std::size_t command = scs_initiate_upload | (unused << 2U) | expedited_flag | size_flag;
-        Frame frame = answer(static_cast<std::uint8_t>(command));
-        MutableBytes{frame.data}.copy(data_position, value);
+}
+
+static_assert(implements<req::CO_SDO_001>);
+void SdoServer::answer_upload(const ByteView value, const Instant now) noexcept {
+    if ((value.size() > 0U) && (value.size() <= sdo::expedited_capacity)) {
+        const std::size_t unused = sdo::expedited_capacity - value.size();
+        const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
+        Frame frame = answer_object(static_cast<std::uint8_t>(command));
+        MutableBytes{frame.data}.copy(sdo::data_position, value);
         send(frame);
         return;
     }
-    if (value.size() > buffer_size) {
-        abort(AbortCode::out_of_memory);
-        return;
-    }
-    // The value is taken as it stands now: a change during the transfer must not mix old and new bytes.
-    MutableBytes{buffer_}.copy(0U, value);
-    size_ = value.size();
+    value_ = keep(value);
     begin(State::uploading, now);
-    Frame frame = answer(scs_initiate_upload | size_flag);
-    write_le(MutableBytes{frame.data}, data_position, 4U, size_);
+    Frame frame = answer_object(sdo::upload_initiated | sdo::size_flag);
+    write_le(MutableBytes{frame.data}, sdo::data_position, 4U, value_.size());
     send(frame);
 }
 
+static_assert(implements<req::CO_SDO_002>);
+static_assert(implements<req::CO_SDO_019>);
 void SdoServer::upload_segment(const ByteView request, const Instant now) noexcept {
     if (state_ != State::uploading) {
-        refuse_segment();
+        refuse_command();
         return;
     }
     const std::uint8_t command = request[0];
     if (!toggle_fits(command)) {
         return;
     }
-    const ByteView segment = ByteView{buffer_.data(), size_}.part(done_, segment_capacity);
+    const ByteView segment = value_.part(done_, sdo::segment_capacity);
     done_ += segment.size();
-    deadline_ = now + milliseconds(sdo_timeout_ms);
-    const bool last = done_ == size_;
-    const std::size_t unused = segment_capacity - segment.size();
-    const std::size_t specifier = (command & toggle_bit) | (unused << 1U) | (last ? last_segment_flag : 0U);
-    Frame frame = data_frame(response_id_, max_frame_length);
-    frame.data[0] = static_cast<std::uint8_t>(specifier);
+    last_progress_ = now;
+    const bool last = done_ == value_.size();
+    const std::size_t unused = sdo::segment_capacity - segment.size();
+    const std::size_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
+    Frame frame = answer(static_cast<std::uint8_t>(specifier));
     MutableBytes{frame.data}.copy(1U, segment);
     send(frame);
     if (last) {
@@ -222,49 +229,65 @@ void SdoServer::upload_segment(const ByteView request, const Instant now) noexce
     }
 }
 
-void SdoServer::refuse_segment() noexcept {
+static_assert(implements<req::CO_SDO_018>);
+void SdoServer::refuse_command() noexcept {
     if (state_ == State::idle) {
-        // No transfer is open, and a segment names no object: the abort must not name that of an earlier transfer.
+        // No transfer is open, and the request names no object: the abort must not name that of an earlier transfer.
         index_ = 0U;
         subindex_ = 0U;
     }
     abort(AbortCode::command_specifier);
 }
 
+static_assert(implements<req::CO_SDO_005>);
 bool SdoServer::toggle_fits(const std::uint8_t command) noexcept {
-    if ((command & toggle_bit) != toggle_) {
+    if ((command & sdo::toggle_bit) != toggle_) {
         abort(AbortCode::toggle_not_alternated);
         return false;
     }
-    toggle_ = static_cast<std::uint8_t>(toggle_ ^ toggle_bit);
+    toggle_ = static_cast<std::uint8_t>(toggle_ ^ sdo::toggle_bit);
     return true;
 }
 
+static_assert(implements<req::CO_SDO_014>);
 void SdoServer::advance(const Instant now) noexcept {
-    if ((state_ != State::idle) && (deadline_ <= now)) {
+    if (state_ == State::idle) {
+        return;
+    }
+    send_segments(now);
+    if (deadline() <= now) {
         abort(AbortCode::time_out);
     }
+}
+
+Instant SdoServer::deadline() const noexcept {
+    return last_progress_ + milliseconds(sdo_timeout_ms);
+}
+
+Instant SdoServer::next_deadline() const noexcept {
+    if (state_ == State::idle) {
+        return never;
+    }
+    return can_send_segment() ? last_progress_ : deadline();
 }
 
 Frame SdoServer::answer(const std::uint8_t command) const noexcept {
     Frame frame = data_frame(response_id_, max_frame_length);
     frame.data[0] = command;
-    const bool names_object = (command & 0xE0U) != scs_download_segment;
-    if (names_object) {
-        write_le(MutableBytes{frame.data}, 1U, 2U, index_);
-        frame.data[3] = subindex_;
-    }
     return frame;
 }
 
-void SdoServer::confirm_download() noexcept {
-    send(answer(scs_initiate_download));
+Frame SdoServer::answer_object(const std::uint8_t command) const noexcept {
+    Frame frame = answer(command);
+    write_le(MutableBytes{frame.data}, sdo::index_position, 2U, index_);
+    frame.data[sdo::subindex_position] = subindex_;
+    return frame;
 }
 
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
-    Frame frame = answer(cs_abort);
-    write_le(MutableBytes{frame.data}, data_position, 4U, static_cast<std::uint32_t>(code));
+    Frame frame = answer_object(sdo::aborted);
+    write_le(MutableBytes{frame.data}, sdo::data_position, 4U, static_cast<std::uint32_t>(code));
     send(frame);
 }
 

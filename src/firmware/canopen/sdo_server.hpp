@@ -1,4 +1,5 @@
-// SDO server: expedited and segmented transfer, both ways (CiA 301, 7.2.4.3). Every request gets at most one answer.
+// SDO server: expedited, segmented and block transfer, both ways (CiA 301, 7.2.4). Every request gets at most one
+// answer; only a block upload sends segments by itself.
 #pragma once
 
 #include <array>
@@ -6,46 +7,84 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_access.hpp"
+#include "firmware/canopen/sdo_block.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 
 namespace canproof {
 
 class SdoServer {
   public:
-    /// Longest value that is transferred in segments; the longest string of the four dictionaries is shorter.
-    static constexpr std::size_t buffer_size = 64U;
+    /// Longest value of which the server keeps its own copy during a transfer.
+    static constexpr std::size_t buffer_size = generated::canopen::sdo_buffer_size;
 
-    SdoServer(ObjectAccess& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
+    /// Without `offers_block` block requests are unknown commands.
+    SdoServer(ObjectAccess& objects, TransmitQueue& queue, const bool offers_block) noexcept
+        : objects_{objects}, queue_{queue}, offers_block_{offers_block} {}
 
     /// Takes the identifiers of 600h + node-ID and 580h + node-ID and forgets any transfer.
     void reset(std::uint8_t node_id) noexcept;
     /// Forgets a running transfer without a word: the node left the states in which SDO works.
     void abandon() noexcept { state_ = State::idle; }
 
-    bool is_request(const Frame& frame) const noexcept;
+    bool is_request(const Frame& frame) const noexcept {
+        return (frame.id == request_id_) && !frame.extended && !frame.remote;
+    }
     /// Answers one request. Frames of other than eight bytes are ignored.
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Aborts a transfer that stalled for longer than the time-out.
+    /// Queues the next segments of a block upload; aborts a transfer that stalled for longer than the time-out.
     void advance(Instant now) noexcept;
-    Instant next_deadline() const noexcept { return (state_ == State::idle) ? never : deadline_; }
+    /// A block upload with segments to send is due as soon as the queue has room; the driver calls advance() when a
+    /// frame has left.
+    Instant next_deadline() const noexcept;
 
   private:
-    enum class State : std::uint8_t { idle, downloading, uploading };
+    enum class State : std::uint8_t {
+        idle,
+        downloading,
+        uploading,
+        block_downloading,      ///< segments arrive
+        block_download_ending,  ///< all are acknowledged; the end with the CRC is to come
+        block_upload_starting,  ///< the client is to say "start"
+        block_uploading,        ///< segments leave, an acknowledgement is to come
+        block_upload_ending     ///< the CRC is sent; the client is to confirm
+    };
 
     void dispatch(ByteView request, Instant now) noexcept;
     void initiate_download(ByteView request, Instant now) noexcept;
     void download_expedited(ByteView request, std::uint8_t command, Instant now) noexcept;
     void download_segment(ByteView request, Instant now) noexcept;
-    void finish_download(Instant now) noexcept;
     void initiate_upload(ByteView request, Instant now) noexcept;
+    void answer_upload(ByteView value, Instant now) noexcept;
     void upload_segment(ByteView request, Instant now) noexcept;
+
+    // Block transfer: sdo_server_block.cpp
+    void block_download(ByteView request, Instant now) noexcept;
+    void initiate_block_download(ByteView request, Instant now) noexcept;
+    void block_download_segment(ByteView request, Instant now) noexcept;
+    void end_block_download(ByteView request, Instant now) noexcept;
+    void block_upload(ByteView request, Instant now) noexcept;
+    void initiate_block_upload(ByteView request, Instant now) noexcept;
+    void acknowledge_block_upload(ByteView request, Instant now) noexcept;
+    void send_segments(Instant now) noexcept;
+    bool can_send_segment() const noexcept;
 
     void select(ByteView request) noexcept;
     void begin(State state, Instant now) noexcept;
-    void refuse_segment() noexcept;
+    /// Finds the place for a download of the selected entry. `announced`: size that the client gave, if it gave one.
+    AbortCode open_download(bool has_size, std::uint32_t announced) noexcept;
+    /// Writes the first `size` bytes of the place.
+    AbortCode commit(std::size_t size, Instant now) noexcept;
+    /// The value as this transfer sends it: the server's copy of a short one, so that a change during the transfer
+    /// cannot mix old and new bytes, or where a long one lies.
+    ByteView keep(ByteView value) noexcept;
+
+    void refuse_command() noexcept;
     bool toggle_fits(std::uint8_t command) noexcept;
+    Instant deadline() const noexcept;
+    /// A frame with `command` and no more.
     Frame answer(std::uint8_t command) const noexcept;
-    void confirm_download() noexcept;
+    /// A frame with `command`, index and sub-index.
+    Frame answer_object(std::uint8_t command) const noexcept;
     void abort(AbortCode code) noexcept;
     void send(const Frame& frame) noexcept { static_cast<void>(queue_.push(frame)); }
 
@@ -53,14 +92,19 @@ class SdoServer {
     TransmitQueue& queue_;
     std::uint32_t request_id_{0U};
     std::uint32_t response_id_{0U};
+    bool offers_block_;
     State state_{State::idle};
-    Instant deadline_{};
+    Instant last_progress_{};
     std::uint16_t index_{0U};
     std::uint8_t subindex_{0U};
     std::uint8_t toggle_{0U};
-    std::size_t size_{0U};       ///< bytes of an upload, or capacity of the entry in a download
-    std::size_t announced_{0U};  ///< size that the client announced; 0 when it did not
-    std::size_t done_{0U};
+    bool has_size_{false};       ///< the client announced the size of its download
+    std::size_t announced_{0U};  ///< that size
+    std::size_t done_{0U};       ///< bytes transferred in segments
+    MutableBytes place_{};       ///< where a download gathers
+    ByteView value_{};           ///< what an upload sends
+    SdoBlockDownload received_{};
+    SdoBlockUpload sent_{};
     std::array<std::uint8_t, buffer_size> buffer_{};
 };
 

@@ -1,0 +1,104 @@
+#include "firmware/canopen/sdo_block.hpp"
+
+#include "firmware/canopen/sdo_protocol.hpp"
+
+namespace canproof {
+
+using generated::canopen::sdo_block_size;
+
+void SdoBlockDownload::start(const MutableBytes place, const bool checks_crc) noexcept {
+    *this = SdoBlockDownload{};
+    place_ = place;
+    checks_crc_ = checks_crc;
+}
+
+static_assert(implements<req::CO_SDO_026>);
+static_assert(implements<req::CO_SDO_027>);
+SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
+    const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
+    const std::uint8_t sequence = segment[0] & static_cast<std::uint8_t>(~sdo::block_last_segment_flag);
+    if (sequence == 0U) {
+        return Step::invalid_sequence;
+    }
+    if (sequence == (in_order_ + 1U)) {
+        if (size_ > place_.size()) {
+            return Step::too_long;  // the segment before this one was full, for it was not the last
+        }
+        add_to_crc();
+        // Bytes beyond the place may be unused ones of the last segment; finish() knows.
+        place_.copy(size_, segment.part(1U, sdo::segment_capacity));
+        size_ += sdo::segment_capacity;
+        in_order_ = sequence;
+        complete_ = last;
+    }
+    return (last || (sequence == sdo_block_size)) ? Step::acknowledge : Step::none;
+}
+
+std::uint8_t SdoBlockDownload::acknowledge() noexcept {
+    const std::uint8_t sequence = in_order_;
+    in_order_ = 0U;
+    return sequence;
+}
+
+static_assert(implements<req::CO_SDO_028>);
+AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_t crc) noexcept {
+    size_ -= (unused < size_) ? unused : size_;
+    if (size_ > place_.size()) {
+        return AbortCode::too_long;
+    }
+    add_to_crc();
+    return (checks_crc_ && (crc != crc_.value())) ? AbortCode::crc_error : AbortCode::none;
+}
+
+void SdoBlockDownload::add_to_crc() noexcept {
+    if (checks_crc_) {
+        crc_.add(place_.view().part(checked_, size_ - checked_));
+        checked_ = size_;
+    }
+}
+
+void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) noexcept {
+    *this = SdoBlockUpload{};
+    value_ = value;
+    block_size_ = block_size;
+}
+
+void SdoBlockUpload::put_segment(MutableBytes frame) noexcept {
+    const std::size_t from = base_ + (sent_ * sdo::segment_capacity);
+    const ByteView data = value_.part(from, sdo::segment_capacity);
+    const std::size_t end = from + data.size();
+    ++sent_;
+    last_sent_ = end == value_.size();
+    frame.set(0U, static_cast<std::uint8_t>(sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U)));
+    frame.copy(1U, data);
+    if (end > checked_) {
+        crc_.add(data);
+        checked_ = end;
+    }
+}
+
+static_assert(implements<req::CO_SDO_022>);
+static_assert(implements<req::CO_SDO_023>);
+AbortCode SdoBlockUpload::acknowledge(const std::uint8_t sequence, const std::uint8_t block_size) noexcept {
+    if (sequence > sent_) {
+        return AbortCode::invalid_sequence_number;
+    }
+    if (!is_block_size(block_size)) {
+        return AbortCode::invalid_block_size;
+    }
+    const bool all = sequence == sent_;
+    complete_ = last_sent_ && all;
+    last_sent_ = complete_;
+    base_ += sequence * sdo::segment_capacity;
+    sent_ = 0U;
+    block_size_ = block_size;
+    return AbortCode::none;
+}
+
+std::uint8_t SdoBlockUpload::unused() const noexcept {
+    const std::size_t in_last = value_.size() % sdo::segment_capacity;
+    const bool full = (in_last == 0U) && !value_.empty();
+    return static_cast<std::uint8_t>(full ? 0U : (sdo::segment_capacity - in_last));
+}
+
+}  // namespace canproof

@@ -1,0 +1,86 @@
+// What the two directions of SDO block transfer keep between frames (CiA 301, 7.2.4.3.9 to 7.2.4.3.15). Segments go in
+// and out here; which object they belong to, the frames around them and time are SdoServer's.
+#pragma once
+
+#include "firmware/base/bytes.hpp"
+#include "firmware/base/crc16.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/canopen/vocabulary.hpp"
+#include "generated/canopen/constants.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof {
+
+/// Segments of a block download, put together in order. What arrives out of order is passed over and asked for again.
+class SdoBlockDownload {
+  public:
+    enum class Step : std::uint8_t {
+        none,              ///< the sub-block goes on
+        acknowledge,       ///< the sub-block is over
+        invalid_sequence,  ///< a sequence number that no segment can have
+        too_long           ///< more data than the place holds
+    };
+
+    /// Begins a transfer into `place`.
+    void start(MutableBytes place, bool checks_crc) noexcept;
+    /// One segment frame of eight bytes.
+    Step take(ByteView segment) noexcept;
+    /// Ends the sub-block: sequence number of the last segment that came in order, 0 when none did. The client goes on
+    /// behind that one.
+    std::uint8_t acknowledge() noexcept;
+    /// The segment that the client marked as the last has come in order.
+    bool complete() const noexcept { return complete_; }
+    /// `unused` (0…7) bytes of the last segment hold no data. 06070012h when the rest is longer than the place,
+    /// 05040004h when the CRC was agreed on and is another.
+    AbortCode finish(std::uint8_t unused, std::uint16_t crc) noexcept;
+    /// Bytes received; after finish() the length of the value.
+    std::size_t size() const noexcept { return size_; }
+
+  private:
+    void add_to_crc() noexcept;
+
+    MutableBytes place_{};
+    std::size_t size_{0U};
+    std::size_t checked_{0U};  ///< bytes that the CRC covers: how many the last segment holds is told only at the end
+    Crc16 crc_{};
+    std::uint8_t in_order_{0U};  ///< sequence number of the last segment taken in this sub-block
+    bool checks_crc_{false};
+    bool complete_{false};
+};
+
+/// A value cut into the segments of a block upload.
+class SdoBlockUpload {
+  public:
+    static_assert(implements<req::CO_SDO_024>);
+    static constexpr bool is_block_size(const std::uint8_t count) noexcept {
+        return (count > 0U) && (count <= generated::canopen::sdo_block_size);
+    }
+
+    /// `value` stays where it is until the transfer ends. `block_size` is one of is_block_size().
+    void start(ByteView value, std::uint8_t block_size) noexcept;
+    /// Whether the present sub-block has another segment.
+    bool has_segment() const noexcept { return !last_sent_ && (sent_ < block_size_); }
+    /// Writes that segment, sequence number and data, into the eight bytes of a frame.
+    void put_segment(MutableBytes frame) noexcept;
+    /// The client has segments up to `sequence` (0: none) and wants `block_size` segments next. 05040003h when that
+    /// segment was not sent, 05040002h for a block size of 0 or above 127.
+    AbortCode acknowledge(std::uint8_t sequence, std::uint8_t block_size) noexcept;
+    /// All of the value is acknowledged.
+    bool complete() const noexcept { return complete_; }
+    /// Bytes of the last segment without data, 0…7.
+    std::uint8_t unused() const noexcept;
+    /// Over all that was sent.
+    std::uint16_t crc() const noexcept { return crc_.value(); }
+
+  private:
+    ByteView value_{};
+    std::size_t base_{0U};     ///< bytes before the present sub-block
+    std::size_t checked_{0U};  ///< bytes that the CRC covers: a repeated segment does not count again
+    Crc16 crc_{};
+    std::uint8_t block_size_{0U};
+    std::uint8_t sent_{0U};  ///< segments of the present sub-block
+    bool last_sent_{false};
+    bool complete_{false};
+};
+
+}  // namespace canproof

@@ -1,0 +1,51 @@
+// How SDO frames are laid out (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace canproof::sdo {
+
+constexpr std::size_t index_position = 1U;
+constexpr std::size_t subindex_position = 3U;
+constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame; abort code of an abort
+constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
+constexpr std::size_t expedited_capacity = 4U;
+
+/// The upper three bits of byte 0 of a request.
+enum class ClientCommand : std::uint8_t {
+    download_segment = 0U,
+    initiate_download = 1U,
+    initiate_upload = 2U,
+    upload_segment = 3U,
+    abort = 4U,
+    block_upload = 5U,
+    block_download = 6U,
+    unassigned = 7U
+};
+
+/// What follows in the lowest two bits of ClientCommand::block_upload.
+enum class BlockUploadCommand : std::uint8_t { initiate = 0U, end = 1U, acknowledge = 2U, start = 3U };
+
+// Byte 0 of answers.
+constexpr std::uint8_t download_segment_done = 0x20U;
+constexpr std::uint8_t upload_initiated = 0x40U;
+constexpr std::uint8_t download_done = 0x60U;
+constexpr std::uint8_t aborted = 0x80U;
+constexpr std::uint8_t block_download_initiated = 0xA0U;
+constexpr std::uint8_t block_download_done = 0xA1U;
+constexpr std::uint8_t block_acknowledged = 0xA2U;
+constexpr std::uint8_t block_upload_initiated = 0xC0U;
+constexpr std::uint8_t block_upload_ended = 0xC1U;
+
+// Bits of byte 0.
+constexpr std::uint8_t toggle_bit = 0x10U;
+constexpr std::uint8_t expedited_flag = 0x02U;
+constexpr std::uint8_t size_flag = 0x01U;
+constexpr std::uint8_t last_segment_flag = 0x01U;
+constexpr std::uint8_t block_crc_flag = 0x04U;
+constexpr std::uint8_t block_size_flag = 0x02U;
+constexpr std::uint8_t block_end_flag = 0x01U;  ///< in block download: end of the transfer, not its initiation
+constexpr std::uint8_t block_last_segment_flag = 0x80U;
+
+}  // namespace canproof::sdo
