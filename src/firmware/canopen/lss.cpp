@@ -1,0 +1,338 @@
+#include "firmware/canopen/lss.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+namespace requests = generated::canopen::t_co_t_lss;
+
+constexpr std::uint16_t identity_index = 0x1018U;
+constexpr std::size_t full_length = 8U;
+/// Frames of identify remote slave: four numbers, the last two with a low and a high bound.
+constexpr std::uint8_t identify_frames = 6U;
+
+static_assert(implements<req::CO_E_LSS_COMMAND> && implements<req::CO_T_LSS>);
+const requests::Row* request_row(const std::uint8_t specifier) noexcept {
+    for (const requests::Row& row : requests::rows) {
+        if (static_cast<std::uint8_t>(row.command) == specifier) {
+            return &row;
+        }
+    }
+    return nullptr;
+}
+
+static_assert(implements<req::CO_E_LSS_ANSWER>);
+std::uint8_t answer_specifier(const LssCommand command) noexcept {
+    switch (command) {
+        case LssCommand::select_serial_number:
+            return static_cast<std::uint8_t>(LssAnswer::selected);
+        case LssCommand::identify_serial_high:
+        case LssCommand::fastscan:
+            return static_cast<std::uint8_t>(LssAnswer::identified);
+        case LssCommand::identify_non_configured:
+            return static_cast<std::uint8_t>(LssAnswer::non_configured);
+        case LssCommand::switch_state_global:
+        case LssCommand::configure_node_id:
+        case LssCommand::configure_bit_timing:
+        case LssCommand::activate_bit_timing:
+        case LssCommand::store_configuration:
+        case LssCommand::select_vendor_id:
+        case LssCommand::select_product_code:
+        case LssCommand::select_revision_number:
+        case LssCommand::identify_vendor_id:
+        case LssCommand::identify_product_code:
+        case LssCommand::identify_revision_low:
+        case LssCommand::identify_revision_high:
+        case LssCommand::identify_serial_low:
+        case LssCommand::inquire_vendor_id:
+        case LssCommand::inquire_product_code:
+        case LssCommand::inquire_revision_number:
+        case LssCommand::inquire_serial_number:
+        case LssCommand::inquire_node_id:
+        default:
+            return static_cast<std::uint8_t>(command);
+    }
+}
+
+/// Frame `step` of a sequence whose first `done` frames fitted: how many have fitted now.
+constexpr std::uint8_t follow(const std::uint8_t done, const std::uint8_t step, const bool fits) noexcept {
+    const bool in_order = (step == 0U) || (step == done);
+    return (in_order && fits) ? static_cast<std::uint8_t>(step + 1U) : std::uint8_t{0U};
+}
+
+}  // namespace
+
+std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
+    std::uint32_t found{0U};
+    for (std::size_t i = 0U; i < count_; ++i) {
+        found = (bit_rates_[i].index == index) ? bit_rates_[i].bit_rate : found;
+    }
+    return found;
+}
+
+void LssApplication::set_bit_rate(const std::uint32_t, const Instant) {}
+
+LssError LssApplication::store_configuration(const LssConfiguration&) {
+    return LssError::not_supported;
+}
+
+void Lss::power_on(const LssConfiguration& stored) noexcept {
+    stored_ = stored;
+    active_ = stored;
+    switching_ = Switching::none;
+    due_ = never;
+}
+
+// The stored bit rate as well: reset node is to a device what power-on is (CO-D-LSS-008).
+static_assert(implements<req::CO_LSS_017>);
+void Lss::restore(const Instant now) noexcept {
+    pending_ = stored_;
+    if (active_.bit_rate != stored_.bit_rate) {
+        active_.bit_rate = stored_.bit_rate;
+        application_.set_bit_rate(active_.bit_rate, now);
+    }
+}
+
+static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011>);
+std::uint8_t Lss::take_node_id() noexcept {
+    state_ = LssState::waiting;
+    forget_sequences();
+    active_.node_id = pending_.node_id;
+    return active_.node_id;
+}
+
+static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> && implements<req::CO_K_LSS_REQUEST_ID>);
+bool Lss::is_request(const Frame& frame) const noexcept {
+    return profile_.is_offered() && !frame.extended && !frame.remote &&
+           (frame.id == generated::canopen::lss_request_cob_id);
+}
+
+static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && implements<req::CO_LSS_060> &&
+              implements<req::CO_LSS_061> && implements<req::CO_LSS_063> && implements<req::CO_K_LSS_RESPONSE_ID>);
+bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
+    const ByteView request = frame.payload();
+    const requests::Row* const row = request_row(request[0]);
+    if (is_silent() || (row == nullptr) || (request.size() < row->shortest) || !is_served(row->served, nmt)) {
+        return false;
+    }
+    const LssState before = state_;
+    const Said said = execute(row->command, request, now);
+    if (said.has_value() && (row->answer_length != 0U)) {
+        const bool in_full = request.size() == full_length;
+        Frame answer = data_frame(generated::canopen::lss_response_cob_id,
+                                  in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
+        answer.data[0] = answer_specifier(row->command);
+        write_le(MutableBytes{answer.data}, 1U, sizeof(std::uint32_t), *said);
+        static_cast<void>(queue_.push(answer));
+    }
+    const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
+    const bool has_got_node_id =
+        (active_.node_id == unconfigured_node_id) && (pending_.node_id != unconfigured_node_id);
+    return left && (profile_.resets_when_left() || has_got_node_id);
+}
+
+static_assert(implements<req::CO_LSS_005> && implements<req::CO_LSS_006>);
+bool Lss::is_served(const Served when, const NmtState nmt) const noexcept {
+    const bool configuring = state_ == LssState::configuration;
+    switch (when) {
+        case Served::always:
+            return true;
+        case Served::waiting:
+            return !configuring;
+        case Served::configuration:
+            return configuring;
+        case Served::setting:
+            return configuring && (nmt != NmtState::operational);
+        default:
+            return false;
+    }
+}
+
+static_assert(implements<req::CO_LSS_040> && implements<req::CO_LSS_041> && implements<req::CO_LSS_044>);
+Lss::Said Lss::execute(const LssCommand command, const ByteView request, const Instant now) noexcept {
+    switch (command) {
+        case LssCommand::switch_state_global:
+            return switch_globally(request[1]);
+        case LssCommand::configure_node_id:
+            return static_cast<std::uint32_t>(configure_node_id(request[1]));
+        case LssCommand::configure_bit_timing:
+            return static_cast<std::uint32_t>(configure_bit_timing(request[1], request[2]));
+        case LssCommand::activate_bit_timing:
+            activate(milliseconds(read_u16(request, 1U)), now);
+            return 0U;
+        case LssCommand::store_configuration:
+            return static_cast<std::uint32_t>(store());
+        case LssCommand::select_vendor_id:
+            return select(LssNumber::vendor_id, request);
+        case LssCommand::select_product_code:
+            return select(LssNumber::product_code, request);
+        case LssCommand::select_revision_number:
+            return select(LssNumber::revision_number, request);
+        case LssCommand::select_serial_number:
+            return select(LssNumber::serial_number, request);
+        case LssCommand::identify_vendor_id:
+        case LssCommand::identify_product_code:
+        case LssCommand::identify_revision_low:
+        case LssCommand::identify_revision_high:
+        case LssCommand::identify_serial_low:
+        case LssCommand::identify_serial_high:
+            return identify(command, read_u32(request, 1U));
+        case LssCommand::identify_non_configured:
+            return is_configured() ? std::nullopt : Said{0U};
+        case LssCommand::fastscan:
+            return scan(request);
+        case LssCommand::inquire_vendor_id:
+            return own(LssNumber::vendor_id);
+        case LssCommand::inquire_product_code:
+            return own(LssNumber::product_code);
+        case LssCommand::inquire_revision_number:
+            return own(LssNumber::revision_number);
+        case LssCommand::inquire_serial_number:
+            return own(LssNumber::serial_number);
+        case LssCommand::inquire_node_id:
+            return active_.node_id;
+        default:
+            return std::nullopt;
+    }
+}
+
+static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
+Lss::Said Lss::switch_globally(const std::uint8_t mode) noexcept {
+    if (mode == static_cast<std::uint8_t>(LssState::waiting)) {
+        enter(LssState::waiting);
+    } else if (mode == static_cast<std::uint8_t>(LssState::configuration)) {
+        enter(LssState::configuration);
+    } else {
+        return std::nullopt;
+    }
+    return 0U;
+}
+
+static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);
+Lss::Said Lss::select(const LssNumber number, const ByteView request) noexcept {
+    const bool fits = own(number) == read_u32(request, 1U);
+    selected_ = follow(selected_, static_cast<std::uint8_t>(number), fits);
+    if (selected_ == 0U) {
+        return std::nullopt;
+    }
+    if (selected_ == lss_number_count) {
+        enter(LssState::configuration);
+    }
+    return 0U;
+}
+
+static_assert(implements<req::CO_LSS_042> && implements<req::CO_LSS_043>);
+Lss::Said Lss::identify(const LssCommand command, const std::uint32_t bound) noexcept {
+    constexpr std::uint8_t first = static_cast<std::uint8_t>(LssCommand::identify_vendor_id);
+    bool fits{false};
+    if (command == LssCommand::identify_vendor_id) {
+        fits = own(LssNumber::vendor_id) == bound;
+    } else if (command == LssCommand::identify_product_code) {
+        fits = own(LssNumber::product_code) == bound;
+    } else if (command == LssCommand::identify_revision_low) {
+        fits = own(LssNumber::revision_number) >= bound;
+    } else if (command == LssCommand::identify_revision_high) {
+        fits = own(LssNumber::revision_number) <= bound;
+    } else if (command == LssCommand::identify_serial_low) {
+        fits = own(LssNumber::serial_number) >= bound;
+    } else {
+        fits = own(LssNumber::serial_number) <= bound;
+    }
+    // The six command specifiers follow each other as their frames do.
+    identified_ = follow(identified_, static_cast<std::uint8_t>(static_cast<std::uint8_t>(command) - first), fits);
+    const bool done = identified_ != 0U;
+    if (identified_ == identify_frames) {
+        identified_ = 0U;
+    }
+    return done ? Said{0U} : std::nullopt;
+}
+
+static_assert(implements<req::CO_LSS_050>);
+Lss::Said Lss::scan(const ByteView request) noexcept {
+    if (is_configured()) {
+        return std::nullopt;
+    }
+    const LssAddress address{own(LssNumber::vendor_id), own(LssNumber::product_code), own(LssNumber::revision_number),
+                             own(LssNumber::serial_number)};
+    const LssFastscan::Outcome outcome = scan_.scan(request, address);
+    if (outcome == LssFastscan::Outcome::completed) {
+        enter(LssState::configuration);
+    }
+    return (outcome == LssFastscan::Outcome::silent) ? std::nullopt : Said{0U};
+}
+
+static_assert(implements<req::CO_LSS_010> && implements<req::CO_T_LSS_NODE_ID> && implements<req::CO_E_LSS_ERROR>);
+LssError Lss::configure_node_id(const std::uint8_t node_id) noexcept {
+    const auto* const row = generated::canopen::t_co_t_lss_node_id::find(node_id);
+    if ((row == nullptr) || !row->accepted) {
+        return LssError::not_supported;
+    }
+    pending_.node_id = node_id;
+    return LssError::none;
+}
+
+static_assert(implements<req::CO_LSS_012> && implements<req::CO_K_LSS_STANDARD_TABLE>);
+LssError Lss::configure_bit_timing(const std::uint8_t table, const std::uint8_t index) noexcept {
+    const std::uint32_t bit_rate = profile_.bit_rate(index);
+    if ((table != generated::canopen::lss_standard_bit_timing_table) || (bit_rate == 0U)) {
+        return LssError::not_supported;
+    }
+    pending_.bit_rate = bit_rate;
+    return LssError::none;
+}
+
+static_assert(implements<req::CO_LSS_016>);
+LssError Lss::store() noexcept {
+    const LssError error = application_.store_configuration(pending_);
+    if (error == LssError::none) {
+        stored_ = pending_;
+    }
+    return error;
+}
+
+static_assert(implements<req::CO_LSS_013> && implements<req::CO_LSS_014> && implements<req::CO_LSS_015>);
+void Lss::activate(const Duration delay, const Instant now) noexcept {
+    delay_ = delay;
+    switching_ = Switching::before;
+    due_ = now + delay;
+    advance(now);
+}
+
+void Lss::advance(const Instant now) noexcept {
+    if ((switching_ == Switching::before) && (due_ <= now)) {
+        active_.bit_rate = pending_.bit_rate;
+        application_.set_bit_rate(active_.bit_rate, now);
+        switching_ = Switching::after;
+        due_ = now + delay_;
+    }
+    if ((switching_ == Switching::after) && (due_ <= now)) {
+        switching_ = Switching::none;
+        due_ = never;
+    }
+}
+
+void Lss::enter(const LssState state) noexcept {
+    if (state != state_) {
+        state_ = state;
+        forget_sequences();
+    }
+}
+
+void Lss::forget_sequences() noexcept {
+    selected_ = 0U;
+    identified_ = 0U;
+    scan_.restart();
+}
+
+bool Lss::is_configured() const noexcept {
+    return (active_.node_id != unconfigured_node_id) || (pending_.node_id != unconfigured_node_id);
+}
+
+std::uint32_t Lss::own(const LssNumber number) const noexcept {
+    return objects_.read(identity_index, static_cast<std::uint8_t>(static_cast<std::uint8_t>(number) + 1U));
+}
+
+}  // namespace canproof

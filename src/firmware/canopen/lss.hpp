@@ -1,0 +1,149 @@
+// LSS slave: node-ID and bit rate, set over the bus (CiA 305; AX130751 3.1, AX188001 3.1, AX060805 4.1). Frames of the
+// master come on 7E5h, answers go on 7E4h.
+#pragma once
+
+#include <optional>
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/lss_fastscan.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "generated/canopen/constants.hpp"
+#include "generated/canopen/tables.hpp"
+
+namespace canproof {
+
+using generated::canopen::LssAnswer;
+using generated::canopen::LssCommand;
+using generated::canopen::LssError;
+using generated::canopen::LssState;
+using generated::canopen::unconfigured_node_id;
+
+/// What LSS sets.
+struct LssConfiguration {
+    std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
+    std::uint32_t bit_rate{0U};                  ///< bit/s
+};
+
+/// One row of a device's bit timing table.
+struct LssBitRate {
+    std::uint8_t index{0U};
+    std::uint32_t bit_rate{0U};  ///< bit/s; 0 where the index is reserved
+};
+
+/// The rows of a generated table with the columns `index` and `bit_rate`.
+template <typename Row, std::size_t N>
+constexpr std::array<LssBitRate, N> lss_bit_rates(const std::array<Row, N>& rows) noexcept {
+    std::array<LssBitRate, N> rates{};
+    for (std::size_t i = 0U; i < N; ++i) {
+        rates[i] = LssBitRate{rows[i].index, rows[i].bit_rate};
+    }
+    return rates;
+}
+
+/// What a device declares about its LSS.
+class LssProfile {
+  public:
+    /// A device without LSS.
+    constexpr LssProfile() noexcept = default;
+    /// `bit_rates` must outlive the profile. `resets_when_left`: the node resets its communication at each switch from
+    /// LSS configuration to LSS waiting.
+    template <std::size_t N>
+    constexpr LssProfile(const std::array<LssBitRate, N>& bit_rates, const bool resets_when_left) noexcept
+        : bit_rates_{bit_rates.data()}, count_{N}, offered_{true}, resets_when_left_{resets_when_left} {}
+
+    constexpr bool is_offered() const noexcept { return offered_; }
+    constexpr bool resets_when_left() const noexcept { return resets_when_left_; }
+    /// bit/s for an index of the table; 0 for one that the device does not support.
+    std::uint32_t bit_rate(std::uint8_t index) const noexcept;
+
+  private:
+    const LssBitRate* bit_rates_{nullptr};
+    std::size_t count_{0U};
+    bool offered_{false};
+    bool resets_when_left_{false};
+};
+
+/// What LSS asks of the device around it. A device without LSS leaves both as they are here.
+class LssApplication {
+  public:
+    LssApplication(const LssApplication&) = delete;
+    LssApplication& operator=(const LssApplication&) = delete;
+    LssApplication(LssApplication&&) = delete;
+    LssApplication& operator=(LssApplication&&) = delete;
+
+    /// The CAN controller goes to `bit_rate` bit/s now.
+    virtual void set_bit_rate(std::uint32_t bit_rate, Instant now);
+    /// Keep this for the next power-on.
+    virtual LssError store_configuration(const LssConfiguration& configuration);
+
+  protected:
+    LssApplication() = default;
+    ~LssApplication() = default;
+};
+
+class Lss {
+  public:
+    Lss(const LssProfile& profile, const ObjectDictionary& objects, TransmitQueue& queue,
+        LssApplication& application) noexcept
+        : profile_{profile}, objects_{objects}, queue_{queue}, application_{application} {}
+
+    /// Power-on with what is stored.
+    void power_on(const LssConfiguration& stored) noexcept;
+    /// NMT reset node: what was configured and not stored is lost; take_node_id() follows.
+    void restore(Instant now) noexcept;
+    /// NMT reset communication: the pending node-ID becomes active and is returned; unconfigured_node_id when there is
+    /// none.
+    std::uint8_t take_node_id() noexcept;
+
+    /// Whether a frame is for LSS. Never, when the device does not offer it.
+    bool is_request(const Frame& frame) const noexcept;
+    /// Serves one request of a node in state `nmt`. True when the node must now reset its communication.
+    bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
+    void advance(Instant now) noexcept;
+    Instant next_deadline() const noexcept { return due_; }
+
+    /// The bit rate is being switched: no frame may be sent and none counts.
+    bool is_silent() const noexcept { return switching_ != Switching::none; }
+    LssState state() const noexcept { return state_; }
+
+  private:
+    using Served = generated::canopen::t_co_t_lss::Served;
+    enum class Switching : std::uint8_t { none, before, after };
+    /// What the answer says after its command specifier; nothing when the request came to nothing.
+    using Said = std::optional<std::uint32_t>;
+
+    bool is_served(Served when, NmtState nmt) const noexcept;
+    Said execute(LssCommand command, ByteView request, Instant now) noexcept;
+    Said switch_globally(std::uint8_t mode) noexcept;
+    Said select(LssNumber number, ByteView request) noexcept;
+    Said identify(LssCommand command, std::uint32_t bound) noexcept;
+    Said scan(ByteView request) noexcept;
+    LssError configure_node_id(std::uint8_t node_id) noexcept;
+    LssError configure_bit_timing(std::uint8_t table, std::uint8_t index) noexcept;
+    LssError store() noexcept;
+    void activate(Duration delay, Instant now) noexcept;
+
+    void enter(LssState state) noexcept;
+    void forget_sequences() noexcept;
+    bool is_configured() const noexcept;
+    std::uint32_t own(LssNumber number) const noexcept;
+
+    LssProfile profile_;
+    const ObjectDictionary& objects_;
+    TransmitQueue& queue_;
+    LssApplication& application_;
+    LssState state_{LssState::waiting};
+    LssConfiguration stored_{};
+    LssConfiguration pending_{};
+    LssConfiguration active_{};
+    std::uint8_t selected_{0U};    ///< frames of switch state selective that fitted
+    std::uint8_t identified_{0U};  ///< frames of identify remote slave that fitted
+    LssFastscan scan_{};
+    Switching switching_{Switching::none};
+    Duration delay_{};
+    Instant due_{never};
+};
+
+}  // namespace canproof

@@ -1,0 +1,39 @@
+// Fastscan: an LSS master finds the address of one slave without node-ID, number by number and bit by bit (CiA 305,
+// 6.7).
+#pragma once
+
+#include <array>
+
+#include "firmware/base/bytes.hpp"
+#include "generated/canopen/enumerations.hpp"
+
+namespace canproof {
+
+using generated::canopen::LssNumber;
+
+/// Vendor-ID, product code, revision and serial number, by LssNumber.
+constexpr std::size_t lss_number_count = 4U;
+using LssAddress = std::array<std::uint32_t, lss_number_count>;
+
+class LssFastscan {
+  public:
+    enum class Outcome : std::uint8_t {
+        silent,    ///< not this slave, or no sound request
+        matched,   ///< to be answered
+        completed  ///< to be answered; all four numbers are confirmed
+    };
+
+    /// The vendor-ID is asked for next, and nothing is confirmed.
+    void restart() noexcept;
+    /// One request of eight bytes: command specifier, number, bit check, which number this is, which is next.
+    Outcome scan(ByteView request, const LssAddress& own) noexcept;
+
+  private:
+    Outcome compare(ByteView request, const LssAddress& own) noexcept;
+    Outcome confirm(std::uint8_t number, std::uint8_t next) noexcept;
+
+    std::uint8_t position_{0U};   ///< the number that the master is expected to ask for
+    std::uint8_t confirmed_{0U};  ///< a bit for each number that matched in all bits
+};
+
+}  // namespace canproof
