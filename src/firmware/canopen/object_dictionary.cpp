@@ -153,6 +153,9 @@ AbortCode ObjectDictionary::check_limits(const EntryRef& entry, const std::uint6
         above = (limits.maximum.kind == LimitKind::value) && (value > as_real(limits.maximum.bits));
     } else {
         const std::int64_t value = as_integer(entry.row->type, bits);
+        if ((limits.minimum.kind == LimitKind::value_or_zero) && (value == 0)) {
+            return AbortCode::none;
+        }
         below = (limits.minimum.kind != LimitKind::none) && (value < integer_limit(limits.minimum, entry));
         above = (limits.maximum.kind != LimitKind::none) && (value > integer_limit(limits.maximum, entry));
     }

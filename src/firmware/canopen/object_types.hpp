@@ -78,10 +78,11 @@ struct ObjectRow {
 
 /// How one end of a range is given.
 enum class LimitKind : std::uint8_t {
-    none,   ///< the type's own range
-    value,  ///< `bits` is the limit itself, in the entry's type
-    entry,  ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
-    list    ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
+    none,          ///< the type's own range
+    value,         ///< `bits` is the limit itself, in the entry's type
+    entry,         ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
+    list,          ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
+    value_or_zero  ///< (minimum only, integers) as `value`, and 0, which switches something off, is allowed too
 };
 
 constexpr std::uint32_t same_subindex = 0xFFU;  ///< sub-index in a LimitKind::entry that means "as the entry written"

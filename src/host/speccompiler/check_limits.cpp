@@ -72,19 +72,29 @@ class LimitCheck {
         if (ends && !entry.range.values.empty()) {
             fault(entry.range.place, "has both limits and a list of values", "keep one of the two");
         }
+        const auto least = number_of(entry.range.minimum.number);
+        const bool above_zero = entry.range.minimum.kind == Limit::Kind::number && least && *least > 0.0;
+        if (entry.range.zero && (!above_zero || is_real_type(entry.type))) {
+            fault(entry.range.place, "allows 0 besides its range, which has no whole number above 0 as minimum",
+                  "remove zero or give such a min");
+        }
     }
 
     void check_default(const Entry& entry, const End& low, const End& high) {
-        const auto given = number_of(entry.value);
+        auto given = number_of(entry.value);
+        if (given && entry.node_id) {
+            *given += part_.info.node_id;  // as shipped
+        }
         if (!given || !fits_type(entry.value, entry.type)) {
             return;  // told with the entry
         }
-        const std::string text = to_text(entry.value);
+        const std::string text = (entry.node_id ? "$NODEID+" : "") + to_text(entry.value);
         if (high.value && *given > *high.value) {
             fault(entry.default_place, fmt::format("default {} exceeds its limit ({})", text, high.words),
                   fmt::format("lower it or raise {}", high.mend));
         }
-        if (low.value && *given < *low.value) {
+        const bool off = entry.range.zero && *given == 0.0;
+        if (low.value && *given < *low.value && !off) {
             fault(entry.default_place, fmt::format("default {} is below its limit ({})", text, low.words),
                   fmt::format("raise it or lower {}", low.mend));
         }

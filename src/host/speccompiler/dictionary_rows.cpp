@@ -77,6 +77,9 @@ std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows) {
         return no_limit;
     }
     LimitRow row{limit_of(entry, entry.range.minimum), limit_of(entry, entry.range.maximum)};
+    if (entry.range.zero) {
+        row.minimum.kind = LimitKind::value_or_zero;
+    }
     if (!entry.range.values.empty()) {
         row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed), 0}, {LimitKind::none, 0U, 0}};
     }

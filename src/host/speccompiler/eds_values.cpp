@@ -24,6 +24,9 @@ std::string number_text(const Value& value, const std::string& type) {
 }
 
 std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bool lowest) {
+    if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
+        return "0";  // a data sheet cannot say that the values next to it are refused
+    }
     if (limit.kind == Limit::Kind::number) {
         return number_text(limit.number, entry.type);
     }

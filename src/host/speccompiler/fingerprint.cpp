@@ -41,6 +41,9 @@ void add_entry(Print& print, const Entry& entry) {
     for (const Value& value : entry.range.values) {
         print.add(value);
     }
+    if (entry.range.zero) {
+        print.add(std::string{"or zero"});
+    }
 }
 
 void add_column(Print& print, const Column& column) {

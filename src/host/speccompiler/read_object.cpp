@@ -75,6 +75,7 @@ Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
     range.minimum = read_limit(*table, "min");
     range.maximum = read_limit(*table, "max");
     range.table = table->text_or("table", "");
+    range.zero = table->boolean_or("zero", false);
     if (const auto* list = table->node("values")) {
         if (const auto array = list->as_array()) {
             for (const auto& one : *array) {

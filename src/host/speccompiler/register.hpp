@@ -67,6 +67,7 @@ struct Range {
     Limit maximum;
     std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
     std::string table;
+    bool zero{false};  ///< 0 is allowed below the minimum
     Place place;
     bool empty() const {
         return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&

@@ -44,6 +44,7 @@ Json entry_json(const Entry& entry) {
         values.push_back(json_of(value));
     }
     json["values"] = values;
+    json["zero"] = entry.range.zero;
     json["mapping"] = entry.mapping;
     json["stored"] = entry.stored;
     json["factory"] = entry.factory;
@@ -75,7 +76,8 @@ std::string range_words(const Entry& entry) {
         }
         return fmt::format("{}", fmt::join(words, ", "));
     }
-    return range.empty() ? "" : limit_words(entry, range.minimum) + " … " + limit_words(entry, range.maximum);
+    const std::string zero = range.zero ? "0, " : "";
+    return range.empty() ? "" : zero + limit_words(entry, range.minimum) + " … " + limit_words(entry, range.maximum);
 }
 
 /// A cell of a Markdown table: no bars, no line ends.

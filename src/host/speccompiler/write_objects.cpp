@@ -29,7 +29,7 @@ std::string rights_words(std::uint8_t bits) {
 }
 
 std::string limit_words(const canproof::Limit& limit) {
-    static const std::vector<std::string> kinds{"none", "value", "entry", "list"};
+    static const std::vector<std::string> kinds{"none", "value", "entry", "list", "value_or_zero"};
     const std::string kind = "LimitKind::" + kinds.at(static_cast<std::size_t>(limit.kind));
     return limit.kind == LimitKind::none ? fmt::format("{{{}, 0U, 0}}", kind)
                                          : fmt::format("{{{}, 0x{:08X}U, {}}}", kind, limit.bits, limit.add);
