@@ -17,12 +17,16 @@ using Frames = std::vector<std::string>;
 /// Node 5 with every service. `send` gives its answers as text: `585#6000200100000000`.
 class SlaveBench {
   public:
+    static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN, and the memory that the slave lends for it
+    static constexpr std::size_t program_size = 65536;
+
     SlaveBench() { power_on(); }
 
     /// Makes the slave anew on the same memory and switches it on: what a power cycle is. Returns what it sends.
     Frames power_on() {
         queue = TransmitQueue{};
         slave = std::make_unique<host::GenericDevice>(slave_part(), memory, queue);
+        slave->lend(program_index, 0, program_size);
         slave->power_on(node_id, now);
         return sent();
     }

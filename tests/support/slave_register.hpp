@@ -441,11 +441,32 @@ access = "const"
 default = "The quick brown fox jumps over the lazy dog 0123456789"
 source = ["S1:1"]
 [[object]]
+index = 0x2302
+name = "Story"
+text = "Longer than the 64 bytes that the SDO server copies: it is read where it lies and cannot be written."
+type = "VISIBLE_STRING"
+access = "rw"
+default = "A value of seventy-two bytes is longer than what the server itself holds"
+source = ["S1:1"]
+[[object]]
 index = 0x2400
 name = "Program"
 text = "A memory of 64 KiB that the device lends; see SlaveBench."
 type = "DOMAIN"
 access = "rw"
+source = ["S1:1"]
+[[object]]
+index = 0x2401
+name = "Program Without Memory"
+text = "A DOMAIN for which the device lends no memory."
+type = "DOMAIN"
+access = "rw"
+source = ["S1:1"]
+[[object]]
+index = 0x2402
+name = "Program To Read"
+type = "DOMAIN"
+access = "ro"
 source = ["S1:1"]
 )toml";
 

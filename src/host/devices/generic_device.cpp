@@ -1,5 +1,7 @@
 #include "host/devices/generic_device.hpp"
 
+#include <algorithm>
+
 namespace canproof::host {
 
 namespace {
@@ -11,6 +13,7 @@ NodeProfile profile_of(const Part& part) {
     NodeProfile profile;
     profile.limit_abort = part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low;
     profile.error_list = part.info.error_list == "active" ? ErrorList::active : ErrorList::history;
+    profile.block_sdo = part.info.block_sdo;
     return profile;
 }
 
@@ -41,5 +44,56 @@ GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, Transm
                part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low},
       errors_{standard_errors()},
       node_{objects_, memory, queue, *this, errors_, profile_of(part)} {}
+
+void GenericDevice::lend(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
+    domains_.push_back({index, subindex, std::vector<std::uint8_t>(size), std::vector<std::uint8_t>(size), 0, false});
+}
+
+GenericDevice::Domain* GenericDevice::domain(std::uint16_t index, std::uint8_t subindex) {
+    const auto found = std::find_if(domains_.begin(), domains_.end(),
+                                    [&](const Domain& one) { return one.index == index && one.subindex == subindex; });
+    return found == domains_.end() ? nullptr : &*found;
+}
+
+ByteView GenericDevice::held(std::uint16_t index, std::uint8_t subindex) const {
+    for (const Domain& one : domains_) {
+        if (one.index == index && one.subindex == subindex) {
+            return ByteView{one.value.data(), one.length};
+        }
+    }
+    return {};
+}
+
+void GenericDevice::fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes) {
+    Domain& place = *domain(index, subindex);
+    std::copy_n(bytes.begin(), std::min(bytes.size(), place.value.size()), place.value.begin());
+    place.length = std::min(bytes.size(), place.value.size());
+    place.holds_value = true;
+}
+
+Result<ByteView, AbortCode> GenericDevice::domain_value(const EntryRef& entry) {
+    const Domain* place = domain(entry.index, entry.row->subindex);
+    if (place == nullptr) {
+        return Application::domain_value(entry);
+    }
+    return place->holds_value ? Result<ByteView, AbortCode>::success(held(entry.index, entry.row->subindex))
+                              : Result<ByteView, AbortCode>::failure(AbortCode::no_data);
+}
+
+MutableBytes GenericDevice::staging(const EntryRef& entry) {
+    Domain* place = domain(entry.index, entry.row->subindex);
+    return place == nullptr ? Application::staging(entry) : MutableBytes{place->staging.data(), place->staging.size()};
+}
+
+AbortCode GenericDevice::commit(const EntryRef& entry, std::size_t length, Instant) {
+    Domain* place = domain(entry.index, entry.row->subindex);
+    if (place == nullptr || domain_refusal_ != AbortCode::none) {
+        return place == nullptr ? AbortCode::unsupported_access : domain_refusal_;
+    }
+    place->value.swap(place->staging);
+    place->length = length;
+    place->holds_value = true;
+    return AbortCode::none;
+}
 
 }  // namespace canproof::host

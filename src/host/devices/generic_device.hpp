@@ -24,6 +24,15 @@ class GenericDevice final : private Application {
 
     Node& node() { return node_; }
     ObjectDictionary& objects() { return objects_; }
+    /// Gives a DOMAIN entry a memory of `size` bytes, holding nothing yet.
+    void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
+    /// What that entry holds; empty when it holds nothing.
+    ByteView held(std::uint16_t index, std::uint8_t subindex) const;
+    /// As a download would put it there.
+    void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
+    /// What commit() answers from now on: AbortCode::none takes every new value.
+    void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
+
     /// How often a communication error began or ended.
     int communication_errors() const { return communication_errors_; }
 
@@ -35,6 +44,20 @@ class GenericDevice final : private Application {
     void restart(Instant) override {}
     void booted(Instant) override {}
     void communication_failed(bool, Instant) override { ++communication_errors_; }
+    Result<ByteView, AbortCode> domain_value(const EntryRef& entry) override;
+    MutableBytes staging(const EntryRef& entry) override;
+    AbortCode commit(const EntryRef& entry, std::size_t length, Instant now) override;
+
+    /// Two memories of one size: a download gathers in the one while the other keeps the value.
+    struct Domain {
+        std::uint16_t index{0};
+        std::uint8_t subindex{0};
+        std::vector<std::uint8_t> value;
+        std::vector<std::uint8_t> staging;
+        std::size_t length{0};
+        bool holds_value{false};
+    };
+    Domain* domain(std::uint16_t index, std::uint8_t subindex);
 
     DictionaryRows rows_;
     DictionaryTables tables_;
@@ -43,6 +66,8 @@ class GenericDevice final : private Application {
     ErrorTable errors_;
     Node node_;
     int communication_errors_{0};
+    std::vector<Domain> domains_;
+    AbortCode domain_refusal_{AbortCode::none};
 };
 
 }  // namespace canproof::host
