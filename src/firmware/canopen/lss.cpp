@@ -73,12 +73,6 @@ std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
     return found;
 }
 
-void LssApplication::set_bit_rate(const std::uint32_t, const Instant) {}
-
-LssError LssApplication::store_configuration(const LssConfiguration&) {
-    return LssError::not_supported;
-}
-
 void Lss::power_on(const LssConfiguration& stored) noexcept {
     stored_ = stored;
     active_ = stored;

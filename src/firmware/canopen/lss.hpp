@@ -66,6 +66,7 @@ class LssProfile {
 };
 
 /// What LSS asks of the device around it. A device without LSS leaves both as they are here.
+// Whole in the header: the host derives from it with type information, which the firmware is compiled without.
 class LssApplication {
   public:
     LssApplication(const LssApplication&) = delete;
@@ -74,9 +75,15 @@ class LssApplication {
     LssApplication& operator=(LssApplication&&) = delete;
 
     /// The CAN controller goes to `bit_rate` bit/s now.
-    virtual void set_bit_rate(std::uint32_t bit_rate, Instant now);
+    virtual void set_bit_rate(const std::uint32_t bit_rate, const Instant now) {
+        static_cast<void>(bit_rate);
+        static_cast<void>(now);
+    }
     /// Keep this for the next power-on.
-    virtual LssError store_configuration(const LssConfiguration& configuration);
+    virtual LssError store_configuration(const LssConfiguration& configuration) {
+        static_cast<void>(configuration);
+        return LssError::not_supported;
+    }
 
   protected:
     LssApplication() = default;

@@ -38,10 +38,12 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       sync_{objects, queue},
       error_control_{objects, queue},
       heartbeats_{objects},
-      rpdos_{objects, *this, queue, profile.rpdo_answers_remote} {}
+      rpdos_{objects, *this, queue, profile.rpdo_answers_remote},
+      lss_{profile.lss, objects, queue, application} {}
 
-void Node::power_on(const std::uint8_t node_id, const Instant now) noexcept {
-    node_id_ = node_id;
+void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {
+    lss_.power_on(stored);
+    follow_switching(now);
     reset_node(now);
 }
 
@@ -52,6 +54,8 @@ void Node::load_group(const ParameterGroup group) noexcept {
 }
 
 void Node::reset_node(const Instant now) noexcept {
+    lss_.restore(now);
+    node_id_ = lss_.take_node_id();
     const StoredSet found = store_.open();
     load_group(ParameterGroup::communication);
     load_group(ParameterGroup::manufacturer);
@@ -65,17 +69,24 @@ void Node::reset_node(const Instant now) noexcept {
 }
 
 void Node::reset_communication(const Instant now) noexcept {
+    node_id_ = lss_.take_node_id();
     load_group(ParameterGroup::communication);
     emcy_.refresh();
     boot_up(now);
 }
 
+static_assert(implements<req::CO_LSS_030> && implements<req::CO_K_LSS_UNCONFIGURED>);
 void Node::boot_up(const Instant now) noexcept {
     state_ = NmtState::initialising;
     start_at_ = never;
     sync_.allow(false, now);
     sdo_.reset(node_id_);
     heartbeats_.reset();
+    if (node_id_ == unconfigured_node_id) {
+        rpdos_.reset();
+        emcy_.enable(false, now);
+        return;
+    }
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
@@ -92,16 +103,48 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
         rpdos_.reset();
     }
     sync_.allow(is_allowed(NmtService::sync, state), now);
-    emcy_.enable(is_allowed(NmtService::emcy, state) && (can_state_ != CanState::bus_off), now);
+    emcy_.enable(is_allowed(NmtService::emcy, state) && may_send(), now);
 }
 
 void Node::receive(const Frame& frame, const Instant now) noexcept {
-    if ((state_ == NmtState::initialising) || (can_state_ == CanState::bus_off)) {
+    if (can_state_ == CanState::bus_off) {
         return;
     }
     advance(now);
-    dispatch(frame, now);
-    watch_communication(now);
+    if (lss_.is_silent()) {
+        return;
+    }
+    if (lss_.is_request(frame)) {
+        configure(frame, now);
+    } else if (state_ != NmtState::initialising) {
+        dispatch(frame, now);
+        watch_communication(now);
+    } else {
+        // without a node-ID nothing else is served
+    }
+}
+
+void Node::configure(const Frame& frame, const Instant now) noexcept {
+    if (lss_.receive(frame, state_, now)) {
+        reset_communication(now);
+    } else {
+        follow_switching(now);
+    }
+}
+
+/// A change of the bit rate begins or ends: what waits to be sent at its beginning is dropped (CO-D-LSS-006).
+void Node::follow_switching(const Instant now) noexcept {
+    if (switching_ == lss_.is_silent()) {
+        return;
+    }
+    switching_ = lss_.is_silent();
+    if (may_send()) {
+        queue_.open();
+    } else {
+        queue_.close();
+        sdo_.abandon();
+    }
+    emcy_.enable(is_allowed(NmtService::emcy, state_) && may_send(), now);
 }
 
 void Node::dispatch(const Frame& frame, const Instant now) noexcept {
@@ -163,6 +206,11 @@ void Node::consume_sync(const Instant now) noexcept {
 }
 
 void Node::advance(const Instant now) noexcept {
+    lss_.advance(now);
+    follow_switching(now);
+    if (state_ == NmtState::initialising) {
+        return;
+    }
     if (start_at_ <= now) {
         start_at_ = never;
         enter(NmtState::operational, now);
@@ -178,7 +226,11 @@ void Node::advance(const Instant now) noexcept {
 }
 
 Instant Node::next_deadline() const noexcept {
+    if (state_ == NmtState::initialising) {
+        return lss_.next_deadline();
+    }
     Instant next = earliest(start_at_, error_control_.next_deadline());
+    next = earliest(next, lss_.next_deadline());
     next = earliest(next, heartbeats_.next_deadline());
     next = earliest(next, sdo_.next_deadline());
     next = earliest(next, sync_.next_deadline());
@@ -192,10 +244,10 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     const bool was_off = can_state_ == CanState::bus_off;
     const bool is_off = state == CanState::bus_off;
     can_state_ = state;
-    if (is_off) {
-        queue_.close();
-    } else {
+    if (may_send()) {
         queue_.open();
+    } else {
+        queue_.close();
     }
     if (state_ == NmtState::initialising) {
         return;
@@ -203,7 +255,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (is_off) {
         sdo_.abandon();
     }
-    emcy_.enable(is_allowed(NmtService::emcy, state_) && !is_off, now);
+    emcy_.enable(is_allowed(NmtService::emcy, state_) && may_send(), now);
     if (was_off && !is_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
     }

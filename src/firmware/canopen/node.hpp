@@ -5,6 +5,7 @@
 #include "firmware/canopen/emcy.hpp"
 #include "firmware/canopen/error_control.hpp"
 #include "firmware/canopen/heartbeat_consumer.hpp"
+#include "firmware/canopen/lss.hpp"
 #include "firmware/canopen/nmt.hpp"
 #include "firmware/canopen/object_access.hpp"
 #include "firmware/canopen/parameter_store.hpp"
@@ -21,13 +22,14 @@ struct NodeProfile {
     bool rpdo_answers_remote{false};            ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
     bool block_sdo{false};                      ///< SDO block transfer is offered
+    LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
 };
 
 /// State of the CAN controller (ISO 11898-1 fault confinement; warning: an error counter reached 96).
 enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
 
 /// What the node asks and tells the device around it.
-class Application {
+class Application : public LssApplication {
   public:
     Application(const Application&) = delete;
     Application& operator=(const Application&) = delete;
@@ -69,8 +71,12 @@ class Node final : private ObjectAccess {
     Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
          const ErrorTable& errors, const NodeProfile& profile) noexcept;
 
-    /// Power-on with the node-ID (1…127) that switches or LSS gave. Ends with boot-up, in pre-operational.
-    void power_on(std::uint8_t node_id, Instant now) noexcept;
+    /// Power-on with the node-ID (1…127) that switches gave. Ends with boot-up, in pre-operational.
+    void power_on(const std::uint8_t node_id, const Instant now) noexcept {
+        power_on(LssConfiguration{node_id, 0U}, now);
+    }
+    /// Power-on with what LSS stored. Without a node-ID the node stays in initialising until LSS gives it one.
+    void power_on(const LssConfiguration& stored, Instant now) noexcept;
     /// One frame from the bus. Frames that mean nothing to this node are passed over.
     void receive(const Frame& frame, Instant now) noexcept;
     /// Does what is due at `now`.
@@ -89,6 +95,8 @@ class Node final : private ObjectAccess {
     void start_at(const Instant at) noexcept { start_at_ = at; }
 
     NmtState state() const noexcept { return state_; }
+    /// The active node-ID; unconfigured_node_id when there is none.
+    std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
 
   private:
@@ -98,6 +106,9 @@ class Node final : private ObjectAccess {
 
     void dispatch(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
+    void configure(const Frame& frame, Instant now) noexcept;
+    void follow_switching(Instant now) noexcept;
+    bool may_send() const noexcept { return (can_state_ != CanState::bus_off) && !lss_.is_silent(); }
     void reset_node(Instant now) noexcept;
     void reset_communication(Instant now) noexcept;
     void load_group(ParameterGroup group) noexcept;
@@ -125,10 +136,12 @@ class Node final : private ObjectAccess {
     ErrorControl error_control_;
     HeartbeatConsumer heartbeats_;
     ReceivePdos rpdos_;
+    Lss lss_;
     NmtState state_{NmtState::initialising};
     CanState can_state_{CanState::error_active};
     std::uint8_t node_id_{0U};
     bool communication_failed_{false};
+    bool switching_{false};  ///< silent: LSS changes the bit rate
     Instant start_at_{never};
 };
 

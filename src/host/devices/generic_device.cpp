@@ -9,11 +9,18 @@ namespace {
 constexpr std::uint8_t generic_error = 0x01;
 constexpr std::uint8_t communication_error = 0x11;  // bits 0 and 4 of 1001h
 
-NodeProfile profile_of(const Part& part) {
+constexpr auto standard_bit_rates = lss_bit_rates(generated::canopen::t_co_t_lss_bit_rate::rows);
+
+LssProfile lss_of(const Part& part) {
+    return part.info.lss ? LssProfile{standard_bit_rates, false} : LssProfile{};
+}
+
+NodeProfile profile_of(const Part& part, const LssProfile& lss) {
     NodeProfile profile;
     profile.limit_abort = part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low;
     profile.error_list = part.info.error_list == "active" ? ErrorList::active : ErrorList::history;
     profile.block_sdo = part.info.block_sdo;
+    profile.lss = lss;
     return profile;
 }
 
@@ -37,13 +44,16 @@ ErrorTable standard_errors() {
 }
 
 GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue)
+    : GenericDevice{part, memory, queue, lss_of(part)} {}
+
+GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue, const LssProfile& lss)
     : rows_{make_rows(part)},
       tables_{rows_.tables()},
       image_(rows_.layout.image.size()),
       objects_{tables_, MutableBytes{image_.data(), image_.size()},
                part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low},
       errors_{standard_errors()},
-      node_{objects_, memory, queue, *this, errors_, profile_of(part)} {}
+      node_{objects_, memory, queue, *this, errors_, profile_of(part, lss)} {}
 
 void GenericDevice::lend(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
     domains_.push_back({index, subindex, std::vector<std::uint8_t>(size), std::vector<std::uint8_t>(size), 0, false});
@@ -94,6 +104,19 @@ AbortCode GenericDevice::commit(const EntryRef& entry, std::size_t length, Insta
     place->length = length;
     place->holds_value = true;
     return AbortCode::none;
+}
+
+void GenericDevice::power_on(const LssConfiguration& stored, Instant now) {
+    stored_ = stored;
+    bit_rate_ = stored.bit_rate;
+    node_.power_on(stored, now);
+}
+
+LssError GenericDevice::store_configuration(const LssConfiguration& configuration) {
+    if (store_answer_ == LssError::none) {
+        stored_ = configuration;
+    }
+    return store_answer_;
 }
 
 }  // namespace canproof::host

@@ -14,10 +14,15 @@ ErrorTable standard_errors();
 
 class GenericDevice final : private Application {
   public:
-    /// `part` describes the dictionary and what the node offers; it is copied into rows, not kept.
+    /// `part` describes the dictionary and what the node offers; it is copied into rows, not kept. With LSS, the bit
+    /// rates are those of CiA 305 and nothing resets the node but its master.
     GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue);
+    /// The same with an LSS of its own kind.
+    GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue, const LssProfile& lss);
 
     void power_on(std::uint8_t node_id, Instant now) { node_.power_on(node_id, now); }
+    /// With what an earlier life stored; `bit_rate()` is then that of `stored`.
+    void power_on(const LssConfiguration& stored, Instant now);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
     Instant next_deadline() const { return node_.next_deadline(); }
@@ -33,6 +38,13 @@ class GenericDevice final : private Application {
     /// What commit() answers from now on: AbortCode::none takes every new value.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 
+    /// bit/s as LSS last set it.
+    std::uint32_t bit_rate() const { return bit_rate_; }
+    /// What LSS last stored.
+    const LssConfiguration& stored() const { return stored_; }
+    /// What store configuration answers from now on; only LssError::none keeps anything.
+    void answer_store_with(LssError error) { store_answer_ = error; }
+
     /// How often a communication error began or ended.
     int communication_errors() const { return communication_errors_; }
 
@@ -44,6 +56,8 @@ class GenericDevice final : private Application {
     void restart(Instant) override {}
     void booted(Instant) override {}
     void communication_failed(bool, Instant) override { ++communication_errors_; }
+    void set_bit_rate(std::uint32_t bit_rate, Instant) override { bit_rate_ = bit_rate; }
+    LssError store_configuration(const LssConfiguration& configuration) override;
     Result<ByteView, AbortCode> domain_value(const EntryRef& entry) override;
     MutableBytes staging(const EntryRef& entry) override;
     AbortCode commit(const EntryRef& entry, std::size_t length, Instant now) override;
@@ -66,6 +80,9 @@ class GenericDevice final : private Application {
     ErrorTable errors_;
     Node node_;
     int communication_errors_{0};
+    LssConfiguration stored_{};
+    std::uint32_t bit_rate_{0};
+    LssError store_answer_{LssError::none};
     std::vector<Domain> domains_;
     AbortCode domain_refusal_{AbortCode::none};
 };
