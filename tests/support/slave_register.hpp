@@ -447,6 +447,7 @@ text = "Longer than the 64 bytes that the SDO server copies: it is read where it
 type = "VISIBLE_STRING"
 access = "rw"
 default = "A value of seventy-two bytes is longer than what the server itself holds"
+stored = false
 source = ["S1:1"]
 [[object]]
 index = 0x2400

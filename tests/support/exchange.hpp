@@ -1,0 +1,27 @@
+// A conversation on the bus as a table: what is sent, and all that must come back.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace canproof::test {
+
+/// One frame to the device and its answers, as in a candump log. Silence is an empty list.
+struct Exchange {
+    std::string request;
+    std::vector<std::string> answers;
+};
+
+/// Holds the whole conversation; a difference names the line of the table.
+template <typename Bench>
+void talk(Bench& bench, const std::vector<Exchange>& table) {
+    int line = 0;
+    for (const Exchange& row : table) {
+        ++line;
+        EXPECT_EQ(bench.send(row.request), row.answers) << "line " << line << ": " << row.request;
+    }
+}
+
+}  // namespace canproof::test
