@@ -142,4 +142,40 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
+TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
+    verifies<req::AO4_ERR_012>();
+    overrun(true);
+    EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
+    EXPECT_EQ(error_register(), "11");
+    EXPECT_EQ(listed(1), "10810000");
+    overrun(false);
+    can_state(2);
+    EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#2081110100000000"}));
+    EXPECT_EQ(error_register(), "11");
+    can_state(0);
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1061010100000000"}));
+    EXPECT_EQ(error_register(), "01");
+}
+
+TEST_F(Errors, AFlickeringErrorLeavesItsLastWord) {
+    verifies<req::CO_EMCY_006>();
+    send("000#0203");
+    for (int i = 0; i < 1000; ++i) {
+        overrun(true);
+        overrun(false);
+    }
+    // It came and went: 8110h, then its end; the list of ten is full by then.
+    EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000", "083#0000000A00000000"}));
+    overrun(true);
+    send("000#0203");
+    for (int i = 0; i < 1000; ++i) {
+        overrun(false);
+        overrun(true);
+    }
+    overrun(false);
+    EXPECT_EQ(send("000#8003"), (Frames{"083#0000000A00000000"}));
+}
+
 }  // namespace canproof::test

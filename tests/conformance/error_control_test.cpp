@@ -103,13 +103,16 @@ TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(ErrorControlService, TheIdentifierOf100EhHasElevenBitsAndIsNotZero) {
+TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
     verifies<req::AO4_GUARD_002>();
-    for (const char* value : {"00000000", "00080000", "03070020", "03070080"}) {
+    // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
+    for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
+                              "00080000", "03070020", "03070080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
     }
-    write("603#230E100001000000");
-    write("603#230E1000FF070000");
+    for (const char* value : {"01070000", "7F070000", "85010000"}) {
+        write(std::string{"603#230E1000"} + value);
+    }
 }
 
 namespace {

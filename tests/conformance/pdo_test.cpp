@@ -244,4 +244,18 @@ TEST_F(Pdo, ARemoteFrameOnRpdo2ReadsTheOutputs) {
     EXPECT_TRUE(send("303#R8").empty());
 }
 
+TEST_F(Pdo, ARemoteFrameOnRpdo3IsNotAnswered) {
+    verifies<req::AO4_PDO_005>();
+    EXPECT_TRUE(send("403#R8").empty());
+}
+
+TEST_F(Pdo, ARemoteFrameReadsTheCommandNotTheErrorValue) {
+    verifies<req::AO4_PDO_004>();
+    send("303#B33E4DC100000400");
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_EQ(volts(1), 0.0F);
+    EXPECT_EQ(send("303#R8"), (Frames{"303#B33E4DC100000400"}));
+}
+
 }  // namespace canproof::test

@@ -30,37 +30,47 @@ bool Emcy::is_active(const ErrorId error) const noexcept {
     return active_[static_cast<std::size_t>(error)];
 }
 
-void Emcy::set(const ErrorId error, const bool present, const Instant now) noexcept {
+void Emcy::set(const ErrorId error, const bool present, const Instant now, const std::uint8_t channel) noexcept {
     const std::size_t at = static_cast<std::size_t>(error);
     const ErrorRow& row = errors_[at];
     if ((row.code == error_cured_code) || (active_[at] == present)) {
         return;
     }
     active_[at] = present;
+    if (present) {
+        channel_[at] = channel;
+    }
     const std::uint8_t register_value = active_register();
     objects_.write(error_register_index, 0U, register_value);
     if (present && row.listed) {
-        enter_into_list(row.code);
+        enter_into_list(list_entry(at));
     }
     if (!present && (list_ == ErrorList::active)) {
-        remove_from_list(row.code);
+        remove_from_list(list_entry(at));
     }
     if (row.sent) {
-        announce(present ? row.code : error_cured_code, register_value, now);
+        announce(at, !present, register_value, now);
     }
 }
 
 void Emcy::report(const ErrorId error, const Instant now) noexcept {
-    const ErrorRow& row = errors_[static_cast<std::size_t>(error)];
+    const std::size_t at = static_cast<std::size_t>(error);
+    const ErrorRow& row = errors_[at];
     if (row.code == error_cured_code) {
         return;
     }
     if (row.listed) {
-        enter_into_list(row.code);
+        enter_into_list(list_entry(at));
     }
     if (row.sent) {
-        announce(row.code, static_cast<std::uint8_t>(active_register() | row.register_bits), now);
+        announce(at, false, static_cast<std::uint8_t>(active_register() | row.register_bits), now);
     }
+}
+
+std::uint32_t Emcy::list_entry(const std::size_t error) const noexcept {
+    const ErrorRow& row = errors_[error];
+    const std::uint32_t detail = std::uint32_t{row.detail} | channel_[error];
+    return (detail << 16U) | row.code;
 }
 
 std::uint8_t Emcy::active_register() const noexcept {
@@ -73,7 +83,7 @@ std::uint8_t Emcy::active_register() const noexcept {
     return bits;
 }
 
-void Emcy::enter_into_list(const std::uint16_t code) noexcept {
+void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
     const std::uint32_t capacity = list_capacity();
     if (capacity == 0U) {
@@ -85,16 +95,16 @@ void Emcy::enter_into_list(const std::uint16_t code) noexcept {
         const std::uint32_t moved = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
         objects_.write(error_list_index, static_cast<std::uint8_t>(sub + 1U), moved);
     }
-    objects_.write(error_list_index, 1U, code);
+    objects_.write(error_list_index, 1U, entry);
     objects_.write(error_list_index, 0U, kept + 1U);
 }
 
-void Emcy::remove_from_list(const std::uint16_t code) noexcept {
+void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
     const std::uint32_t count = objects_.read(error_list_index, 0U);
     std::uint32_t kept{0U};
     for (std::uint32_t sub = 1U; sub <= count; ++sub) {
         const std::uint32_t listed = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
-        if ((listed & 0xFFFFU) != code) {
+        if (listed != entry) {
             ++kept;
             objects_.write(error_list_index, static_cast<std::uint8_t>(kept), listed);
         }
@@ -120,18 +130,60 @@ void Emcy::clear_list() noexcept {
     }
 }
 
-void Emcy::announce(const std::uint16_t code, const std::uint8_t register_value, const Instant now) noexcept {
-    const std::uint32_t cob_id_entry = objects_.read(cob_id_index, 0U);
-    if (!cob_id::is_valid(cob_id_entry) || (pending_count_ == pending_capacity)) {
+/// An error that comes and goes while its messages wait is told as it stands: a message that says the opposite of the
+/// one before the last takes the last one back. So at most two wait for each error, and the last word is never lost.
+void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_t register_value,
+                    const Instant now) noexcept {
+    if (!cob_id::is_valid(objects_.read(cob_id_index, 0U))) {
         return;
     }
-    Frame frame = data_frame(cob_id::identifier(cob_id_entry), max_frame_length);
-    write_le(MutableBytes{frame.data}, 0U, 2U, code);
-    frame.data[2] = register_value;
-    frame.data[3] = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
-    pending_[pending_count_] = frame;
-    ++pending_count_;
+    const auto listed = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
+    const Pending told{static_cast<std::uint8_t>(error), cured, register_value, listed};
+    const std::size_t last = find_last(error);
+    std::size_t waiting{0U};
+    for (std::size_t i = 0U; i < pending_count_; ++i) {
+        waiting += (pending_[i].error == told.error) ? 1U : 0U;
+    }
+    const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
+    if (repeats) {
+        pending_[last] = told;
+    } else if (waiting > 1U) {
+        forget(last);
+    } else {
+        pending_[pending_count_] = told;
+        ++pending_count_;
+    }
     advance(now);
+}
+
+/// Position of the newest waiting message of that error; pending_count_ when none waits.
+std::size_t Emcy::find_last(const std::size_t error) const noexcept {
+    std::size_t found = pending_count_;
+    for (std::size_t i = 0U; i < pending_count_; ++i) {
+        found = (pending_[i].error == error) ? i : found;
+    }
+    return found;
+}
+
+void Emcy::forget(const std::size_t position) noexcept {
+    --pending_count_;
+    for (std::size_t i = position; i < pending_count_; ++i) {
+        pending_[i] = pending_[i + 1U];
+    }
+}
+
+Frame Emcy::message(const Pending& told) const noexcept {
+    Frame frame = data_frame(cob_id::identifier(objects_.read(cob_id_index, 0U)), max_frame_length);
+    write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
+    frame.data[2] = told.register_value;
+    if (content_ == EmcyContent::listed_errors) {
+        frame.data[3] = told.listed;
+    } else if (!told.cured) {
+        write_le(MutableBytes{frame.data}, 3U, 2U, list_entry(told.error) >> 16U);
+    } else {
+        // the end of an error: zeros
+    }
+    return frame;
 }
 
 void Emcy::enable(const bool enabled, const Instant now) noexcept {
@@ -142,11 +194,8 @@ void Emcy::enable(const bool enabled, const Instant now) noexcept {
 void Emcy::advance(const Instant now) noexcept {
     const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
     while (enabled_ && (pending_count_ > 0U) && (may_send_at_ <= now)) {
-        static_cast<void>(queue_.push(pending_[0]));
-        --pending_count_;
-        for (std::size_t i = 0U; i < pending_count_; ++i) {
-            pending_[i] = pending_[i + 1U];
-        }
+        static_cast<void>(queue_.push(message(pending_[0])));
+        forget(0U);
         may_send_at_ = now + inhibit;
     }
 }

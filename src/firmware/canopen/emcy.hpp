@@ -10,8 +10,8 @@
 
 namespace canproof {
 
-/// The errors that a node can notice. Those up to `internal` are common to the devices; a device adds its own behind
-/// them.
+/// The errors that a node can notice by itself; a device adds its own from `first_of_device` on. A device knows either
+/// guard_or_heartbeat, or life_guarding and the four consumers apart.
 enum class ErrorId : std::uint8_t {
     can_overrun = 0U,
     error_passive = 1U,
@@ -22,9 +22,19 @@ enum class ErrorId : std::uint8_t {
     internal_software = 6U,
     rpdo_length = 7U,
     rpdo_timeout = 8U,
-    first_of_device = 9U
+    life_guarding = 9U,
+    heartbeat_1 = 10U,  ///< the producer of 1016h:1; the next three follow it
+    heartbeat_2 = 11U,
+    heartbeat_3 = 12U,
+    heartbeat_4 = 13U,
+    first_of_device = 14U
 };
-constexpr std::size_t max_errors = 32U;
+constexpr std::size_t max_errors = 48U;
+
+/// Error number `offset` behind `first`, such as the same fault of another channel.
+constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noexcept {
+    return static_cast<ErrorId>(static_cast<std::size_t>(first) + offset);
+}
 
 /// How one error is told. A row with code 0 says that the device does not know the error: it is then passed over in
 /// silence.
@@ -33,6 +43,7 @@ struct ErrorRow {
     std::uint8_t register_bits{0U};  ///< set in 1001h while the error lasts
     bool sent{false};                ///< announced by an emergency message
     bool listed{false};              ///< entered into 1003h
+    std::uint16_t detail{0U};        ///< upper half of the entry in 1003h: Axiomatic's description << 8 | channel
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 
@@ -42,17 +53,25 @@ enum class ErrorList : std::uint8_t {
     active    ///< an error leaves the list when it is cured (Axiomatic)
 };
 
+/// What an emergency message holds behind the error register.
+enum class EmcyContent : std::uint8_t {
+    listed_errors,  ///< byte 3: the number of errors in 1003h (CAN-CBX-AO412, 7.9.4)
+    detail          ///< bytes 3 and 4: the upper half of the entry in 1003h, as it stands there (Axiomatic)
+};
+
 class Emcy {
   public:
-    Emcy(ObjectDictionary& objects, TransmitQueue& queue, const ErrorTable& errors, ErrorList list) noexcept
-        : objects_{objects}, queue_{queue}, errors_{errors}, list_{list} {}
+    Emcy(ObjectDictionary& objects, TransmitQueue& queue, const ErrorTable& errors, const ErrorList list,
+         const EmcyContent content) noexcept
+        : objects_{objects}, queue_{queue}, errors_{errors}, list_{list}, content_{content} {}
 
     /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node.
     void reset() noexcept;
     /// 1001h and 1003h were set to their defaults by a reset of the communication area: what is active shows again.
     void refresh() noexcept;
-    /// A lasting error begins or ends. Telling the same twice does nothing.
-    void set(ErrorId error, bool present, Instant now) noexcept;
+    /// A lasting error begins or ends. Telling the same twice does nothing. `channel` is added to the detail of the row
+    /// when the error begins: the node-ID of a lost heartbeat.
+    void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
     /// An error that is over when it is noticed: listed and sent, never active.
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(ErrorId error) const noexcept;
@@ -66,12 +85,23 @@ class Emcy {
     void after_write(const EntryRef& entry) noexcept;
 
   private:
-    /// One message for each error that can be active, twice over: it occurred and was cured within one inhibit time.
-    static constexpr std::size_t pending_capacity = 16U;
+    /// A message that waits. Its COB-ID and detail are those of the moment when it is sent.
+    struct Pending {
+        std::uint8_t error{0U};
+        bool cured{false};
+        std::uint8_t register_value{0U};
+        std::uint8_t listed{0U};
+    };
+    /// For no error more than two messages wait, see announce().
+    static constexpr std::size_t pending_capacity = 2U * max_errors;
 
-    void announce(std::uint16_t code, std::uint8_t register_value, Instant now) noexcept;
-    void enter_into_list(std::uint16_t code) noexcept;
-    void remove_from_list(std::uint16_t code) noexcept;
+    void announce(std::size_t error, bool cured, std::uint8_t register_value, Instant now) noexcept;
+    std::size_t find_last(std::size_t error) const noexcept;
+    void forget(std::size_t position) noexcept;
+    Frame message(const Pending& told) const noexcept;
+    void enter_into_list(std::uint32_t entry) noexcept;
+    void remove_from_list(std::uint32_t entry) noexcept;
+    std::uint32_t list_entry(std::size_t error) const noexcept;
     std::uint8_t active_register() const noexcept;
     void clear_list() noexcept;
     std::uint8_t list_capacity() const noexcept;
@@ -80,8 +110,10 @@ class Emcy {
     TransmitQueue& queue_;
     const ErrorTable& errors_;
     ErrorList list_;
+    EmcyContent content_;
     std::array<bool, max_errors> active_{};
-    std::array<Frame, pending_capacity> pending_{};
+    std::array<std::uint8_t, max_errors> channel_{};
+    std::array<Pending, pending_capacity> pending_{};
     std::size_t pending_count_{0U};
     Instant may_send_at_{};
     bool enabled_{false};

@@ -12,6 +12,13 @@ constexpr std::uint16_t life_time_factor_index = 0x100DU;
 constexpr std::uint16_t guarding_identifier_index = 0x100EU;
 constexpr std::uint16_t heartbeat_time_index = 0x1017U;
 constexpr std::uint8_t toggle_bit = 0x80U;
+constexpr std::uint32_t max_node_id = 127U;
+
+/// 701h…77Fh: restricted for all else, made for this (CiA 301, 7.3.5).
+constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
+    return (identifier > generated::canopen::guarding_cob_id_base) &&
+           (identifier <= (generated::canopen::guarding_cob_id_base + max_node_id));
+}
 
 }  // namespace
 
@@ -92,7 +99,8 @@ AbortCode ErrorControl::before_write(const EntryRef& entry, const ByteView value
         return AbortCode::none;
     }
     const std::uint32_t wanted = read_u32(value, 0U);
-    const bool fits = (wanted != 0U) && (wanted == cob_id::identifier(wanted));
+    const bool is_identifier = wanted == cob_id::identifier(wanted);
+    const bool fits = is_identifier && (is_error_control(wanted) || !cob_id::is_restricted(wanted));
     return fits ? AbortCode::none : AbortCode::value_range;
 }
 

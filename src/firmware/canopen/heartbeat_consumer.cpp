@@ -29,6 +29,10 @@ std::uint32_t HeartbeatConsumer::setting(const std::size_t slot) const noexcept 
     return objects_.read(index, static_cast<std::uint8_t>(slot + 1U));
 }
 
+std::uint8_t HeartbeatConsumer::producer(const std::size_t slot) const noexcept {
+    return static_cast<std::uint8_t>(node_id_of(setting(slot)));
+}
+
 void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept {
     if (frame.extended || frame.remote || (frame.length != 1U)) {
         return;

@@ -24,6 +24,10 @@ class HeartbeatConsumer {
     Instant next_deadline() const noexcept;
     /// A producer that was heard has fallen silent and has not been heard again.
     bool failed() const noexcept;
+    /// The same of one entry of 1016h, slot 0 for sub-index 1.
+    bool failed(const std::size_t slot) const noexcept { return watches_[slot].failed; }
+    /// The node-ID that this entry watches.
+    std::uint8_t producer(std::size_t slot) const noexcept;
 
     AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
     void after_write(const EntryRef& entry) noexcept;

@@ -6,25 +6,13 @@ namespace {
 
 constexpr std::uint16_t error_behaviour_index = 0x1029U;
 constexpr std::uint8_t communication_error_subindex = 1U;
-// Values of 1029h (CiA 301, 7.5.2.32); 1 leaves the state alone.
+// Values of 1029h (CiA 301, 7.5.2.32).
 constexpr std::uint32_t to_pre_operational = 0U;
+constexpr std::uint32_t no_change = 1U;
 constexpr std::uint32_t to_stopped = 2U;
 constexpr std::uint16_t store_index = 0x1010U;
 
 }  // namespace
-
-static_assert(implements<req::CO_SDO_032>);
-Result<ByteView, AbortCode> Application::domain_value(const EntryRef&) {
-    return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
-}
-
-MutableBytes Application::staging(const EntryRef&) {
-    return MutableBytes{};
-}
-
-AbortCode Application::commit(const EntryRef&, std::size_t, Instant) {
-    return AbortCode::unsupported_access;
-}
 
 Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
            const ErrorTable& errors, const NodeProfile& profile) noexcept
@@ -34,11 +22,11 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       profile_{profile},
       store_{objects, memory},
       sdo_{*this, queue, profile.block_sdo},
-      emcy_{objects, queue, errors, profile.error_list},
+      emcy_{objects, queue, errors, profile.error_list, profile.emcy_content},
       sync_{objects, queue},
       error_control_{objects, queue},
       heartbeats_{objects},
-      rpdos_{objects, *this, queue, profile.rpdo_answers_remote},
+      rpdos_{objects, *this, queue, profile.rpdos_answering_remote},
       lss_{profile.lss, objects, queue, application} {}
 
 void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {
@@ -65,6 +53,9 @@ void Node::reset_node(const Instant now) noexcept {
     communication_failed_ = false;
     application_.restart(now);
     emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
+    // What outlasts the reset is an error of the new life as well.
+    emcy_.set(ErrorId::can_overrun, overrun_, now);
+    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     boot_up(now);
 }
 
@@ -237,6 +228,15 @@ Instant Node::next_deadline() const noexcept {
     return earliest(next, emcy_.next_deadline());
 }
 
+void Node::start_at(const Instant at) noexcept {
+    start_at_ = (communication_failed_ && (error_behaviour(communication_error_subindex) != no_change)) ? never : at;
+}
+
+void Node::set_overrun(const bool lost, const Instant now) noexcept {
+    overrun_ = lost;
+    emcy_.set(ErrorId::can_overrun, lost, now);
+}
+
 void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (state == can_state_) {
         return;
@@ -259,31 +259,50 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (was_off && !is_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
     }
-    emcy_.set(ErrorId::error_passive, (state == CanState::error_passive) || is_off, now);
+    emcy_.set(ErrorId::error_passive, state >= CanState::error_passive, now);
     watch_communication(now);
 }
 
 void Node::watch_communication(const Instant now) noexcept {
+    announce_silence(now);
     const bool silent = error_control_.life_guarding_failed() || heartbeats_.failed();
-    emcy_.set(ErrorId::guard_or_heartbeat, silent, now);
     const bool failed = silent || (can_state_ == CanState::bus_off);
     if (failed == communication_failed_) {
         return;
     }
     communication_failed_ = failed;
     if (failed) {
-        const auto reaction = objects_.find(error_behaviour_index, communication_error_subindex);
-        const std::uint32_t wanted =
-            reaction.ok() ? objects_.read(error_behaviour_index, communication_error_subindex) : to_pre_operational;
-        if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
-            enter(NmtState::pre_operational, now);
-        } else if (wanted == to_stopped) {
-            enter(NmtState::stopped, now);
-        } else {
-            // no change of state
-        }
+        apply_error_behaviour(communication_error_subindex, now);
     }
     application_.communication_failed(failed, now);
+}
+
+void Node::announce_silence(const Instant now) noexcept {
+    const bool guarding = error_control_.life_guarding_failed();
+    emcy_.set(ErrorId::guard_or_heartbeat, guarding || heartbeats_.failed(), now);
+    emcy_.set(ErrorId::life_guarding, guarding, now);
+    for (std::size_t slot = 0U; slot < HeartbeatConsumer::max_producers; ++slot) {
+        emcy_.set(error_after(ErrorId::heartbeat_1, slot), heartbeats_.failed(slot), now, heartbeats_.producer(slot));
+    }
+}
+
+std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
+    return objects_.has(error_behaviour_index, subindex) ? objects_.read(error_behaviour_index, subindex)
+                                                         : to_pre_operational;
+}
+
+void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {
+    const std::uint32_t wanted = error_behaviour(subindex);
+    if (wanted != no_change) {
+        start_at_ = never;  // 1029h outranks the self-start
+    }
+    if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
+        enter(NmtState::pre_operational, now);
+    } else if (wanted == to_stopped) {
+        enter(NmtState::stopped, now);
+    } else {
+        // no change of state
+    }
 }
 
 Result<EntryRef, AbortCode> Node::find(const std::uint16_t index, const std::uint8_t subindex) noexcept {

@@ -2,6 +2,7 @@
 // NodeProfile and Application.
 #pragma once
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/emcy.hpp"
 #include "firmware/canopen/error_control.hpp"
 #include "firmware/canopen/heartbeat_consumer.hpp"
@@ -12,6 +13,7 @@
 #include "firmware/canopen/receive_pdo.hpp"
 #include "firmware/canopen/sdo_server.hpp"
 #include "firmware/canopen/sync.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -19,7 +21,8 @@ namespace canproof {
 struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
-    bool rpdo_answers_remote{false};            ///< RTR on an RPDO reads it back (CAN-CBX-AO412, 7.7.2)
+    EmcyContent emcy_content{EmcyContent::listed_errors};
+    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: RTR on RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
     bool block_sdo{false};                      ///< SDO block transfer is offered
     LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
@@ -29,6 +32,7 @@ struct NodeProfile {
 enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
 
 /// What the node asks and tells the device around it.
+/// Whole in this header, as LssApplication is.
 class Application : public LssApplication {
   public:
     Application(const Application&) = delete;
@@ -51,13 +55,25 @@ class Application : public LssApplication {
     virtual void booted(Instant now) = 0;
     /// The value of a DOMAIN entry, where it lies: it stays as it is until commit() or a reset. 06010000h when there is
     /// no such memory, 08000024h when it holds nothing.
-    virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry);
+    virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
+        static_assert(implements<req::CO_SDO_032>);
+        static_cast<void>(entry);
+        return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
+    }
     /// Memory in which the new value of a DOMAIN, or of an entry longer than the SDO server's own buffer, gathers.
     /// Empty: none. What is written there is not yet a value.
-    virtual MutableBytes staging(const EntryRef& entry);
+    virtual MutableBytes staging(const EntryRef& entry) {
+        static_cast<void>(entry);
+        return MutableBytes{};
+    }
     /// The first `length` bytes of the staging of a DOMAIN are its new value: taken as a whole, or refused and the old
     /// one stays.
-    virtual AbortCode commit(const EntryRef& entry, std::size_t length, Instant now);
+    virtual AbortCode commit(const EntryRef& entry, const std::size_t length, const Instant now) {
+        static_cast<void>(entry);
+        static_cast<void>(length);
+        static_cast<void>(now);
+        return AbortCode::unsupported_access;
+    }
     /// A communication error of 1029h:1 (heartbeat, guarding, bus-off) began or ended.
     virtual void communication_failed(bool failed, Instant now) = 0;
 
@@ -86,13 +102,15 @@ class Node final : private ObjectAccess {
 
     void set_can_state(CanState state, Instant now) noexcept;
     /// A frame was lost because the controller or a queue could not take it; false when that has ended.
-    void set_overrun(bool lost, Instant now) noexcept { emcy_.set(ErrorId::can_overrun, lost, now); }
+    void set_overrun(bool lost, Instant now) noexcept;
     /// An error of the device begins or ends.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
         emcy_.set(error, present, now);
     }
-    /// Enters operational at `at` unless an NMT command comes first.
-    void start_at(const Instant at) noexcept { start_at_ = at; }
+    /// The change of state that 1029h:`subindex` asks for an error of its class.
+    void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
+    /// Enters operational at `at` unless an NMT command or a communication error comes first.
+    void start_at(Instant at) noexcept;
 
     NmtState state() const noexcept { return state_; }
     /// The active node-ID; unconfigured_node_id when there is none.
@@ -123,6 +141,8 @@ class Node final : private ObjectAccess {
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
     void watch_communication(Instant now) noexcept;
+    void announce_silence(Instant now) noexcept;
+    std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(Instant now) noexcept;
 
     ObjectDictionary& objects_;
@@ -141,6 +161,7 @@ class Node final : private ObjectAccess {
     CanState can_state_{CanState::error_active};
     std::uint8_t node_id_{0U};
     bool communication_failed_{false};
+    bool overrun_{false};
     bool switching_{false};  ///< silent: LSS changes the bit rate
     Instant start_at_{never};
 };

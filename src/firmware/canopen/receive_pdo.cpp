@@ -48,7 +48,7 @@ PdoReception ReceivePdos::receive(const Frame& frame, const Instant now) noexcep
         }
         if (!frame.remote) {
             result = take(number, frame, now);
-        } else if (answers_remote_ && ((entry & cob_id::no_remote) == 0U)) {
+        } else if ((((answering_remote_ >> number) & 1U) != 0U) && ((entry & cob_id::no_remote) == 0U)) {
             // CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes.
             static_cast<void>(queue_.push(mapping(number).pack(frame.id)));
             result = PdoReception::taken;

@@ -22,8 +22,10 @@ class ReceivePdos {
     /// RPDO1…RPDO8: 1400h…1407h with 1600h…1607h. The devices here have at most four.
     static constexpr std::size_t max_count = 8U;
 
-    ReceivePdos(ObjectDictionary& objects, ObjectAccess& access, TransmitQueue& queue, bool answers_remote) noexcept
-        : objects_{objects}, access_{access}, queue_{queue}, answers_remote_{answers_remote} {}
+    /// `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
+    ReceivePdos(ObjectDictionary& objects, ObjectAccess& access, TransmitQueue& queue,
+                const std::uint8_t answering_remote) noexcept
+        : objects_{objects}, access_{access}, queue_{queue}, answering_remote_{answering_remote} {}
 
     /// Nothing waits for a SYNC: the state after reset and outside operational.
     void reset() noexcept { waiting_.fill(Waiting{}); }
@@ -48,7 +50,7 @@ class ReceivePdos {
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
-    bool answers_remote_;
+    std::uint8_t answering_remote_;
     std::array<Waiting, max_count> waiting_{};
 };
 

@@ -20,7 +20,9 @@ constexpr std::uint16_t program_data_index = 0x1F50U;
 constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
 constexpr std::uint8_t max_node_id = 0x7FU;
 
-constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, true, true};
+constexpr std::uint8_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
+constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, EmcyContent::listed_errors, rpdo2_answers_remote,
+                              true};
 
 // 4.3.1: reference times the gain of the differential amplifier.
 constexpr VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
@@ -153,10 +155,13 @@ AbortCode Device::before_write(const EntryRef&, const ByteView) {
 
 static_assert(implements<req::AO4_AOUT_005>);
 void Device::after_write(const EntryRef& entry, const Instant) {
-    const bool sets_output =
-        (entry.index == output_index) || (entry.index == offset_index) || (entry.index == gain_index);
-    if (sets_output && !failed_) {
-        drive_output(entry.row->subindex, objects_.get(field::o6411_write_analogue_output_16_bit[entry.row->subindex]));
+    const std::uint8_t number = entry.row->subindex;
+    if ((entry.index == output_index) && !failed_) {
+        command_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
+    } else if ((entry.index == offset_index) || (entry.index == gain_index)) {
+        drive_output(number);
+    } else {
+        // no output changes at once
     }
 }
 
@@ -172,11 +177,16 @@ void Device::put_factory_values(const ParameterGroup group) {
     }
 }
 
+static_assert(implements<req::AO4_AOUT_010>);
 void Device::restart(const Instant) {
     communication_failed_ = false;
     failed_ = false;
     software_fault_shown_ = false;
-    drive_outputs();
+    if (inputs_.internal_fault) {
+        set_failed(false, true);
+    } else {
+        command_outputs();
+    }
 }
 
 static_assert(implements<req::AO4_START_001>);
@@ -209,30 +219,41 @@ void Device::apply_error_mode(const std::uint8_t number) noexcept {
     const auto* const row = modes::find(objects_.get(field::o6443_analogue_output_error_mode[number]));
     const modes::Action action = (row == nullptr) ? modes::Action::zero : row->action;
     if (action == modes::Action::zero) {
-        outputs_.aout[number - 1U] = 0.0F;
+        driven_[number - 1U] = Driven{};
+        drive_output(number);
     } else if (action == modes::Action::error_value) {
         const auto bits = static_cast<std::uint32_t>(objects_.get(field::o6444_analogue_output_error_value[number]));
-        drive_output(number, static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> 16U)));
+        command_output(number, static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> 16U)));
     } else {
         // keep
     }
 }
 
-void Device::drive_outputs() noexcept {
+void Device::command_outputs() noexcept {
     for (std::uint8_t number = 1U; number <= output_count; ++number) {
-        drive_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
+        command_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
     }
+}
+
+void Device::command_output(const std::uint8_t number, const std::int16_t value) noexcept {
+    driven_[number - 1U] = Driven{true, value};
+    drive_output(number);
 }
 
 static_assert(implements<req::AO4_AOUT_001> && implements<req::AO4_AOUT_002> && implements<req::AO4_AOUT_003> &&
               implements<req::AO4_AOUT_004>);
-void Device::drive_output(const std::uint8_t number, const std::int16_t value) noexcept {
+void Device::drive_output(const std::uint8_t number) noexcept {
+    const Driven driven = driven_[number - 1U];
+    if (!driven.on) {
+        outputs_.aout[number - 1U] = 0.0F;
+        return;
+    }
     const float gain_codes = static_cast<float>(objects_.get(field::o2405_calibration_gain_value[number]));
     const float offset_codes = static_cast<float>(objects_.get(field::o2404_calibration_offset_value[number]));
     constexpr float offset_lsb_v = own::calibration_offset_full_scale / 32768.0F;
     const OutputCalibration calibration{1.0F + (gain_codes / static_cast<float>(own::calibration_gain_divisor)),
                                         offset_codes * offset_lsb_v};
-    outputs_.aout[number - 1U] = step_voltage(output_step(value, circuit, calibration), circuit);
+    outputs_.aout[number - 1U] = step_voltage(output_step(driven.value, circuit, calibration), circuit);
 }
 
 static_assert(implements<req::AO4_LED_001> && implements<req::AO4_T7>);

@@ -44,6 +44,12 @@ class Device final : private Application {
     NmtState state() const noexcept { return node_.state(); }
 
   private:
+    /// What an output holds: a value in the unit of 6411h, or 0 V whatever the calibration.
+    struct Driven {
+        bool on{false};
+        std::int16_t value{0};
+    };
+
     AbortCode check_access(const EntryRef& entry) override;
     AbortCode before_write(const EntryRef& entry, ByteView value) override;
     void after_write(const EntryRef& entry, Instant now) override;
@@ -54,8 +60,11 @@ class Device final : private Application {
 
     void watch_internal_fault(Instant now) noexcept;
     void set_failed(bool communication, bool internal) noexcept;
-    void drive_outputs() noexcept;
-    void drive_output(std::uint8_t number, std::int16_t value) noexcept;
+    void command_outputs() noexcept;
+    /// Output `number` (1…4) goes to `value`, in the unit of 6411h, until it is told otherwise.
+    void command_output(std::uint8_t number, std::int16_t value) noexcept;
+    /// Sets the voltage of what the output holds, by the calibration as it is now.
+    void drive_output(std::uint8_t number) noexcept;
     void apply_error_mode(std::uint8_t number) noexcept;
     void drive_leds(Instant now) noexcept;
     bool show(generated::cbx_ao412::IndicatorState state, Duration shift, Instant now) noexcept;
@@ -69,6 +78,7 @@ class Device final : private Application {
     FactoryData factory_;
     Inputs inputs_{};
     Outputs outputs_{};
+    std::array<Driven, output_count> driven_{};
     Instant next_led_change_{never};
     std::uint32_t bit_rate_{0U};
     std::uint8_t node_id_{0U};

@@ -158,4 +158,44 @@ TEST_F(Output, ResetCommunicationLeavesTheCalibrationAlone) {
     EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
 }
 
+TEST_F(OutputInError, CalibrationMovesTheValueThatTheOutputHolds) {
+    verifies<req::AO4_AOUT_005, req::AO4_AOUT_008>();
+    // 2404h = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
+    write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
+    expect_steps(1, 1024);
+    write("603#2B04240108000000");
+    expect_steps(1, 1025);
+    inputs.internal_fault = true;
+    set_inputs();
+    const float error_value = volts(1);
+    write("603#2B04240100000000");
+    inputs.internal_fault = false;
+    set_inputs();
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still what the error put out, at most a step moved
+    write("603#2B04240108000000");
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);
+}
+
+TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
+    verifies<req::AO4_AOUT_010>();
+    write("603#2B11640100200000");
+    write("603#2B11640200200000");
+    write("603#2B11640300200000");
+    write("603#2F43640100000000");  // 0 V
+    write("603#2F43640201000000");  // 6444h
+    write("603#2344640200000004");  // 0400h = 1024: 128 steps
+    write("603#2F43640302000000");  // as it is
+    write("603#2310100173617665");
+    inputs.internal_fault = true;
+    set_inputs();
+    send("000#8103");
+    expect_steps(1, 0);
+    expect_steps(2, 128);
+    expect_steps(3, 1024);
+    power_on();
+    expect_steps(1, 0);
+    expect_steps(2, 128);
+    expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
+}
+
 }  // namespace canproof::test

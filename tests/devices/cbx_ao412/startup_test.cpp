@@ -114,4 +114,48 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     EXPECT_EQ(send("603#23521F0100000000"), (Frames{"583#80521F0102000106"}));
 }
 
+TEST_F(Startup, AResetLetsTheDelayBeginAnew) {
+    verifies<req::AO4_START_003>();
+    write("603#23801F0008000000");
+    write("603#2310100173617665");
+    power_on();
+    for (const char* reset : {"000#8103", "000#8203"}) {
+        pass(50);
+        send(reset);
+        pass(99);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << reset;
+        pass(1);
+        EXPECT_EQ(device->state(), NmtState::operational) << reset;
+    }
+}
+
+namespace {
+
+/// The state after the delay of the self-start when the controller went bus-off on the way, with this value of 1029h:1.
+NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
+    CbxBench bench;
+    bench.power_on();
+    bench.write("603#2F291001" + reaction + "000000");
+    bench.write("603#23801F0008000000");
+    bench.write("603#2310100173617665");
+    bench.inputs.can_state = before_boot_up ? 3 : 0;
+    bench.power_on();
+    bench.pass(50);
+    bench.inputs.can_state = 3;
+    bench.set_inputs();
+    bench.pass(1000);
+    return bench.device->state();
+}
+
+}  // namespace
+
+TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
+    verifies<req::AO4_START_004>();
+    for (const bool before_boot_up : {false, true}) {
+        EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
+        EXPECT_EQ(started_in_bus_off("01", before_boot_up), NmtState::operational);
+        EXPECT_EQ(started_in_bus_off("02", before_boot_up), NmtState::stopped);
+    }
+}
+
 }  // namespace canproof::test

@@ -1,0 +1,83 @@
+// The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
+#include "support/slave_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// A dictionary with the list and an EMCY service of its own; two errors of two channels.
+class ActiveList : public testing::Test {
+  protected:
+    static constexpr ErrorId channel_1 = ErrorId::first_of_device;
+    static constexpr ErrorId channel_2 = error_after(ErrorId::first_of_device, 1);
+
+    ActiveList() {
+        // AX188001 Tables 5 and 6: open circuit F001h without description, limit F011h with 10h, on channels 1 and 2
+        errors[static_cast<std::size_t>(channel_1)] = ErrorRow{0xF001, 0x81, true, true, 0x0001};
+        errors[static_cast<std::size_t>(channel_2)] = ErrorRow{0xF011, 0x81, true, true, 0x1002};
+        errors[static_cast<std::size_t>(ErrorId::heartbeat_1)] = ErrorRow{0x8130, 0x11, true, true, 0x8000};
+        objects.load_defaults(ParameterGroup::communication, 5);
+        emcy.reset();
+        emcy.enable(true, Instant{});
+    }
+    Frames sent() {
+        Frames all;
+        while (!queue.empty()) {
+            all.push_back(host::format_frame(queue.pop()));
+        }
+        return all;
+    }
+    std::vector<std::uint32_t> listed() const {
+        std::vector<std::uint32_t> all;
+        for (std::uint8_t sub = 1; sub <= objects.read(0x1003, 0); ++sub) {
+            all.push_back(objects.read(0x1003, sub));
+        }
+        return all;
+    }
+
+    host::DictionaryRows rows{host::make_rows(slave_part())};
+    DictionaryTables tables{rows.tables()};
+    std::vector<std::uint8_t> image = std::vector<std::uint8_t>(rows.layout.image.size());
+    ObjectDictionary objects{tables, MutableBytes{image.data(), image.size()}, LimitAbort::high_low};
+    TransmitQueue queue;
+    ErrorTable errors{};
+    Emcy emcy{objects, queue, errors, ErrorList::active, EmcyContent::detail};
+};
+
+}  // namespace
+
+TEST_F(ActiveList, ACuredErrorLeavesTheListAndTheRestMovesUp) {
+    verifies<req::CO_EMCY_007>();
+    emcy.set(channel_1, true, Instant{});
+    emcy.set(channel_2, true, Instant{});
+    emcy.set(ErrorId::heartbeat_1, true, Instant{}, 0x31);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80318130, 0x1002F011, 0x0001F001}));
+    emcy.set(channel_2, false, Instant{});
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80318130, 0x0001F001}));
+    EXPECT_EQ(objects.read(0x1003, 3), 0U);
+    emcy.set(channel_1, false, Instant{});
+    emcy.set(ErrorId::heartbeat_1, false, Instant{});
+    EXPECT_TRUE(listed().empty());
+}
+
+TEST_F(ActiveList, DetailsStandInListAndMessage) {
+    verifies<req::CO_EMCY_008>();
+    emcy.set(channel_2, true, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
+    emcy.set(ErrorId::heartbeat_1, true, Instant{}, 0x31);
+    EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 81h or 11h is 91h
+    emcy.set(channel_2, false, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
+}
+
+TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
+    verifies<req::CO_EMCY_007>();
+    errors[static_cast<std::size_t>(channel_2)] = ErrorRow{0xF001, 0x81, true, true, 0x0002};
+    emcy.set(channel_1, true, Instant{});
+    emcy.set(channel_2, true, Instant{});
+    emcy.set(channel_1, false, Instant{});
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
+}
+
+}  // namespace canproof::test
