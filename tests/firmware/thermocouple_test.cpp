@@ -1,0 +1,183 @@
+// Thermocouple functions of the AX188001 (1.1, Table 1, appendix A) against the ITS-90 written out in
+// support/its90.hpp.
+#include "firmware/blocks/thermocouple.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/blocks/thermocouple_curves.hpp"
+#include "generated/ax188001/tables.hpp"
+#include "support/its90.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+const ThermocoupleCurve& curve_of(const Its90Type& type) {
+    return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
+}
+
+/// Where the voltage begins to rise for good: B falls up to 21.02 degC.
+long double lowest_convertible(const Its90Type& type) {
+    return type.letter == 'B' ? 42.0L : type.lowest();
+}
+
+}  // namespace
+
+TEST(Thermocouple, ReferenceFunctionsAreThoseOfTheIts90) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
+             req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
+    for (const auto& type : its90_types()) {
+        // Steps of 0.25 degC also fall beside every border between two pieces.
+        for (long double celsius = type.lowest(); celsius <= type.highest(); celsius += 0.25L) {
+            ASSERT_NEAR(reference_mv(curve_of(type), static_cast<double>(celsius)),
+                        static_cast<double>(type.mv(celsius)), 1e-9)
+                << type.letter << " at " << static_cast<double>(celsius);
+        }
+    }
+}
+
+TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
+    verifies<req::TCS_CONV_001>();
+    for (const auto& type : its90_types()) {
+        for (long double celsius = type.lowest() + 1.0L; celsius < type.highest() - 1.0L; celsius += 7.3L) {
+            const long double difference = (type.mv(celsius + 0.001L) - type.mv(celsius - 0.001L)) / 0.002L;
+            ASSERT_NEAR(reference_slope(curve_of(type), static_cast<double>(celsius)), static_cast<double>(difference),
+                        1e-7)
+                << type.letter << " at " << static_cast<double>(celsius);
+        }
+    }
+}
+
+TEST(Thermocouple, PublishedTablePointsToHalfTheirLastDigit) {
+    verifies<req::TCS_CONV_005>();
+    std::size_t points = 0;
+    for (const auto& type : its90_types()) {
+        for (const auto& [celsius, mv] : type.points) {
+            EXPECT_NEAR(reference_mv(curve_of(type), celsius), mv, 0.0005000001) << type.letter << " at " << celsius;
+            ++points;
+        }
+    }
+    EXPECT_EQ(points, 363U);
+}
+
+TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
+    verifies<req::TCS_CONV_001>();
+    for (const auto& type : its90_types()) {
+        for (const auto& [celsius, mv] : type.points) {
+            if (celsius < lowest_convertible(type)) {
+                continue;
+            }
+            // Half a digit of the table, 0.0005 mV, is worth so many degrees here.
+            const long double slope = (type.mv(celsius + 0.5L) - type.mv(celsius - 0.5L));
+            EXPECT_NEAR(exact_celsius(curve_of(type), mv), celsius, static_cast<double>(0.0005L / slope) * 1.05 + 1e-6)
+                << type.letter << " at " << celsius;
+        }
+    }
+}
+
+TEST(Thermocouple, ConversionErrsByLessThanATenThousandthOfADegree) {
+    verifies<req::TCS_CONV_002>();
+    for (const auto& type : its90_types()) {
+        double worst = 0.0;
+        for (long double celsius = lowest_convertible(type); celsius <= type.highest(); celsius += 0.1L) {
+            const double back = exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius)));
+            worst = std::max(worst, std::fabs(back - static_cast<double>(celsius)));
+        }
+        EXPECT_LT(worst, 0.0001) << type.letter;  // 0.02 degC are promised
+    }
+}
+
+TEST(Thermocouple, InverseFunctionsAreThoseOfTheIts90) {
+    verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
+    for (const auto& type : its90_types()) {
+        for (std::size_t i = 0; i < type.inverse.size(); ++i) {
+            const auto& piece = type.inverse[i];
+            // Pieces of R and S overlap; the lower one holds up to its own end.
+            const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
+            for (int step = 1; step <= 2000; ++step) {
+                const long double mv = from + (piece.to - from) * step / 2000.0L;
+                const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
+                ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << type.letter << " " << step;
+                // NIST's own bounds reach 0.06 degC; the ends are rounded to 0.001 mV
+                ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
+                    << type.letter << " at " << static_cast<double>(mv);
+            }
+        }
+        const auto& first = type.inverse.front();
+        const auto& last = type.inverse.back();
+        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(first.from) - 1.0),
+                    static_cast<double>(first.at(first.from)), 1e-7);
+        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(last.to) + 1.0),
+                    static_cast<double>(last.at(last.to)), 1e-7);
+    }
+}
+
+TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
+    verifies<req::TCS_CONV_006>();
+    for (const auto& type : its90_types()) {
+        if (type.letter != 'B') {
+            EXPECT_EQ(exact_celsius(curve_of(type), -100.0), static_cast<double>(type.lowest())) << type.letter;
+        }
+        EXPECT_EQ(exact_celsius(curve_of(type), 100.0), static_cast<double>(type.highest())) << type.letter;
+    }
+}
+
+TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
+    verifies<req::TCS_CONV_007, req::TCS_K_B_MINIMUM>();
+    const Its90Type b = its90_b();
+    // The slope changes its sign at 21.02 degC, where the voltage is -2.585 uV.
+    EXPECT_LT(b.mv(21.020L), b.mv(21.010L));
+    EXPECT_LT(b.mv(21.021L), b.mv(21.031L));
+    EXPECT_NEAR(static_cast<double>(b.mv(21.0203L)) * 1000.0, -2.585, 0.0005);
+    EXPECT_NEAR(exact_celsius(curve_of(b), -1.0), 21.0203, 1e-6);
+    for (long double celsius = 21.1L; celsius < 60.0L; celsius += 0.37L) {
+        EXPECT_NEAR(exact_celsius(curve_of(b), static_cast<double>(b.mv(celsius))), static_cast<double>(celsius), 1e-4);
+    }
+    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // E(42) = -0.0322 uV, slope 0.249 uV/K
+}
+
+TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
+    verifies<req::TCS_CONV_010, req::TCS_T1>();
+    namespace ranges = generated::ax188001::t_tcs_t1;
+    struct Range {
+        char letter;
+        std::int32_t lowest_uv;
+        std::int32_t highest_uv;
+        long double highest_c;
+    };
+    const std::vector<Range> appendix{{'J', -8095, 69553, 1200.0L}, {'K', -6458, 54886, 1372.0L},
+                                      {'N', -4345, 47513, 1300.0L}, {'R', -226, 21101, 1768.0L},
+                                      {'S', -236, 18693, 1768.0L},  {'T', -6258, 20872, 400.0L},
+                                      {'E', -9835, 76373, 1000.0L}, {'B', 0, 13820, 1820.0L}};
+    for (std::size_t i = 0; i < appendix.size(); ++i) {
+        const Its90Type& type = its90_types()[i];
+        ASSERT_EQ(type.letter, appendix[i].letter);
+        EXPECT_NEAR(static_cast<double>(type.mv(type.lowest())) * 1000.0, appendix[i].lowest_uv, 0.5) << type.letter;
+        EXPECT_NEAR(static_cast<double>(type.mv(appendix[i].highest_c)) * 1000.0, appendix[i].highest_uv, 0.5)
+            << type.letter;
+        const auto* const row = ranges::find(static_cast<generated::ax188001::SensorType>(type.number));
+        ASSERT_NE(row, nullptr);
+        EXPECT_EQ(row->lowest_uv, appendix[i].lowest_uv);
+        EXPECT_EQ(row->highest_uv, appendix[i].highest_uv);
+    }
+}
+
+TEST(Thermocouple, FunctionsContinueBeyondTheirRange) {
+    verifies<req::TCS_CJ_003>();
+    // B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
+    EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);
+}
+
+TEST(Thermocouple, ExponentialNeedsNoLibrary) {
+    verifies<req::TCS_CONV_008>();
+    for (double x = -45.0; x <= 0.0; x += 0.0037) {
+        const long double right = std::exp(static_cast<long double>(x));
+        ASSERT_NEAR(decay(x), static_cast<double>(right), static_cast<double>(right) * 2e-12 + 1e-17) << x;
+        ASSERT_LT(std::fabs(decay(x) - static_cast<double>(right)) * 0.1186, 1e-9);  // mV in type K
+    }
+    EXPECT_EQ(decay(0.0), 1.0);
+    EXPECT_EQ(decay(-1000.0), 0.0);
+}
+
+}  // namespace canproof::test
