@@ -79,48 +79,6 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongOnesGiveTheirMappedPart) {
     EXPECT_EQ(output(2), "0000");
 }
 
-TEST_F(Pdo, AValueOutsideItsLimitsSpoilsTheWholePdo) {
-    verifies<req::CO_PDO_005>();
-    // No mappable object of this device has limits: the law is held against the mapping itself, below.
-    const std::array<ObjectRow, 2> objects{
-        {{0x1600U, 0U, 3U, ObjectKind::array}, {0x2000U, 3U, 3U, ObjectKind::array}}};
-    const std::array<EntryRow, 6> entries{{
-        {0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
-        {1U, 4U, no_limit, 1U, DataType::unsigned32, rights::read, Service::none},
-        {5U, 4U, no_limit, 2U, DataType::unsigned32, rights::read, Service::none},
-        {9U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
-        {10U, 1U, no_limit, 1U, DataType::unsigned8, rights::read | rights::write | rights::rpdo, Service::none},
-        {11U, 1U, 0U, 2U, DataType::unsigned8, rights::read | rights::write | rights::rpdo, Service::none},
-    }};
-    const std::array<LimitRow, 1> limits{{{{LimitKind::none, 0U, 0}, {LimitKind::value, 100U, 0}}}};
-    const DictionaryTables tables{table_view(objects), table_view(entries), table_view(limits), {}, {}, {}, 0U};
-    std::array<std::uint8_t, 12> image{2, 0x08, 0x01, 0x00, 0x20, 0x08, 0x02, 0x00, 0x20, 2, 7, 7};
-    ObjectDictionary dictionary{tables, MutableBytes{image}, LimitAbort::range};
-
-    struct Access final : ObjectAccess {
-        explicit Access(ObjectDictionary& d) : od{d} {}
-        Result<ByteView, AbortCode> read(std::uint16_t, std::uint8_t) override {
-            return Result<ByteView, AbortCode>::failure(AbortCode::general);
-        }
-        AbortCode write(std::uint16_t index, std::uint8_t sub, ByteView value, Instant) override {
-            od.put(od.find(index, sub).value(), value);
-            return AbortCode::none;
-        }
-        Result<WritePlace, AbortCode> writable(std::uint16_t, std::uint8_t) override {
-            return Result<WritePlace, AbortCode>::failure(AbortCode::general);
-        }
-        ObjectDictionary& od;
-    } access{dictionary};
-
-    const PdoMapping mapping{dictionary, 0x1600U, rights::rpdo};
-    mapping.apply(host::parse_frame("200#0165", "test"), access, Instant{});  // 101 > 100
-    EXPECT_EQ(image[10], 7);
-    EXPECT_EQ(image[11], 7);
-    mapping.apply(host::parse_frame("200#0164", "test"), access, Instant{});
-    EXPECT_EQ(image[10], 1);
-    EXPECT_EQ(image[11], 100);
-}
-
 TEST_F(Pdo, Bit31SwitchesThePdoOff) {
     verifies<req::CO_PDO_006>();
     disable_rpdo2();

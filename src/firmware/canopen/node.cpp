@@ -12,6 +12,14 @@ constexpr std::uint32_t no_change = 1U;
 constexpr std::uint32_t to_stopped = 2U;
 constexpr std::uint16_t store_index = 0x1010U;
 
+bool are_equal(const ByteView a, const ByteView b) noexcept {
+    bool equal = a.size() == b.size();
+    for (std::size_t i = 0U; equal && (i < a.size()); ++i) {
+        equal = a[i] == b[i];
+    }
+    return equal;
+}
+
 }  // namespace
 
 Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
@@ -27,6 +35,7 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       error_control_{objects, queue},
       heartbeats_{objects},
       rpdos_{objects, *this, queue, profile.rpdos_answering_remote},
+      tpdos_{objects, queue, profile.tpdo_trigger},
       lss_{profile.lss, objects, queue, application} {}
 
 void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {
@@ -73,8 +82,9 @@ void Node::boot_up(const Instant now) noexcept {
     sync_.allow(false, now);
     sdo_.reset(node_id_);
     heartbeats_.reset();
+    rpdos_.reset();
+    tpdos_.reset();
     if (node_id_ == unconfigured_node_id) {
-        rpdos_.reset();
         emcy_.enable(false, now);
         return;
     }
@@ -85,13 +95,20 @@ void Node::boot_up(const Instant now) noexcept {
 }
 
 void Node::enter(const NmtState state, const Instant now) noexcept {
+    const bool had_pdos = is_allowed(NmtService::pdo, state_);
+    const bool has_pdos = is_allowed(NmtService::pdo, state);
     state_ = state;
     error_control_.set_state(state);
     if (!is_allowed(NmtService::sdo, state)) {
         sdo_.abandon();
     }
-    if (!is_allowed(NmtService::pdo, state)) {
-        rpdos_.reset();
+    if (!has_pdos) {
+        rpdos_.stop();
+        tpdos_.stop();
+    } else if (!had_pdos) {
+        tpdos_.start(now);
+    } else {
+        // the PDOs go on
     }
     sync_.allow(is_allowed(NmtService::sync, state), now);
     emcy_.enable(is_allowed(NmtService::emcy, state) && may_send(), now);
@@ -110,6 +127,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     } else if (state_ != NmtState::initialising) {
         dispatch(frame, now);
         watch_communication(now);
+        tpdos_.advance(now);
     } else {
         // without a node-ID nothing else is served
     }
@@ -148,7 +166,7 @@ void Node::dispatch(const Frame& frame, const Instant now) noexcept {
     if (sync != SyncEvent::none) {
         emcy_.set(ErrorId::sync_length, sync == SyncEvent::wrong_length, now);
         if (sync == SyncEvent::sync) {
-            consume_sync(now);
+            consume_sync(sync_.counter_of(frame), now);
         }
     } else if (error_control_.receive(frame, now)) {
         // answered
@@ -159,9 +177,9 @@ void Node::dispatch(const Frame& frame, const Instant now) noexcept {
     } else {
         heartbeats_.receive(frame, now);
         if (is_allowed(NmtService::pdo, state_)) {
-            const PdoReception received = rpdos_.receive(frame, now);
-            if (received != PdoReception::not_ours) {
-                emcy_.set(ErrorId::rpdo_length, received == PdoReception::too_short, now);
+            rpdos_.receive(frame, now);
+            if (frame.remote) {
+                tpdos_.answer(frame, now);
             }
         }
     }
@@ -190,8 +208,10 @@ void Node::obey(const NmtCommand command, const Instant now) noexcept {
     }
 }
 
-void Node::consume_sync(const Instant now) noexcept {
+static_assert(implements<req::CO_PDO_029>);
+void Node::consume_sync(const std::uint8_t counter, const Instant now) noexcept {
     if (is_allowed(NmtService::pdo, state_)) {
+        tpdos_.sync(counter);
         rpdos_.sync(now);
     }
 }
@@ -210,10 +230,12 @@ void Node::advance(const Instant now) noexcept {
     heartbeats_.advance(now);
     sdo_.advance(now);
     if (sync_.advance(now)) {
-        consume_sync(now);
+        consume_sync(sync_.produced_counter(), now);
     }
+    rpdos_.advance(now);
     emcy_.advance(now);
     watch_communication(now);
+    tpdos_.advance(now);
 }
 
 Instant Node::next_deadline() const noexcept {
@@ -225,6 +247,8 @@ Instant Node::next_deadline() const noexcept {
     next = earliest(next, heartbeats_.next_deadline());
     next = earliest(next, sdo_.next_deadline());
     next = earliest(next, sync_.next_deadline());
+    next = earliest(next, rpdos_.next_deadline());
+    next = earliest(next, tpdos_.next_deadline());
     return earliest(next, emcy_.next_deadline());
 }
 
@@ -263,9 +287,12 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     watch_communication(now);
 }
 
+static_assert(implements<req::CO_PDO_032>);
 void Node::watch_communication(const Instant now) noexcept {
     announce_silence(now);
-    const bool silent = error_control_.life_guarding_failed() || heartbeats_.failed();
+    emcy_.set(ErrorId::rpdo_length, rpdos_.has_short(), now);
+    emcy_.set(ErrorId::rpdo_timeout, rpdos_.has_overdue(), now);
+    const bool silent = error_control_.life_guarding_failed() || heartbeats_.failed() || rpdos_.has_overdue();
     const bool failed = silent || (can_state_ == CanState::bus_off);
     if (failed == communication_failed_) {
         return;
@@ -378,8 +405,7 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         code = before_write(entry, value);
     }
     if (code == AbortCode::none) {
-        objects_.put(entry, value);
-        after_write(entry, now);
+        put(entry, value, now);
     }
     return code;
 }
@@ -390,6 +416,23 @@ AbortCode Node::store(const EntryRef& entry, const ByteView value) noexcept {
         return AbortCode::device_state;
     }
     return store_.execute(entry, value);
+}
+
+AbortCode Node::before_received(const EntryRef& entry, const ByteView value) {
+    return before_write(entry, value);
+}
+
+void Node::put_received(const EntryRef& entry, const ByteView value, const Instant now) {
+    put(entry, value, now);
+}
+
+void Node::put(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
+    const bool changes = entry.may(rights::tpdo) && !are_equal(objects_.value(entry), value);
+    objects_.put(entry, value);
+    after_write(entry, now);
+    if (changes) {
+        tpdos_.value_changed(entry.index, entry.row->subindex, now);
+    }
 }
 
 AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
@@ -403,7 +446,7 @@ AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexce
         case Service::guarding:
             return error_control_.before_write(entry, value);
         case Service::pdo:
-            return rpdos_.before_write(entry, value);
+            return check_pdo_write(objects_, entry, value);
         case Service::program:
         case Service::device:
             return application_.before_write(entry, value);
@@ -439,8 +482,11 @@ void Node::after_write(const EntryRef& entry, const Instant now) noexcept {
         case Service::device:
             application_.after_write(entry, now);
             break;
-        case Service::none:
         case Service::pdo:
+            rpdos_.after_write(entry);
+            tpdos_.after_write(entry, now);
+            break;
+        case Service::none:
         case Service::store:
         case Service::nmt:
         case Service::error_behaviour:

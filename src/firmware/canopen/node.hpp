@@ -13,6 +13,7 @@
 #include "firmware/canopen/receive_pdo.hpp"
 #include "firmware/canopen/sdo_server.hpp"
 #include "firmware/canopen/sync.hpp"
+#include "firmware/canopen/transmit_pdo.hpp"
 #include "generated/requirements.hpp"
 
 namespace canproof {
@@ -26,6 +27,7 @@ struct NodeProfile {
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
     bool block_sdo{false};                      ///< SDO block transfer is offered
     LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
+    TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
 /// State of the CAN controller (ISO 11898-1 fault confinement; warning: an error counter reached 96).
@@ -112,6 +114,11 @@ class Node final : private ObjectAccess {
     /// Enters operational at `at` unless an NMT command or a communication error comes first.
     void start_at(Instant at) noexcept;
 
+    /// The device gave a process value that TPDOs may carry a new value. The frame leaves with the next advance().
+    void process_value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
+        tpdos_.value_changed(index, subindex, now);
+    }
+
     NmtState state() const noexcept { return state_; }
     /// The active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
@@ -121,6 +128,9 @@ class Node final : private ObjectAccess {
     Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;
     AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) override;
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
+
+    AbortCode before_received(const EntryRef& entry, ByteView value) override;
+    void put_received(const EntryRef& entry, ByteView value, Instant now) override;
 
     void dispatch(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
@@ -136,6 +146,8 @@ class Node final : private ObjectAccess {
     /// The entry, if it exists and can be accessed now.
     Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) noexcept;
     AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
+    /// The value, its effects in the service that owns it, and the TPDOs that carry it.
+    void put(const EntryRef& entry, ByteView value, Instant now) noexcept;
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode store(const EntryRef& entry, ByteView value) noexcept;
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
@@ -143,7 +155,7 @@ class Node final : private ObjectAccess {
     void watch_communication(Instant now) noexcept;
     void announce_silence(Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
-    void consume_sync(Instant now) noexcept;
+    void consume_sync(std::uint8_t counter, Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
@@ -156,6 +168,7 @@ class Node final : private ObjectAccess {
     ErrorControl error_control_;
     HeartbeatConsumer heartbeats_;
     ReceivePdos rpdos_;
+    TransmitPdos tpdos_;
     Lss lss_;
     NmtState state_{NmtState::initialising};
     CanState can_state_{CanState::error_active};

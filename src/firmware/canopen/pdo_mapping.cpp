@@ -1,5 +1,8 @@
 #include "firmware/canopen/pdo_mapping.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -17,114 +20,181 @@ constexpr bool is_dummy(const std::uint16_t index) noexcept {
     return index <= last_dummy_index;
 }
 
+constexpr std::uint16_t index_of(const std::uint32_t entry) noexcept {
+    return static_cast<std::uint16_t>(entry >> 16U);
+}
+constexpr std::uint8_t subindex_of(const std::uint32_t entry) noexcept {
+    return static_cast<std::uint8_t>((entry >> 8U) & 0xFFU);
+}
+constexpr std::uint8_t bits_of(const std::uint32_t entry) noexcept {
+    return static_cast<std::uint8_t>(entry & 0xFFU);
+}
+
 /// Bits that an entry takes in a PDO: a BOOLEAN one, everything else whole bytes.
 std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// `bits` (1…64) bits from bit `at` of eight bytes, counted from the least significant bit of the first.
-std::uint64_t extract(const std::uint64_t packed, const std::uint32_t at, const std::uint32_t bits) noexcept {
+/// `bits` (1…64) bits from bit `at` (0…63) of eight bytes, counted from the least significant bit of the first.
+constexpr std::uint64_t extract(const std::uint64_t packed, const std::uint32_t at, const std::uint32_t bits) noexcept {
     const std::uint64_t mask = (bits >= max_bits) ? UINT64_MAX : ((std::uint64_t{1U} << bits) - 1U);
-    return (at >= max_bits) ? 0U : ((packed >> at) & mask);
+    return (packed >> at) & mask;
+}
+
+using ValueBytes = std::array<std::uint8_t, max_frame_length>;
+
+/// The value at bit `at` of a frame: a view of the frame where it begins with a byte, else of `scratch`.
+ByteView value_in(const Frame& frame, const std::uint32_t at, const std::uint32_t bits, ValueBytes& scratch) noexcept {
+    const std::size_t size = (bits + std::size_t{7U}) / 8U;
+    if (((at % 8U) == 0U) && ((bits % 8U) == 0U)) {
+        return frame.payload().part(at / 8U, size);
+    }
+    const std::uint64_t packed = read_le(frame.payload(), 0U, max_frame_length);
+    write_le(MutableBytes{scratch}, 0U, scratch.size(), extract(packed, at, bits));
+    return ByteView{scratch.data(), size};
 }
 
 }  // namespace
 
-PdoMapping::Line PdoMapping::line(const std::uint8_t subindex) const noexcept {
-    const std::uint32_t entry = objects_.read(index_, subindex);
-    return Line{static_cast<std::uint16_t>(entry >> 16U), static_cast<std::uint8_t>((entry >> 8U) & 0xFFU),
-                static_cast<std::uint8_t>(entry & 0xFFU)};
-}
-
-std::uint8_t PdoMapping::length() const noexcept {
-    std::uint32_t bits{0U};
-    for (std::uint8_t sub = 1U; sub <= count(); ++sub) {
-        bits += line(sub).bits;
-    }
-    return static_cast<std::uint8_t>((bits + 7U) / 8U);
-}
-
-AbortCode PdoMapping::check_entry(const std::uint32_t entry) const noexcept {
-    const auto index = static_cast<std::uint16_t>(entry >> 16U);
-    const auto subindex = static_cast<std::uint8_t>((entry >> 8U) & 0xFFU);
-    const std::uint32_t bits = entry & 0xFFU;
+static_assert(implements<req::CO_PDO_010> && implements<req::CO_PDO_012>);
+AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint8_t right,
+                              const std::uint32_t entry) noexcept {
+    const std::uint16_t index = index_of(entry);
+    const std::uint8_t bits = bits_of(entry);
     if (entry == 0U) {
         return AbortCode::none;
     }
     if (is_dummy(index)) {
-        const bool sound = (right_ == rights::rpdo) && (subindex == 0U) && (bits != 0U) && (bits == dummy_bits(index));
+        const bool sound =
+            (right == rights::rpdo) && (subindex_of(entry) == 0U) && (bits != 0U) && (bits == dummy_bits(index));
         return sound ? AbortCode::none : AbortCode::not_mappable;
     }
-    const auto found = objects_.find(index, subindex);
+    const auto found = objects.find(index, subindex_of(entry));
     if (!found.ok()) {
         return found.error();
     }
-    const bool sound = found.value().may(right_) && (bits == bit_length(*found.value().row));
+    const bool sound = found.value().may(right) && (bits != 0U) && (bits == bit_length(*found.value().row));
     return sound ? AbortCode::none : AbortCode::not_mappable;
 }
 
-AbortCode PdoMapping::check_count(const std::uint8_t count) const noexcept {
+static_assert(implements<req::CO_PDO_011>);
+AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint8_t right, const std::uint16_t index,
+                              const std::uint8_t count) noexcept {
     std::uint32_t bits{0U};
-    for (std::uint8_t sub = 1U; sub <= count; ++sub) {
-        const std::uint32_t entry = objects_.read(index_, sub);
-        const AbortCode code = (entry == 0U) ? AbortCode::not_mappable : check_entry(entry);
+    for (std::uint32_t line = 1U; line <= count; ++line) {
+        const std::uint8_t subindex = static_cast<std::uint8_t>(line);
+        if ((line > PdoMapping::max_lines) || !objects.has(index, subindex)) {
+            return AbortCode::mapping_too_long;
+        }
+        const std::uint32_t entry = objects.read(index, subindex);
+        const AbortCode code = (entry == 0U) ? AbortCode::not_mappable : check_mapping_entry(objects, right, entry);
         if (code != AbortCode::none) {
             return code;
         }
-        bits += entry & 0xFFU;
+        bits += bits_of(entry);
     }
     return (bits > max_bits) ? AbortCode::mapping_too_long : AbortCode::none;
 }
 
-bool PdoMapping::fits(const Frame& frame) const noexcept {
-    const std::uint64_t packed = read_le(frame.payload(), 0U, max_frame_length);
-    std::uint32_t at{0U};
-    bool all{true};
-    for (std::uint8_t sub = 1U; sub <= count(); ++sub) {
-        const Line mapped = line(sub);
-        std::array<std::uint8_t, 8U> bytes{};
-        write_le(MutableBytes{bytes}, 0U, bytes.size(), extract(packed, at, mapped.bits));
-        const auto found = objects_.find(mapped.index, mapped.subindex);
+void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t index) noexcept {
+    const std::uint32_t wanted = objects.read(index, 0U);
+    std::uint32_t total{0U};
+    count_ = 0U;
+    all_plain_ = true;
+    for (std::uint32_t number = 1U; (number <= wanted) && (number <= max_lines); ++number) {
+        const std::uint32_t entry = objects.read(index, static_cast<std::uint8_t>(number));
+        const auto found = objects.find(index_of(entry), subindex_of(entry));
+        Line line{found.ok() ? found.value().row : nullptr, index_of(entry), bits_of(entry), true};
         if (found.ok()) {
-            const ByteView value{bytes.data(), found.value().row->size};
-            all = all && (objects_.check_value(found.value(), value) == AbortCode::none);
+            const EntryRow& row = *line.row;
+            line.plain = (row.limit == no_limit) && (row.type != DataType::boolean) && (row.service == Service::none) &&
+                         ((row.rights & rights::tpdo) == 0U);
         }
-        at += mapped.bits;
+        lines_[count_] = line;
+        ++count_;
+        total += line.bits;
+        all_plain_ = all_plain_ && line.plain;
     }
-    return all;
+    // A mapping that no frame can carry cannot be written (check_mapping_count); one that was shipped so is not used.
+    if ((wanted > max_lines) || (total > max_bits)) {
+        count_ = 0U;
+        total = 0U;
+    }
+    length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
 }
 
-void PdoMapping::apply(const Frame& frame, ObjectAccess& access, const Instant now) const noexcept {
-    if (!fits(frame)) {
+bool PdoMapping::maps(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
+    bool found{false};
+    for (std::size_t i = 0U; i < count_; ++i) {
+        const Line& line = lines_[i];
+        found = found || ((line.row != nullptr) && EntryRef{line.row, line.index}.is(index, subindex));
+    }
+    return found;
+}
+
+std::uint64_t PdoMapping::watch_marks() const noexcept {
+    std::uint64_t marks{0U};
+    for (std::size_t i = 0U; i < count_; ++i) {
+        const Line& line = lines_[i];
+        marks |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
+    }
+    return marks;
+}
+
+bool PdoMapping::is_acceptable(const Frame& frame, const ObjectDictionary& objects,
+                               ObjectAccess& access) const noexcept {
+    std::uint32_t at{0U};
+    for (std::size_t i = 0U; i < count_; ++i) {
+        const Line& line = lines_[i];
+        if ((line.row != nullptr) && !line.plain) {
+            ValueBytes scratch{};
+            const EntryRef entry{line.row, line.index};
+            const ByteView value = value_in(frame, at, line.bits, scratch);
+            const bool fits = objects.check_value(entry, value) == AbortCode::none;
+            if (!fits || (access.before_received(entry, value) != AbortCode::none)) {
+                return false;
+            }
+        }
+        at += line.bits;
+    }
+    return true;
+}
+
+static_assert(implements<req::CO_PDO_005>);
+void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access,
+                       const Instant now) const noexcept {
+    if (!all_plain_ && !is_acceptable(frame, objects, access)) {
         return;
     }
-    const std::uint64_t packed = read_le(frame.payload(), 0U, max_frame_length);
     std::uint32_t at{0U};
-    for (std::uint8_t sub = 1U; sub <= count(); ++sub) {
-        const Line mapped = line(sub);
-        if (!is_dummy(mapped.index)) {
-            std::array<std::uint8_t, 8U> bytes{};
-            write_le(MutableBytes{bytes}, 0U, bytes.size(), extract(packed, at, mapped.bits));
-            const std::size_t size = (mapped.bits + std::size_t{7U}) / 8U;
-            static_cast<void>(access.write(mapped.index, mapped.subindex, ByteView{bytes.data(), size}, now));
+    for (std::size_t i = 0U; i < count_; ++i) {
+        const Line& line = lines_[i];
+        if (line.row != nullptr) {
+            ValueBytes scratch{};
+            const EntryRef entry{line.row, line.index};
+            const ByteView value = value_in(frame, at, line.bits, scratch);
+            if (line.plain) {
+                objects.put(entry, value);
+            } else {
+                access.put_received(entry, value, now);
+            }
         }
-        at += mapped.bits;
+        at += line.bits;
     }
 }
 
-Frame PdoMapping::pack(const std::uint32_t id) const noexcept {
+Frame PdoMapping::pack(const ObjectDictionary& objects, const std::uint32_t id) const noexcept {
     std::uint64_t packed{0U};
     std::uint32_t at{0U};
-    for (std::uint8_t sub = 1U; sub <= count(); ++sub) {
-        const Line mapped = line(sub);
-        const auto found = objects_.find(mapped.index, mapped.subindex);
-        if (found.ok() && (at < max_bits)) {
-            const ByteView value = objects_.value(found.value());
-            packed |= extract(read_le(value, 0U, value.size()), 0U, mapped.bits) << at;
+    for (std::size_t i = 0U; i < count_; ++i) {
+        const Line& line = lines_[i];
+        if ((line.row != nullptr) && (at < max_bits) && (line.bits != 0U)) {
+            const ByteView value = objects.value(EntryRef{line.row, line.index});
+            packed |= extract(read_le(value, 0U, value.size()), 0U, line.bits) << at;
         }
-        at += mapped.bits;
+        at += line.bits;
     }
-    Frame frame = data_frame(id, length());
+    Frame frame = data_frame(id, length_);
     write_le(MutableBytes{frame.data}, 0U, max_frame_length, packed);
     return frame;
 }

@@ -1,46 +1,68 @@
 // What the mapped bits of a PDO mean: packing and unpacking by object 16xxh or 1Axxh (CiA 301, 7.5.2.36 and 7.5.2.38).
+// A mapping is resolved when it changes, so that a frame costs no search in the dictionary.
 #pragma once
+
+#include <array>
 
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_access.hpp"
 
 namespace canproof {
 
+/// Whether one mapping entry may stand in a PDO of this direction (rights::rpdo or rights::tpdo): 06020000h or
+/// 06090011h when its object is absent, 06040041h when it may not be mapped, has another length, or is a dummy of
+/// unknown type. Zero (nothing mapped) is allowed.
+AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint8_t right, std::uint32_t entry) noexcept;
+
+/// Whether the first `count` entries of mapping object `index` make a PDO: each of them sound and none empty, no more
+/// than the object has and 64 bits in all at most (06040042h).
+AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint8_t right, std::uint16_t index,
+                              std::uint8_t count) noexcept;
+
+/// One resolved mapping object.
 class PdoMapping {
   public:
-    /// `index` is the mapping object; `right` is rights::rpdo or rights::tpdo.
-    PdoMapping(const ObjectDictionary& objects, const std::uint16_t index, const std::uint8_t right) noexcept
-        : objects_{objects}, index_{index}, right_{right} {}
+    /// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
+    static constexpr std::size_t max_lines = 64U;
 
-    std::uint8_t count() const noexcept { return static_cast<std::uint8_t>(objects_.read(index_, 0U)); }
+    /// Reads mapping object `index` anew.
+    void resolve(const ObjectDictionary& objects, std::uint16_t index) noexcept;
+
+    /// False when nothing is mapped, or more than a frame can carry.
+    bool is_usable() const noexcept { return count_ != 0U; }
     /// Length in bytes of a PDO that carries all that is mapped, 0…8.
-    std::uint8_t length() const noexcept;
+    std::uint8_t length() const noexcept { return length_; }
+    bool maps(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    /// One bit for each mapped value, by watch_mark(): what cannot be mapped here is seen at once.
+    std::uint64_t watch_marks() const noexcept;
 
-    /// Whether one mapping entry may stand in this PDO: 06020000h or 06090011h when its object is absent, 06040041h
-    /// when it may not be mapped, has another length, or is a dummy of unknown type. Zero (nothing mapped) is allowed.
-    AbortCode check_entry(std::uint32_t entry) const noexcept;
-    /// Whether the first `count` entries make a PDO: each of them sound, 64 bits in all at most (06040042h).
-    AbortCode check_count(std::uint8_t count) const noexcept;
-
-    /// Writes the mapped values: all of them, or none when one is outside its limits.
-    void apply(const Frame& frame, ObjectAccess& access, Instant now) const noexcept;
+    /// Writes the mapped values: all of them, or none when one is outside its limits or refused by its owner. `frame`
+    /// is at least length() bytes long.
+    void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
     /// The mapped values as they go on the bus under `id`.
-    Frame pack(std::uint32_t id) const noexcept;
+    Frame pack(const ObjectDictionary& objects, std::uint32_t id) const noexcept;
 
   private:
-    /// One line of the mapping object.
+    /// One line of the mapping object, its entry found.
     struct Line {
+        const EntryRow* row{nullptr};  ///< nullptr: a gap
         std::uint16_t index{0U};
-        std::uint8_t subindex{0U};
         std::uint8_t bits{0U};
+        bool plain{false};  ///< no limits, no owner, nobody to be told: the bytes are all there is to it
     };
 
-    Line line(std::uint8_t subindex) const noexcept;
-    bool fits(const Frame& frame) const noexcept;
+    bool is_acceptable(const Frame& frame, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
 
-    const ObjectDictionary& objects_;
-    std::uint16_t index_;
-    std::uint8_t right_;
+    std::array<Line, max_lines> lines_{};
+    std::uint8_t count_{0U};
+    std::uint8_t length_{0U};
+    bool all_plain_{false};
 };
+
+/// The bit of a 64-bit set that stands for an entry. Two entries may share one.
+constexpr std::uint64_t watch_mark(const std::uint16_t index, const std::uint8_t subindex) noexcept {
+    const std::uint32_t spread = index + (index >> 4U) + subindex;
+    return std::uint64_t{1U} << (spread & 63U);
+}
 
 }  // namespace canproof

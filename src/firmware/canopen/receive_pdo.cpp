@@ -1,118 +1,124 @@
 #include "firmware/canopen/receive_pdo.hpp"
 
-#include "firmware/canopen/cob_id.hpp"
-#include "generated/canopen/tables.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-namespace transmission = generated::canopen::t_co_t_transmission_type;
-
-constexpr std::uint16_t communication_index = 0x1400U;
-constexpr std::uint16_t mapping_index = 0x1600U;
-constexpr std::uint8_t cob_id_subindex = 1U;
-constexpr std::uint8_t type_subindex = 2U;
-
-constexpr std::uint16_t numbered(const std::uint16_t index, const std::size_t number) noexcept {
-    return static_cast<std::uint16_t>(index + number);
-}
-
-bool is_applied_at_sync(const std::uint32_t type) noexcept {
-    const auto* const row = transmission::find(static_cast<std::uint8_t>(type));
-    return (row != nullptr) && (row->applied == transmission::Applied::at_sync);
-}
-
-bool is_refused(const std::uint32_t type) noexcept {
-    const auto* const row = transmission::find(static_cast<std::uint8_t>(type));
-    return (row == nullptr) || (row->applied == transmission::Applied::refused);
+constexpr std::uint8_t with_bit(const std::uint8_t set, const std::size_t number, const bool on) noexcept {
+    const std::uint32_t bit = 1U << number;
+    return static_cast<std::uint8_t>(on ? (set | bit) : (set & ~bit));
 }
 
 }  // namespace
 
-std::uint32_t ReceivePdos::cob_id_entry(const std::size_t number) const noexcept {
-    const auto found = objects_.find(numbered(communication_index, number), cob_id_subindex);
-    return found.ok() ? read_u32(objects_.value(found.value()), 0U) : cob_id::not_valid;
+void ReceivePdos::reset() noexcept {
+    count_ = count_pdos(objects_, PdoDirection::receive);
+    for (std::size_t number = 0U; number < count_; ++number) {
+        refresh(number);
+    }
+    schedule();
 }
 
-PdoMapping ReceivePdos::mapping(const std::size_t number) const noexcept {
-    return PdoMapping{objects_, numbered(mapping_index, number), rights::rpdo};
+void ReceivePdos::refresh(const std::size_t number) noexcept {
+    Rpdo& rpdo = rpdos_[number];
+    rpdo.parameters = read_pdo_parameters(objects_, PdoDirection::receive, number);
+    rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number));
+    rpdo.waits = false;
+    rpdo.due = never;
+    short_ = with_bit(short_, number, false);
+    overdue_ = with_bit(overdue_, number, false);
 }
 
-PdoReception ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
-    PdoReception result{PdoReception::not_ours};
-    for (std::size_t number = 0U; (number < max_count) && !frame.extended; ++number) {
-        const std::uint32_t entry = cob_id_entry(number);
-        if (!cob_id::is_valid(entry) || (cob_id::identifier(entry) != frame.id)) {
+static_assert(implements<req::CO_PDO_003>);
+void ReceivePdos::stop() noexcept {
+    for (std::size_t number = 0U; number < count_; ++number) {
+        rpdos_[number].waits = false;
+        rpdos_[number].due = never;
+    }
+    next_ = never;
+}
+
+void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
+    if (frame.extended) {
+        return;
+    }
+    for (std::size_t number = 0U; number < count_; ++number) {
+        const Rpdo& rpdo = rpdos_[number];
+        if ((rpdo.parameters.identifier != frame.id) || !rpdo.parameters.valid) {
             continue;
         }
+        const bool answers = ((answering_remote_ >> number) & 1U) != 0U;
         if (!frame.remote) {
-            result = take(number, frame, now);
-        } else if ((((answering_remote_ >> number) & 1U) != 0U) && ((entry & cob_id::no_remote) == 0U)) {
+            take(number, frame, now);
+        } else if (answers && rpdo.parameters.remote_allowed) {
             // CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes.
-            static_cast<void>(queue_.push(mapping(number).pack(frame.id)));
-            result = PdoReception::taken;
+            static_cast<void>(queue_.push(rpdo.mapping.pack(objects_, frame.id)));
         } else {
-            result = PdoReception::taken;
+            // nobody asks a receive PDO
         }
     }
-    return result;
 }
 
-PdoReception ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
-    if (frame.length < mapping(number).length()) {
-        return PdoReception::too_short;
+static_assert(implements<req::CO_PDO_001> && implements<req::CO_PDO_004> && implements<req::CO_PDO_020> &&
+              implements<req::CO_PDO_021>);
+void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
+    Rpdo& rpdo = rpdos_[number];
+    const bool too_short = frame.length < rpdo.mapping.length();
+    short_ = with_bit(short_, number, too_short);
+    if (too_short) {
+        return;
     }
-    if (is_applied_at_sync(objects_.read(numbered(communication_index, number), type_subindex))) {
-        waiting_[number] = Waiting{frame, true};
+    if (rpdo.parameters.event.us != 0U) {
+        overdue_ = with_bit(overdue_, number, false);
+        rpdo.due = now + rpdo.parameters.event;
+        schedule();
+    }
+    if (rpdo.parameters.applied == PdoApplied::at_sync) {
+        rpdo.waiting = frame;
+        rpdo.waits = true;
     } else {
-        mapping(number).apply(frame, access_, now);
+        rpdo.mapping.apply(frame, objects_, access_, now);
     }
-    return PdoReception::taken;
 }
 
+static_assert(implements<req::CO_PDO_002>);
 void ReceivePdos::sync(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < max_count; ++number) {
-        const Waiting due = waiting_[number];
-        waiting_[number].present = false;
-        // The mapping may have changed since: what no longer fits is not applied.
-        if (due.present && (due.frame.length >= mapping(number).length())) {
-            mapping(number).apply(due.frame, access_, now);
+    for (std::size_t number = 0U; number < count_; ++number) {
+        Rpdo& rpdo = rpdos_[number];
+        if (rpdo.waits) {
+            rpdo.waits = false;
+            rpdo.mapping.apply(rpdo.waiting, objects_, access_, now);
         }
     }
 }
 
-AbortCode ReceivePdos::before_write(const EntryRef& entry, const ByteView value) const noexcept {
-    const std::uint16_t family = static_cast<std::uint16_t>(entry.index & 0xFF00U);
-    const std::size_t number = entry.index & 0x00FFU;
-    if (family == communication_index) {
-        return before_communication_write(entry, number, value);
+void ReceivePdos::find_overdue(const Instant now) noexcept {
+    for (std::size_t number = 0U; number < count_; ++number) {
+        if (rpdos_[number].due <= now) {
+            rpdos_[number].due = never;
+            overdue_ = with_bit(overdue_, number, true);
+        }
     }
-    return (family == mapping_index) ? before_mapping_write(entry, number, value) : AbortCode::none;
+    schedule();
 }
 
-AbortCode ReceivePdos::before_communication_write(const EntryRef& entry, const std::size_t number,
-                                                  const ByteView value) const noexcept {
-    if (entry.row->subindex == cob_id_subindex) {
-        const std::uint32_t current = cob_id_entry(number);
-        return cob_id::check_change(current, read_u32(value, 0U), cob_id::not_valid | cob_id::no_remote,
-                                    cob_id::is_valid(current));
+void ReceivePdos::schedule() noexcept {
+    next_ = never;
+    for (std::size_t number = 0U; number < count_; ++number) {
+        next_ = earliest(next_, rpdos_[number].due);
     }
-    const bool refused = (entry.row->subindex == type_subindex) && is_refused(value[0]);
-    return refused ? AbortCode::value_range : AbortCode::none;
 }
 
-AbortCode ReceivePdos::before_mapping_write(const EntryRef& entry, const std::size_t number,
-                                            const ByteView value) const noexcept {
-    // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.
-    const PdoMapping current = mapping(number);
-    if (cob_id::is_valid(cob_id_entry(number))) {
-        return AbortCode::device_state;
+static_assert(implements<req::CO_PDO_022>);
+void ReceivePdos::after_write(const EntryRef& entry) noexcept {
+    const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
+    if (number < count_) {
+        refresh(number);
+        schedule();
     }
-    if (entry.row->subindex == 0U) {
-        return current.check_count(value[0]);
-    }
-    return (current.count() != 0U) ? AbortCode::device_state : current.check_entry(read_u32(value, 0U));
 }
 
 }  // namespace canproof

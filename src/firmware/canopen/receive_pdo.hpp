@@ -1,57 +1,71 @@
-// Receive PDOs: communication parameters 14xxh, reception, synchronous and immediate application (CiA 301, 7.2.2
-// and 7.5.2.35).
+// Receive PDOs: reception, synchronous and immediate application, monitoring by the event timer (CiA 301, 7.2.2 and
+// 7.5.2.35).
 #pragma once
 
 #include <array>
 
 #include "firmware/canopen/object_access.hpp"
+#include "firmware/canopen/pdo_communication.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 
 namespace canproof {
 
-/// What became of a received frame.
-enum class PdoReception : std::uint8_t {
-    not_ours,
-    taken,
-    too_short  ///< fewer bytes than mapped: nothing is applied (error 8210h)
-};
-
 class ReceivePdos {
   public:
-    /// RPDO1…RPDO8: 1400h…1407h with 1600h…1607h. The devices here have at most four.
-    static constexpr std::size_t max_count = 8U;
-
     /// `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
     ReceivePdos(ObjectDictionary& objects, ObjectAccess& access, TransmitQueue& queue,
                 const std::uint8_t answering_remote) noexcept
         : objects_{objects}, access_{access}, queue_{queue}, answering_remote_{answering_remote} {}
 
-    /// Nothing waits for a SYNC: the state after reset and outside operational.
-    void reset() noexcept { waiting_.fill(Waiting{}); }
-    PdoReception receive(const Frame& frame, Instant now) noexcept;
+    /// The parameters were loaded anew: nothing waits, nothing is late.
+    void reset() noexcept;
+    /// Operational is left: nothing waits for a SYNC, no reception is expected. What was wrong stays so until a
+    /// reception cures it.
+    void stop() noexcept;
+    /// Takes a frame in operational; one that is no RPDO of this node is passed over.
+    void receive(const Frame& frame, Instant now) noexcept;
     /// Applies what was received in the synchronous types since the last SYNC, RPDO1 first.
     void sync(Instant now) noexcept;
+    /// Notices receptions that are overdue.
+    void advance(const Instant now) noexcept {
+        if (next_ <= now) {
+            find_overdue(now);
+        }
+    }
+    Instant next_deadline() const noexcept { return next_; }
 
-    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    /// An RPDO came with fewer bytes than mapped, and none of right length since (error 8210h).
+    bool has_short() const noexcept { return short_ != 0U; }
+    /// An RPDO did not come within its event time, and has not come since.
+    bool has_overdue() const noexcept { return overdue_ != 0U; }
+
+    /// An entry of 14xxh or 16xxh has a new value: the PDO begins anew.
+    void after_write(const EntryRef& entry) noexcept;
 
   private:
-    struct Waiting {
-        Frame frame{};
-        bool present{false};
+    struct Rpdo {
+        PdoParameters parameters{};
+        PdoMapping mapping{};
+        Frame waiting{};
+        bool waits{false};
+        Instant due{never};  ///< the next reception, at the latest
     };
 
-    std::uint32_t cob_id_entry(std::size_t number) const noexcept;
-    PdoMapping mapping(std::size_t number) const noexcept;
-    PdoReception take(std::size_t number, const Frame& frame, Instant now) noexcept;
-    AbortCode before_communication_write(const EntryRef& entry, std::size_t number, ByteView value) const noexcept;
-    AbortCode before_mapping_write(const EntryRef& entry, std::size_t number, ByteView value) const noexcept;
+    void refresh(std::size_t number) noexcept;
+    void take(std::size_t number, const Frame& frame, Instant now) noexcept;
+    void find_overdue(Instant now) noexcept;
+    void schedule() noexcept;
 
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
-    std::array<Waiting, max_count> waiting_{};
+    std::array<Rpdo, max_pdos> rpdos_{};
+    std::size_t count_{0U};
+    std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
+    std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1
+    Instant next_{never};
 };
 
 }  // namespace canproof

@@ -26,17 +26,17 @@ void Sync::allow(const bool allowed, const Instant now) noexcept {
 
 void Sync::restart(const Instant now) noexcept {
     counter_ = 0U;
+    identifier_ = cob_id::identifier(objects_.read(cob_id_index, 0U));
+    length_ = (objects_.read(counter_overflow_index, 0U) == 0U) ? std::uint8_t{0U} : std::uint8_t{1U};
     const std::uint32_t period_us = objects_.read(period_index, 0U);
     next_ = (allowed_ && is_producer() && (period_us != 0U)) ? (now + microseconds(period_us)) : never;
 }
 
 SyncEvent Sync::classify(const Frame& frame) const noexcept {
-    const std::uint32_t id = cob_id::identifier(objects_.read(cob_id_index, 0U));
-    if (frame.extended || frame.remote || (id == 0U) || (frame.id != id)) {
+    if (frame.extended || frame.remote || (identifier_ == 0U) || (frame.id != identifier_)) {
         return SyncEvent::none;
     }
-    const std::uint8_t expected = (objects_.read(counter_overflow_index, 0U) == 0U) ? 0U : 1U;
-    return (frame.length == expected) ? SyncEvent::sync : SyncEvent::wrong_length;
+    return (frame.length == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
 }
 
 bool Sync::advance(const Instant now) noexcept {
@@ -44,8 +44,7 @@ bool Sync::advance(const Instant now) noexcept {
         return false;
     }
     const std::uint32_t overflow = objects_.read(counter_overflow_index, 0U);
-    const std::uint32_t id = cob_id::identifier(objects_.read(cob_id_index, 0U));
-    Frame frame = data_frame(id, (overflow == 0U) ? std::uint8_t{0U} : std::uint8_t{1U});
+    Frame frame = data_frame(identifier_, length_);
     if (overflow != 0U) {
         counter_ = (counter_ < overflow) ? static_cast<std::uint8_t>(counter_ + 1U) : std::uint8_t{1U};
         frame.data[0] = counter_;

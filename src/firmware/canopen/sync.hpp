@@ -22,8 +22,14 @@ class Sync {
     /// The node entered a state in which SYNC works, or left the last one: the producer starts or stops.
     void allow(bool allowed, Instant now) noexcept;
     SyncEvent classify(const Frame& frame) const noexcept;
+    /// The counter that a SYNC carries; zero while 1019h is zero.
+    std::uint8_t counter_of(const Frame& sync) const noexcept {
+        return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];
+    }
     /// True when a SYNC was produced: the node consumes its own as well.
     bool advance(Instant now) noexcept;
+    /// The counter of the SYNC that was produced last; zero while 1019h is zero.
+    std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 
     AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
@@ -31,12 +37,14 @@ class Sync {
 
   private:
     bool is_producer() const noexcept;
-    /// The producer starts anew, one period from now, if it is switched on.
+    /// Reads the parameters; the producer starts anew, one period from now, if it is switched on.
     void restart(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     Instant next_{never};
+    std::uint32_t identifier_{0U};  ///< of the SYNC; zero: no SYNC
+    std::uint8_t length_{0U};       ///< of a SYNC: one byte while 1019h is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};
 };

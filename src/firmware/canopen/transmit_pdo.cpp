@@ -1,0 +1,211 @@
+#include "firmware/canopen/transmit_pdo.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+bool is_event_driven(const PdoParameters& parameters) noexcept {
+    return parameters.sent == PdoSent::on_event;
+}
+
+/// Types 0 to 240 and 252: what is sent was valid at a SYNC.
+bool is_sampled_at_sync(const PdoParameters& parameters) noexcept {
+    return (parameters.sent == PdoSent::at_sync_after_event) || (parameters.sent == PdoSent::each_nth_sync) ||
+           (parameters.sent == PdoSent::sync_sample_on_request);
+}
+
+constexpr Instant latest(const Instant a, const Instant b) noexcept {
+    return (a < b) ? b : a;
+}
+
+}  // namespace
+
+void TransmitPdos::reset() noexcept {
+    running_ = false;
+    count_ = count_pdos(objects_, PdoDirection::transmit);
+    for (std::size_t number = 0U; number < count_; ++number) {
+        refresh(number);
+    }
+    watch();
+    schedule();
+}
+
+void TransmitPdos::refresh(const std::size_t number) noexcept {
+    Tpdo& tpdo = tpdos_[number];
+    tpdo.parameters = read_pdo_parameters(objects_, PdoDirection::transmit, number);
+    tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number));
+    tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();
+}
+
+void TransmitPdos::start(const Instant now) noexcept {
+    running_ = true;
+    for (std::size_t number = 0U; number < count_; ++number) {
+        begin(tpdos_[number], now);
+    }
+    watch();
+    schedule();
+}
+
+void TransmitPdos::stop() noexcept {
+    running_ = false;
+    watch();
+    schedule();
+}
+
+static_assert(implements<req::CO_PDO_018>);
+void TransmitPdos::begin(Tpdo& tpdo, const Instant now) const noexcept {
+    const bool is_timed = tpdo.parameters.event.us != 0U;
+    const bool is_sent_now = is_event_driven(tpdo.parameters) && ((trigger_ == TpdoTrigger::value_change) || is_timed);
+    tpdo.sampled = false;
+    tpdo.pending = is_sent_now;
+    tpdo.cycle_begun = false;
+    tpdo.syncs = 0U;
+    tpdo.inhibited_until = now;
+    tpdo.timer_expires = never;
+}
+
+bool TransmitPdos::waits_for_changes(const Tpdo& tpdo) const noexcept {
+    const bool at_once = is_event_driven(tpdo.parameters) && (trigger_ == TpdoTrigger::value_change);
+    return tpdo.usable && (at_once || (tpdo.parameters.sent == PdoSent::at_sync_after_event));
+}
+
+static_assert(implements<req::CO_PDO_015>);
+void TransmitPdos::note_change(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
+    for (std::size_t number = 0U; number < count_; ++number) {
+        Tpdo& tpdo = tpdos_[number];
+        if (waits_for_changes(tpdo) && tpdo.mapping.maps(index, subindex)) {
+            tpdo.pending = true;
+            if (is_event_driven(tpdo.parameters)) {
+                next_ = earliest(next_, latest(now, tpdo.inhibited_until));
+            }
+        }
+    }
+}
+
+void TransmitPdos::sync(const std::uint8_t counter) noexcept {
+    for (std::size_t number = 0U; number < count_; ++number) {
+        Tpdo& tpdo = tpdos_[number];
+        if (running_ && tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
+            sync_one(tpdo, counter);
+        }
+    }
+}
+
+static_assert(implements<req::CO_PDO_013> && implements<req::CO_PDO_014> && implements<req::CO_PDO_019>);
+void TransmitPdos::sync_one(Tpdo& tpdo, const std::uint8_t counter) noexcept {
+    bool is_sent{false};
+    if (tpdo.parameters.sent == PdoSent::at_sync_after_event) {
+        is_sent = tpdo.pending;
+        tpdo.pending = false;
+    } else if (tpdo.parameters.sent == PdoSent::each_nth_sync) {
+        const bool starts =
+            (counter == 0U) || (tpdo.parameters.sync_start == 0U) || (counter == tpdo.parameters.sync_start);
+        tpdo.cycle_begun = tpdo.cycle_begun || starts;
+        tpdo.syncs = static_cast<std::uint8_t>(tpdo.syncs + (tpdo.cycle_begun ? 1U : 0U));
+        is_sent = tpdo.syncs >= tpdo.parameters.type;
+        tpdo.syncs = is_sent ? std::uint8_t{0U} : tpdo.syncs;
+    } else {
+        // sent on request
+    }
+    if (is_sent) {
+        push(tpdo);
+    }
+    if (tpdo.parameters.remote_allowed) {
+        tpdo.sample = tpdo.mapping.pack(objects_, tpdo.parameters.identifier);
+        tpdo.sampled = true;
+    }
+}
+
+static_assert(implements<req::CO_PDO_016>);
+void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
+    for (std::size_t number = 0U; (number < count_) && running_ && !request.extended; ++number) {
+        Tpdo& tpdo = tpdos_[number];
+        if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
+            continue;
+        }
+        if (is_event_driven(tpdo.parameters)) {
+            tpdo.pending = true;
+            next_ = earliest(next_, latest(now, tpdo.inhibited_until));
+        } else if (!is_sampled_at_sync(tpdo.parameters)) {
+            push(tpdo);
+        } else if (tpdo.sampled) {
+            static_cast<void>(queue_.push(tpdo.sample));
+        } else {
+            // no SYNC yet, hence no values
+        }
+    }
+}
+
+void TransmitPdos::send_due(const Instant now) noexcept {
+    for (std::size_t number = 0U; number < count_; ++number) {
+        Tpdo& tpdo = tpdos_[number];
+        const bool is_due = tpdo.pending || (tpdo.timer_expires <= now);
+        if (tpdo.usable && is_event_driven(tpdo.parameters) && is_due && (tpdo.inhibited_until <= now)) {
+            send_event(tpdo, now);
+        }
+    }
+    schedule();
+}
+
+static_assert(implements<req::CO_PDO_017>);
+void TransmitPdos::send_event(Tpdo& tpdo, const Instant now) noexcept {
+    push(tpdo);
+    // An interval that the timer ended is followed by the next one without a gap, so that a period does not drift;
+    // after a long silence it is not made up for.
+    const bool by_timer = !tpdo.pending;
+    const Duration interval = tpdo.parameters.event;
+    const Instant in_step = (by_timer ? tpdo.timer_expires : now) + interval;
+    tpdo.pending = false;
+    tpdo.inhibited_until = now + tpdo.parameters.inhibit;
+    tpdo.timer_expires = (interval.us == 0U) ? never : ((in_step > now) ? in_step : (now + interval));
+}
+
+void TransmitPdos::push(const Tpdo& tpdo) noexcept {
+    static_cast<void>(queue_.push(tpdo.mapping.pack(objects_, tpdo.parameters.identifier)));
+}
+
+void TransmitPdos::watch() noexcept {
+    watched_ = 0U;
+    for (std::size_t number = 0U; running_ && (number < count_); ++number) {
+        watched_ |= waits_for_changes(tpdos_[number]) ? tpdos_[number].mapping.watch_marks() : 0U;
+    }
+}
+
+void TransmitPdos::schedule() noexcept {
+    next_ = never;
+    for (std::size_t number = 0U; running_ && (number < count_); ++number) {
+        const Tpdo& tpdo = tpdos_[number];
+        if (tpdo.usable && is_event_driven(tpdo.parameters)) {
+            const Instant wanted =
+                tpdo.pending ? tpdo.inhibited_until : latest(tpdo.timer_expires, tpdo.inhibited_until);
+            next_ = earliest(next_, wanted);
+        }
+    }
+}
+
+static_assert(implements<req::CO_PDO_025>);
+void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcept {
+    const std::size_t number = pdo_number(PdoDirection::transmit, entry.index);
+    if (number >= count_) {
+        return;
+    }
+    Tpdo& tpdo = tpdos_[number];
+    const PdoParameters before = tpdo.parameters;
+    const bool was_usable = tpdo.usable;
+    refresh(number);
+    const bool is_other = !was_usable || (before.type != tpdo.parameters.type);
+    if (running_ && is_other) {
+        begin(tpdo, now);
+    } else if (before.event.us != tpdo.parameters.event.us) {
+        tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : (now + tpdo.parameters.event);
+    } else {
+        // the cycle goes on
+    }
+    watch();
+    schedule();
+}
+
+}  // namespace canproof

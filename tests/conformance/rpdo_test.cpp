@@ -1,0 +1,367 @@
+// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave, node 5. It has
+//   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
+#include "support/exchange.hpp"
+#include "support/slave_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// The slave in operational; TPDOs are off, so that every answer is one that the test asked for.
+class Rpdo : public testing::Test, public SlaveBench {
+  protected:
+    void SetUp() override {
+        talk(*this, {
+                        {"605#2300180185010080", {"585#6000180100000000"}},  // 1800h:1, bit 31
+                        {"605#2301180185020080", {"585#6001180100000000"}},
+                        {"000#0105", {}},
+                    });
+    }
+    /// RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
+    void map_rpdo3(const std::vector<std::string>& entries) {
+        send("605#2302140105040080");
+        send("605#2F02160000000000");
+        int line = 0;
+        for (const auto& entry : entries) {
+            ++line;
+            const std::string object = "02160" + std::to_string(line);
+            EXPECT_EQ(send("605#23" + object + entry), (Frames{"585#60" + object + "00000000"}));
+        }
+        EXPECT_EQ(send("605#2F0216000" + std::to_string(line) + "000000"), (Frames{"585#6002160000000000"}));
+        EXPECT_EQ(send("605#2302140105040000"), (Frames{"585#6002140100000000"}));
+    }
+};
+
+}  // namespace
+
+// -- When a PDO takes effect ------------------------------------------------------------------------------------------
+
+TEST_F(Rpdo, Types254And255SetTheirObjectsAtOnce) {
+    verifies<req::CO_PDO_001, req::CO_T_TRANSMISSION_TYPE>();
+    talk(*this, {
+                    {"205#1122", {}},
+                    {"605#4000200100000000", {"585#4F00200111000000"}},
+                    {"605#4000200200000000", {"585#4F00200222000000"}},
+                    {"605#2F001402FE000000", {"585#6000140200000000"}},  // type 254
+                    {"205#3344", {}},
+                    {"605#4000200100000000", {"585#4F00200133000000"}},
+                    {"605#4000200200000000", {"585#4F00200244000000"}},
+                    {"305#01000200FEFF0080", {}},
+                    {"605#4000210100000000", {"585#4B00210101000000"}},
+                    {"605#4000210200000000", {"585#4B00210202000000"}},
+                    {"605#4000210300000000", {"585#4B002103FEFF0000"}},
+                    {"605#4000210400000000", {"585#4B00210400800000"}},
+                });
+}
+
+TEST_F(Rpdo, Types0To240WaitForTheSyncAndTakeTheLastValues) {
+    verifies<req::CO_PDO_002, req::CO_T_TRANSMISSION_TYPE>();
+    int value = 0x10;
+    for (const char* type : {"00", "01", "02", "F0"}) {
+        const std::string last = std::to_string(++value);
+        const std::string before = std::to_string(value - 1);
+        send("605#2F00200100000000");
+        talk(*this, {
+                        {std::string{"605#2F001402"} + type + "000000", {"585#6000140200000000"}},
+                        {"205#9900", {}},
+                        {"205#" + last + "00", {}},
+                        {"605#4000200100000000", {"585#4F00200100000000"}},
+                        {"080#", {}},
+                        {"605#4000200100000000", {"585#4F002001" + last + "000000"}},
+                        {"605#2F00200100000000", {"585#6000200100000000"}},
+                        {"080#", {}},  // nothing new has come
+                        {"605#4000200100000000", {"585#4F00200100000000"}},
+                    });
+    }
+}
+
+TEST_F(Rpdo, OutsideOperationalNothingIsTakenOrKept) {
+    verifies<req::CO_PDO_003>();
+    talk(*this, {
+                    {"605#2F00140201000000", {"585#6000140200000000"}},  // RPDO1: type 1
+                    {"205#1122", {}},
+                    {"000#8005", {}},
+                    {"305#0100020003000400", {}},
+                    {"205#3344", {}},
+                    {"080#", {}},
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#4000200100000000", {"585#4F00200100000000"}},
+                    {"605#4000210100000000", {"585#4B00210100000000"}},
+                    {"205#5566", {}},
+                    {"000#0205", {}},  // stopped
+                    {"080#", {}},
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#4000200100000000", {"585#4F00200100000000"}},
+                });
+}
+
+// -- Length -----------------------------------------------------------------------------------------------------------
+
+TEST_F(Rpdo, TooShortIsAnErrorUntilTheRightLengthComes) {
+    verifies<req::CO_PDO_004, req::CO_PDO_020>();
+    // 8210h, bits 0 and 4 of 1001h, one error listed
+    talk(*this, {
+                    {"305#", {"085#1082110100000000"}},
+                    {"305#01", {}},
+                    {"305#0100", {}},
+                    {"305#010002", {}},
+                    {"305#01000200", {}},
+                    {"305#0100020003", {}},
+                    {"305#010002000300", {}},
+                    {"305#01000200030004", {}},
+                    {"605#4000210100000000", {"585#4B00210100000000"}},
+                    {"605#4001100000000000", {"585#4F01100011000000"}},
+                    {"305#0100020003000400", {"085#0000000100000000"}},
+                    {"605#4000210100000000", {"585#4B00210101000000"}},
+                    {"605#4001100000000000", {"585#4F01100000000000"}},
+                });
+}
+
+TEST_F(Rpdo, TheLengthErrorLastsWhileAnyPdoIsTooShort) {
+    verifies<req::CO_PDO_020>();
+    talk(*this, {
+                    {"305#01", {"085#1082110100000000"}},
+                    {"205#11", {}},
+                    {"305#0100020003000400", {}},  // RPDO1 is still wrong
+                    {"205#1122", {"085#0000000100000000"}},
+                });
+}
+
+TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
+    verifies<req::CO_PDO_004>();
+    talk(*this, {
+                    {"205#112233", {}},
+                    {"605#4000200100000000", {"585#4F00200111000000"}},
+                    {"605#4000200200000000", {"585#4F00200222000000"}},
+                    {"605#4000200300000000", {"585#4F00200300000000"}},
+                    {"205#8877665544332211", {}},
+                    {"605#4000200100000000", {"585#4F00200188000000"}},
+                    {"605#4000200200000000", {"585#4F00200277000000"}},
+                });
+}
+
+// -- Values -----------------------------------------------------------------------------------------------------------
+
+TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
+    verifies<req::CO_PDO_005>();
+    map_rpdo3({"08030020", "10000022"});  // 2000h:3, then 2200h: -100 … 100
+    talk(*this, {
+                    {"405#016400", {}},  // 100
+                    {"605#4000200300000000", {"585#4F00200301000000"}},
+                    {"605#4000220000000000", {"585#4B00220064000000"}},
+                    {"405#026500", {}},  // 101
+                    {"605#4000200300000000", {"585#4F00200301000000"}},
+                    {"605#4000220000000000", {"585#4B00220064000000"}},
+                    {"405#029CFF", {}},  // -100
+                    {"605#4000200300000000", {"585#4F00200302000000"}},
+                    {"605#4000220000000000", {"585#4B0022009CFF0000"}},
+                    {"405#039BFF", {}},  // -101
+                    {"605#4000200300000000", {"585#4F00200302000000"}},
+                    {"605#4000220000000000", {"585#4B0022009CFF0000"}},
+                });
+}
+
+TEST_F(Rpdo, ARealMustBeANumberWithinItsLimits) {
+    verifies<req::CO_PDO_005>();
+    map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
+    talk(*this, {
+                    {"405#00002041", {}},  // 10.0
+                    {"605#4002220000000000", {"585#4302220000002041"}},
+                    {"405#01002041", {}},  // the next one above
+                    {"405#0000C07F", {}},  // not a number
+                    {"405#0000807F", {}},  // infinity
+                    {"605#4002220000000000", {"585#4302220000002041"}},
+                    {"405#000020C1", {}},  // -10.0
+                    {"605#4002220000000000", {"585#43022200000020C1"}},
+                });
+}
+
+TEST_F(Rpdo, BitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
+    verifies<req::CO_PDO_001>();
+    // 2002h:1, 2002h:2 (bits 0, 1), a gap of one bit (2), 2100h:1 (bits 3 … 18), 2002h:3 (19)
+    map_rpdo3({"01010220", "01020220", "01000100", "10010021", "01030220"});
+    // 2100h:1 = 1234h: 1234h << 3 = 91A0h; with bits 1 and 19: 891A2h
+    talk(*this, {
+                    {"405#A29108", {}},
+                    {"605#4002200100000000", {"585#4F02200100000000"}},
+                    {"605#4002200200000000", {"585#4F02200201000000"}},
+                    {"605#4000210100000000", {"585#4B00210134120000"}},
+                    {"605#4002200300000000", {"585#4F02200301000000"}},
+                    {"405#F1FFF7", {}},  // bit 0; 2100h:1 = FFFEh (-2); bit 19 clear; bits 20 … 23 are not mapped
+                    {"605#4002200100000000", {"585#4F02200101000000"}},
+                    {"605#4002200200000000", {"585#4F02200200000000"}},
+                    {"605#4000210100000000", {"585#4B002101FEFF0000"}},
+                    {"605#4002200300000000", {"585#4F02200300000000"}},
+                });
+}
+
+TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
+    verifies<req::CO_PDO_012>();
+    // INTEGER8, INTEGER16, UNSIGNED8, then 2000h:4, then UNSIGNED16
+    map_rpdo3({"08000200", "10000300", "08000500", "08040020", "10000600"});
+    talk(*this, {
+                    {"405#1122223344", {"085#1082110100000000"}},  // gaps count: 7 bytes are mapped
+                    {"405#11222233445555", {"085#0000000100000000"}},
+                    {"605#4000200400000000", {"585#4F00200444000000"}},
+                });
+}
+
+TEST_F(Rpdo, AllSixtyFourBitsCanBeOneValueOrEight) {
+    verifies<req::CO_PDO_001>();
+    map_rpdo3({"40000622"});  // 2206h: UNSIGNED64
+    talk(*this, {
+                    {"405#0123456789ABCDEF", {}},
+                    {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes, in segments
+                    {"605#6000000000000000", {"585#000123456789ABCD"}},
+                    {"605#7000000000000000", {"585#1DEF000000000000"}},
+                });
+    map_rpdo3({"08010020", "08020020", "08030020", "08040020", "08050020", "08060020", "08070020", "08080020"});
+    talk(*this, {
+                    {"405#0123456789ABCDEF", {}},
+                    {"605#4000200100000000", {"585#4F00200101000000"}},
+                    {"605#4000200200000000", {"585#4F00200223000000"}},
+                    {"605#4000200300000000", {"585#4F00200345000000"}},
+                    {"605#4000200400000000", {"585#4F00200467000000"}},
+                    {"605#4000200500000000", {"585#4F00200589000000"}},
+                    {"605#4000200600000000", {"585#4F002006AB000000"}},
+                    {"605#4000200700000000", {"585#4F002007CD000000"}},
+                    {"605#4000200800000000", {"585#4F002008EF000000"}},
+                });
+}
+
+// -- Identifiers ------------------------------------------------------------------------------------------------------
+
+TEST_F(Rpdo, OnlyDataFramesOfItsElevenBitIdentifierAreTaken) {
+    verifies<req::CO_PDO_006, req::CO_FRAME_001>();
+    talk(*this, {
+                    {"00000205#1122", {}},  // 29 bits
+                    {"204#1122", {}},
+                    {"405#1122", {}},  // RPDO3 is not valid
+                    {"205#R2", {}},    // nobody asks a receive PDO
+                    {"605#4000200100000000", {"585#4F00200100000000"}},
+                    {"605#2300140105020080", {"585#6000140100000000"}},  // bit 31
+                    {"205#1122", {}},
+                    {"605#4000200100000000", {"585#4F00200100000000"}},
+                    {"605#2300140115020000", {"585#6000140100000000"}},  // 215h
+                    {"205#1122", {}},
+                    {"605#4000200100000000", {"585#4F00200100000000"}},
+                    {"215#1122", {}},
+                    {"605#4000200100000000", {"585#4F00200111000000"}},
+                });
+}
+
+TEST_F(Rpdo, TwoMayShareAnIdentifierAndTakeTheirParts) {
+    verifies<req::CO_PDO_026>();
+    map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
+    talk(*this, {
+                    {"605#2302140105020080", {"585#6002140100000000"}},
+                    {"605#2302140105020000", {"585#6002140100000000"}},  // as RPDO1
+                    {"205#1122", {}},
+                    {"605#4000200100000000", {"585#4F00200111000000"}},
+                    {"605#4000200200000000", {"585#4F00200222000000"}},
+                    {"605#4000200300000000", {"585#4F00200322000000"}},
+                });
+}
+
+// -- Monitoring by the event timer ------------------------------------------------------------------------------------
+
+TEST_F(Rpdo, AMissingReceptionIsAnErrorUntilTheNextOne) {
+    verifies<req::CO_PDO_021>();
+    talk(*this, {
+                    {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
+                    {"605#2B00140532000000", {"585#6000140500000000"}},  // 50 ms
+                });
+    EXPECT_TRUE(pass(1000).empty());  // the first reception begins it
+    EXPECT_TRUE(send("205#1122").empty());
+    EXPECT_TRUE(pass(49).empty());
+    EXPECT_TRUE(send("205#1122").empty());
+    EXPECT_EQ(pass(60), (Frames{"50:085#5082110100000000"}));  // 8250h
+    EXPECT_TRUE(pass(1000).empty());
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+    EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
+    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, and not a reception
+    EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
+}
+
+TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
+    verifies<req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2B00140532000000");
+    send("205#1122");
+    pass(20);
+    send("000#8005");
+    EXPECT_TRUE(pass(1000).empty());
+    send("000#0105");
+    EXPECT_TRUE(pass(1000).empty());
+    send("205#1122");
+    EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
+    send("000#8005");
+    EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
+    send("000#0105");
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
+    verifies<req::CO_PDO_032>();
+    send("605#2B00140532000000");
+    const int before = slave->communication_errors();
+    send("205#1122");
+    EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
+    EXPECT_EQ(slave->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
+    EXPECT_EQ(slave->communication_errors(), before + 1);
+    send("000#0105");
+    EXPECT_EQ(slave->node().state(), NmtState::operational);
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+    EXPECT_EQ(slave->communication_errors(), before + 2);
+    send("605#2F29100102000000");  // stopped
+    EXPECT_EQ(pass(50), (Frames{"50:085#5082110200000000"}));
+    EXPECT_EQ(slave->node().state(), NmtState::stopped);
+}
+
+TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
+    verifies<req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2B0014050A000000");  // RPDO1: 10 ms
+    send("605#2B01140514000000");  // RPDO2: 20 ms
+    send("205#1122");
+    send("305#0100020003000400");
+    EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
+    EXPECT_TRUE(pass(10).empty());          // RPDO2 too: the error is already there
+    EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still late
+    EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
+    verifies<req::CO_PDO_022>();
+    send("605#2F29100101000000");
+    send("605#2B0014050A000000");
+    send("205#1122");
+    EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
+    // timer off: the error goes with the monitoring
+    EXPECT_EQ(send("605#2B00140500000000"), (Frames{"085#0000000100000000", "585#6000140500000000"}));
+    send("205#1122");
+    EXPECT_TRUE(pass(100).empty());
+    send("605#2F00140201000000");
+    send("605#2F00200100000000");
+    send("205#3344");
+    send("605#2F00140200000000");  // type 1 becomes 0 while values wait
+    send("080#");
+    EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
+}
+
+TEST_F(Rpdo, AResetEndsTheErrorsOfReception) {
+    verifies<req::CO_PDO_020, req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2B0014050A000000");
+    send("205#1122");
+    pass(10);
+    send("305#01");
+    send("000#8205");  // reset communication
+    EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100000000000"}));
+    EXPECT_TRUE(pass(100).empty());
+}
+
+}  // namespace canproof::test
