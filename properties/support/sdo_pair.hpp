@@ -1,0 +1,247 @@
+// The same small dictionary twice: behind our server, as the register's compiler reads it, and behind the naive one.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "host/bus/candump.hpp"
+#include "host/devices/generic_device.hpp"
+#include "host/devices/memory.hpp"
+#include "support/naive_sdo_server.hpp"
+
+namespace canproof::naive {
+
+constexpr std::uint8_t pair_node_id = 5;
+constexpr std::uint16_t pair_domain = 0x2007;
+constexpr std::size_t pair_domain_size = 2000;  ///< two sub-blocks of 127 segments and a part of a third
+
+inline const char* const pair_objects = R"toml(
+[[object]]
+index = 0x1000
+name = "Device Type"
+type = "UNSIGNED32"
+access = "ro"
+default = 0x12345678
+source = ["S1:1"]
+[[object]]
+index = 0x2000
+name = "Listed"
+type = "UNSIGNED8"
+access = "rw"
+default = 2
+range = { values = [2, 8] }
+source = ["S1:1"]
+[[object]]
+index = 0x2001
+name = "Limited"
+type = "INTEGER16"
+access = "rw"
+default = 7
+range = { min = -100, max = 100 }
+source = ["S1:1"]
+[[object]]
+index = 0x2002
+name = "Write Only"
+type = "UNSIGNED32"
+access = "wo"
+default = 0
+source = ["S1:1"]
+[[object]]
+index = 0x2003
+name = "Wide"
+type = "UNSIGNED64"
+access = "rw"
+default = 0
+source = ["S1:1"]
+[[object]]
+index = 0x2004
+name = "Label"
+type = "VISIBLE_STRING"
+access = "rw"
+default = "abc"
+length = 40
+source = ["S1:1"]
+[[object]]
+index = 0x2005
+name = "Fixed"
+type = "VISIBLE_STRING"
+access = "const"
+default = "fifteen letters"
+source = ["S1:1"]
+[[object]]
+index = 0x2006
+name = "Story"
+type = "VISIBLE_STRING"
+access = "rw"
+default = "A value of seventy-two bytes is longer than what the server itself holds"
+stored = false
+source = ["S1:1"]
+[[object]]
+index = 0x2007
+name = "Program"
+type = "DOMAIN"
+access = "rw"
+source = ["S1:1"]
+[[object]]
+index = 0x2008
+name = "Program Without Memory"
+type = "DOMAIN"
+access = "rw"
+source = ["S1:1"]
+[[object]]
+index = 0x200A
+name = "Bytes"
+type = "UNSIGNED8"
+array = 3
+access = "rw"
+default = 0
+source = ["S1:1"]
+)toml";
+
+inline const host::Part& pair_part() {
+    static const host::LoadResult loaded = [] {
+        host::SpecFiles files;
+        files["spec/manuals/s.toml"] = R"toml(key = "S1"
+title = "Pair"
+publisher = "canproof"
+revision = "1"
+date = "2026-11-21"
+[[section]]
+ref = "1"
+title = "Everything"
+disposition = "normative"
+)toml";
+        files["spec/devices/pair/device.toml"] = R"toml(name = "pair"
+title = "Pair"
+vendor = "canproof"
+prefix = "AO4"
+manual = "S1"
+part_numbers = ["none"]
+node_id = 5
+bit_rate = 125000
+bit_rates = [125000]
+source = ["S1:1"]
+[services]
+lss = false
+block_sdo = true
+limit_abort = "high_low"
+error_list = "history"
+)toml";
+        files["spec/devices/pair/objects.toml"] = pair_objects;
+        return host::load_register(files);
+    }();
+    if (!loaded.faults.empty()) {
+        throw std::logic_error{loaded.faults.front().text()};
+    }
+    return *loaded.content.part("pair");
+}
+
+/// The same by hand.
+inline Objects pair_model() {
+    const auto number = [](std::size_t bytes, std::uint64_t value) {
+        Entry entry;
+        entry.capacity = bytes;
+        entry.value = Bytes{};
+        for (std::size_t i = 0; i < bytes; ++i) {
+            entry.value->push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+        }
+        return entry;
+    };
+    const auto text = [](std::size_t capacity, const std::string& value) {
+        Entry entry;
+        entry.kind = Entry::Kind::text;
+        entry.capacity = capacity;
+        entry.value = Bytes{value.begin(), value.end()};
+        return entry;
+    };
+    Objects objects;
+    objects[0x1000][0] = number(4, 0x12345678);
+    objects[0x1000][0].writable = false;
+    objects[0x2000][0] = number(1, 2);
+    objects[0x2000][0].limits = [](const Bytes& v) { return v[0] == 2 || v[0] == 8 ? 0U : 0x06090030U; };
+    objects[0x2001][0] = number(2, 7);
+    objects[0x2001][0].limits = [](const Bytes& v) {
+        const int value = static_cast<std::int16_t>(v[0] + 256 * v[1]);
+        return value > 100 ? 0x06090031U : (value < -100 ? 0x06090032U : 0U);
+    };
+    objects[0x2002][0] = number(4, 0);
+    objects[0x2002][0].readable = false;
+    objects[0x2003][0] = number(8, 0);
+    objects[0x2004][0] = text(40, "abc");
+    objects[0x2005][0] = text(15, "fifteen letters");
+    objects[0x2005][0].writable = false;
+    objects[0x2006][0] = text(72, "A value of seventy-two bytes is longer than what the server itself holds");
+    objects[0x2006][0].has_memory = false;
+    Entry domain;
+    domain.kind = Entry::Kind::domain;
+    domain.capacity = pair_domain_size;
+    objects[pair_domain][0] = domain;
+    domain.has_memory = false;
+    objects[0x2008][0] = domain;
+    objects[0x200A][0] = number(1, 3);
+    objects[0x200A][0].writable = false;
+    for (std::uint8_t sub = 1; sub <= 3; ++sub) {
+        objects[0x200A][sub] = number(1, 0);
+    }
+    return objects;
+}
+
+/// Our server, in a whole node.
+class Ours {
+  public:
+    Ours() { restart(); }
+
+    /// As new.
+    void restart() {
+        queue = TransmitQueue{};
+        std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
+        device = std::make_unique<host::GenericDevice>(pair_part(), memory, queue);
+        device->lend(pair_domain, 0, pair_domain_size);
+        device->power_on(pair_node_id, now);
+        answers();
+    }
+    std::vector<Message> ask(const Message& request) {
+        Frame frame = data_frame(0x600U + pair_node_id, 8);
+        frame.data = request;
+        device->receive(frame, now);
+        std::vector<Message> all = answers();
+        keep_deadlines(now, all);
+        return all;
+    }
+    std::vector<Message> pass(std::uint64_t ms) {
+        const Instant end = now + milliseconds(ms);
+        std::vector<Message> all;
+        keep_deadlines(end, all);
+        now = end;
+        return all;
+    }
+    /// SDO answers only; anything else on the bus is not ours to judge here.
+    std::vector<Message> answers() {
+        std::vector<Message> all;
+        while (!queue.empty()) {
+            const Frame frame = queue.pop();
+            if (frame.id == 0x580U + pair_node_id) {
+                all.push_back(frame.data);
+            }
+        }
+        return all;
+    }
+
+    host::Memory memory{256};
+    TransmitQueue queue;
+    Instant now{};
+    std::unique_ptr<host::GenericDevice> device;
+
+  private:
+    void keep_deadlines(Instant end, std::vector<Message>& all) {
+        while (device->next_deadline() <= end) {
+            now = device->next_deadline() < now ? now : device->next_deadline();
+            device->advance(now);
+            const auto more = answers();
+            all.insert(all.end(), more.begin(), more.end());
+        }
+    }
+};
+
+}  // namespace canproof::naive
