@@ -1,6 +1,9 @@
 #include "firmware/canopen/emcy.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
+#include "generated/canopen/constants.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -134,7 +137,7 @@ void Emcy::clear_list() noexcept {
 /// one before the last takes the last one back. So at most two wait for each error, and the last word is never lost.
 void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_t register_value,
                     const Instant now) noexcept {
-    if (!cob_id::is_valid(objects_.read(cob_id_index, 0U))) {
+    if (!cob_id::is_valid(cob_id_entry())) {
         return;
     }
     const auto listed = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
@@ -156,6 +159,12 @@ void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_
     advance(now);
 }
 
+static_assert(implements<req::CO_EMCY_009> && implements<req::CO_K_EMCY_ID>);
+std::uint32_t Emcy::cob_id_entry() const noexcept {
+    return objects_.has(cob_id_index, 0U) ? objects_.read(cob_id_index, 0U)
+                                          : (generated::canopen::emcy_cob_id_base + node_id_);
+}
+
 /// Position of the newest waiting message of that error; pending_count_ when none waits.
 std::size_t Emcy::find_last(const std::size_t error) const noexcept {
     std::size_t found = pending_count_;
@@ -173,7 +182,7 @@ void Emcy::forget(const std::size_t position) noexcept {
 }
 
 Frame Emcy::message(const Pending& told) const noexcept {
-    Frame frame = data_frame(cob_id::identifier(objects_.read(cob_id_index, 0U)), max_frame_length);
+    Frame frame = data_frame(cob_id::identifier(cob_id_entry()), max_frame_length);
     write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
     frame.data[2] = told.register_value;
     if (content_ == EmcyContent::listed_errors) {

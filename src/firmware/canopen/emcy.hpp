@@ -65,6 +65,8 @@ class Emcy {
          const EmcyContent content) noexcept
         : objects_{objects}, queue_{queue}, errors_{errors}, list_{list}, content_{content} {}
 
+    /// The node boots with this node-ID: where there is no 1014h it decides the identifier.
+    void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
     /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node.
     void reset() noexcept;
     /// 1001h and 1003h were set to their defaults by a reset of the communication area: what is active shows again.
@@ -96,6 +98,7 @@ class Emcy {
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
     void announce(std::size_t error, bool cured, std::uint8_t register_value, Instant now) noexcept;
+    std::uint32_t cob_id_entry() const noexcept;
     std::size_t find_last(std::size_t error) const noexcept;
     void forget(std::size_t position) noexcept;
     Frame message(const Pending& told) const noexcept;
@@ -116,6 +119,7 @@ class Emcy {
     std::array<Pending, pending_capacity> pending_{};
     std::size_t pending_count_{0U};
     Instant may_send_at_{};
+    std::uint8_t node_id_{0U};
     bool enabled_{false};
 };
 

@@ -81,6 +81,7 @@ void Node::boot_up(const Instant now) noexcept {
     start_at_ = never;
     sync_.allow(false, now);
     sdo_.reset(node_id_);
+    emcy_.set_node_id(node_id_);
     heartbeats_.reset();
     rpdos_.reset();
     tpdos_.reset();
