@@ -1,0 +1,72 @@
+// Node-ID and bit rate in the memory (CiA 305, 6.4.5).
+#include "firmware/canopen/lss_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/devices/memory.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+constexpr LssConfiguration shipped{127, 125000};
+
+void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) {
+    EXPECT_EQ(found.node_id, node_id);
+    EXPECT_EQ(found.bit_rate, bit_rate);
+}
+
+}  // namespace
+
+TEST(LssStore, GivesWhatWasShippedUntilSomethingIsStored) {
+    host::Memory memory{64};
+    expect(LssStore{memory}.load(shipped), 127, 125000);
+}
+
+TEST(LssStore, GivesWhatWasStoredLast) {
+    verifies<req::CO_LSS_016, req::CO_LSS_017>();
+    host::Memory memory{64};
+    for (int node_id = 1; node_id < 6; ++node_id) {
+        EXPECT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 250000}), LssError::none);
+        expect(LssStore{memory}.load(shipped), node_id, 250000);
+    }
+}
+
+TEST(LssStore, LivesAtTheEndOfTheMemory) {
+    host::Memory memory{64};
+    LssStore{memory}.store({5, 500000});
+    for (std::size_t at = 0; at < 64 - 40; ++at) {
+        EXPECT_EQ(memory.bytes()[at], 0xFF) << at;
+    }
+}
+
+TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
+    verifies<req::CO_LSS_016>();
+    for (std::size_t cut = 0; cut <= 20; ++cut) {
+        host::Memory memory{64};
+        LssStore{memory}.store({1, 10000});
+        LssStore{memory}.store({2, 20000});
+        memory.cut_power_after(cut);
+        const LssError answer = LssStore{memory}.store({3, 50000});
+        memory.restore_power();
+        EXPECT_EQ(answer, cut < 20 ? LssError::storage_failed : LssError::none);
+        const LssConfiguration found = LssStore{memory}.load(shipped);
+        EXPECT_EQ(found.node_id, cut < 20 ? 2 : 3) << cut;
+        EXPECT_EQ(found.bit_rate, cut < 20 ? 20000U : 50000U) << cut;
+        EXPECT_EQ(LssStore{memory}.store({4, 100000}), LssError::none);
+        EXPECT_EQ(LssStore{memory}.load(shipped).node_id, 4) << cut;
+    }
+}
+
+TEST(LssStore, ADamagedSlotDoesNotCount) {
+    host::Memory memory{64};
+    LssStore{memory}.store({1, 10000});
+    LssStore{memory}.store({2, 20000});
+    memory.bytes()[64 - 20 + 12] ^= 1;  // the node-ID in the second slot
+    expect(LssStore{memory}.load(shipped), 1, 10000);
+    memory.bytes()[64 - 40 + 9] ^= 1;
+    expect(LssStore{memory}.load(shipped), 127, 125000);
+}
+
+}  // namespace canproof::test
