@@ -1,0 +1,31 @@
+#include "firmware/blocks/signal.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr float beyond_discrete = 4294967296.0F;  // 2^32
+
+}  // namespace
+
+float as_continuous(const Signal& signal) noexcept {
+    switch (signal.kind) {
+        case SignalKind::discrete:
+            return static_cast<float>(signal.discrete);
+        case SignalKind::continuous:
+            return signal.continuous;
+        case SignalKind::undefined:
+        default:
+            return 0.0F;
+    }
+}
+
+std::uint32_t to_discrete(const float value) noexcept {
+    if (value >= beyond_discrete) {
+        return UINT32_MAX;
+    }
+    // Not `value < 0`: a comparison with what is no number is false.
+    return (value > 0.0F) ? static_cast<std::uint32_t>(value) : 0U;
+}
+
+}  // namespace canproof

@@ -1,0 +1,36 @@
+// What function blocks pass to each other (AX060805, 3.1): nothing, a discrete or a continuous value.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof {
+
+enum class SignalKind : std::uint8_t { undefined, discrete, continuous };
+
+/// The value that `kind` names is the one that counts; the other is 0.
+struct Signal {
+    SignalKind kind{SignalKind::undefined};
+    std::uint32_t discrete{0U};
+    float continuous{0.0F};
+};
+
+constexpr Signal undefined_signal() noexcept {
+    return Signal{};
+}
+constexpr Signal discrete_signal(const std::uint32_t value) noexcept {
+    return Signal{SignalKind::discrete, value, 0.0F};
+}
+constexpr Signal continuous_signal(const float value) noexcept {
+    return Signal{SignalKind::continuous, 0U, value};
+}
+constexpr bool is_defined(const Signal& signal) noexcept {
+    return signal.kind != SignalKind::undefined;
+}
+
+/// 3.1.5: the same value, rounded to single precision; 0 for an undefined signal.
+float as_continuous(const Signal& signal) noexcept;
+
+/// 3.1.6: without fraction; negative values and what is no number become 0, too large ones FFFFFFFFh.
+std::uint32_t to_discrete(float value) noexcept;
+
+}  // namespace canproof
