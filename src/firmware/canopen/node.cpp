@@ -28,7 +28,7 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       queue_{queue},
       application_{application},
       profile_{profile},
-      store_{objects, memory},
+      store_{objects, memory, profile.stored_node_id},
       sdo_{*this, queue, profile.block_sdo},
       emcy_{objects, queue, errors, profile.error_list, profile.emcy_content},
       sync_{objects, queue},
@@ -47,7 +47,7 @@ void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept 
 void Node::load_group(const ParameterGroup group) noexcept {
     objects_.load_defaults(group, node_id_);
     application_.put_factory_values(group);
-    store_.load(group_bit(group));
+    store_.load(group_bit(group), node_id_);
 }
 
 void Node::reset_node(const Instant now) noexcept {

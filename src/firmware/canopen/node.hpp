@@ -25,8 +25,9 @@ struct NodeProfile {
     EmcyContent emcy_content{EmcyContent::listed_errors};
     std::uint8_t rpdos_answering_remote{0U};    ///< bit n: RTR on RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
-    bool block_sdo{false};                      ///< SDO block transfer is offered
-    LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
+    StoredNodeId stored_node_id{StoredNodeId::holds};  ///< of COB-IDs that stood at their default when they were stored
+    bool block_sdo{false};                             ///< SDO block transfer is offered
+    LssProfile lss{};                                  ///< bit rates and habits of the device's LSS; none without
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 

@@ -60,6 +60,7 @@ ParameterStore::Header ParameterStore::read_header(const std::size_t bank) const
         header.layout = read_u32(ByteView{bytes}, 4U);
         header.sequence = read_u32(ByteView{bytes}, 8U);
         header.groups = bytes[12];
+        header.node_id = bytes[13];
     }
     return header;
 }
@@ -118,13 +119,28 @@ StoredSet ParameterStore::open() noexcept {
     return anything_written ? StoredSet::corrupt : StoredSet::empty;
 }
 
-void ParameterStore::load(const ParameterGroups groups) noexcept {
+/// Moves a stored value from the node-ID with which it was saved to the one in use.
+void ParameterStore::follow_node_id(const EntryRef& entry, MutableBytes value) const noexcept {
+    const EntryRow& row = *entry.row;
+    if ((stored_node_id_ == StoredNodeId::holds) || !entry.may(rights::node_id)) {
+        return;
+    }
+    const ByteView defaults{objects_.tables().defaults.rows, objects_.tables().defaults.count};
+    const std::uint64_t base = read_le(defaults, row.offset, row.size);
+    if (read_le(value.view(), 0U, row.size) == (base + current_.node_id)) {
+        write_le(value, 0U, row.size, base + node_id_);
+    }
+}
+
+void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_id) noexcept {
+    node_id_ = node_id;
     const ParameterGroups wanted = groups & current_.groups;
     const std::size_t payload = bank_address(bank_) + header_size;
     for_each_stored(objects_.tables(), [&](const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
         std::array<std::uint8_t, chunk_size> bytes{};
         const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
         if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
+            follow_node_id(entry, value);
             objects_.put(entry, value.view());
         }
     });
@@ -156,6 +172,7 @@ bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroup
             MutableBytes{value}.copy(0U, objects_.image().view().part(entry.row->offset, entry.row->size));
         } else {
             done = done && memory_.read(source + at, value);
+            follow_node_id(entry, value);
         }
         done = done && write_checked(target + at, value.view(), crc);
     });
@@ -172,12 +189,14 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     header.layout = objects_.tables().layout;
     header.sequence = current_.sequence + 1U;
     header.groups = static_cast<ParameterGroups>(fresh | kept);
+    header.node_id = node_id_;
 
     std::array<std::uint8_t, header_size> bytes{};
     write_le(MutableBytes{bytes}, 0U, 4U, header.magic);
     write_le(MutableBytes{bytes}, 4U, 4U, header.layout);
     write_le(MutableBytes{bytes}, 8U, 4U, header.sequence);
     bytes[12] = header.groups;
+    bytes[13] = header.node_id;
 
     Crc32 crc{};
     bool done = write_checked(bank_address(to_bank), ByteView{bytes}, crc);

@@ -27,15 +27,22 @@ enum class StoredSet : std::uint8_t {
     corrupt  ///< something was saved, but no bank is sound: defaults apply
 };
 
+/// What becomes of stored values that stood at their default, a base with the node-ID added, when the node-ID changes.
+enum class StoredNodeId : std::uint8_t {
+    holds,   ///< they stay as they were stored (CAN-CBX-AO412, 7.5.1)
+    follows  ///< they get the new node-ID (AX130751 3.2.14, 3.2.15)
+};
+
 class ParameterStore {
   public:
-    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept
-        : objects_{objects}, memory_{memory} {}
+    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory, const StoredNodeId stored_node_id) noexcept
+        : objects_{objects}, memory_{memory}, stored_node_id_{stored_node_id} {}
 
     /// Looks for the bank in use; call after power-on and before load().
     StoredSet open() noexcept;
-    /// Puts the stored values of `groups` into the dictionary; groups that were never saved are left alone.
-    void load(ParameterGroups groups) noexcept;
+    /// Puts the stored values of `groups` into the dictionary of the node `node_id`; groups that were never saved are
+    /// left alone.
+    void load(ParameterGroups groups, std::uint8_t node_id) noexcept;
 
     /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
     /// when the memory failed; what was stored before is then still stored.
@@ -50,6 +57,7 @@ class ParameterStore {
         std::uint32_t layout{0U};
         std::uint32_t sequence{0U};
         ParameterGroups groups{no_groups};
+        std::uint8_t node_id{0U};  ///< of the node that saved
     };
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
@@ -63,13 +71,16 @@ class ParameterStore {
     bool is_blank(std::size_t bank) const noexcept;
     bool is_sound(std::size_t bank, const Header& header) const noexcept;
     AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
+    void follow_node_id(const EntryRef& entry, MutableBytes value) const noexcept;
     bool copy_values(std::size_t to_bank, ParameterGroups fresh, Crc32& crc) noexcept;
     bool write_checked(std::size_t at, ByteView bytes, Crc32& crc) noexcept;
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
-    std::size_t bank_{0U};  ///< the bank in use
-    Header current_{};      ///< its header; no groups when nothing is stored
+    StoredNodeId stored_node_id_;
+    std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
+    std::size_t bank_{0U};      ///< the bank in use
+    Header current_{};          ///< its header; no groups when nothing is stored
     bool in_use_{false};
 };
 
