@@ -13,14 +13,16 @@ constexpr std::uint16_t store_index = 0x1010U;
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory
 constexpr std::size_t chunk_size = 64U;            // longest stored value, and the piece in which a bank is checked
 
-constexpr ParameterGroups groups_of(const std::uint8_t subindex) noexcept {
+/// CiA 301 has application parameters at 3 and manufacturer ones at 4. A list that ends at 3 has the latter there: its
+/// device has no application parameters (AX060805, 4.2.7).
+constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends_at_3) noexcept {
     switch (subindex) {
         case 1U:
             return all_groups;
         case 2U:
             return group_bit(ParameterGroup::communication);
         case 3U:
-            return group_bit(ParameterGroup::application);
+            return group_bit(ends_at_3 ? ParameterGroup::manufacturer : ParameterGroup::application);
         case 4U:
             return group_bit(ParameterGroup::manufacturer);
         default:
@@ -151,7 +153,7 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const ByteView value) n
     if (read_u32(value, 0U) != (is_store ? store_signature : restore_signature)) {
         return AbortCode::cannot_store;
     }
-    const ParameterGroups groups = groups_of(entry.row->subindex);
+    const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
     const ParameterGroups others = static_cast<ParameterGroups>(current_.groups & ~groups);
     return is_store ? write_set(groups, others) : write_set(no_groups, others);
 }
