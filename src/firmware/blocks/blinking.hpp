@@ -1,0 +1,13 @@
+// ON and OFF by turns (AX130751, 1.2 and 1.4).
+#pragma once
+
+#include "firmware/base/time.hpp"
+
+namespace canproof {
+
+/// Begins with ON at `since` and changes every `half_period`; 0 stays ON.
+constexpr bool blinks_on(const Instant since, const Duration half_period, const Instant now) noexcept {
+    return (half_period.us == 0U) || (((elapsed(since, now).us / half_period.us) % 2U) == 0U);
+}
+
+}  // namespace canproof

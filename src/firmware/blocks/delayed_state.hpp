@@ -1,0 +1,40 @@
+// A state that follows what is wanted after a delay of its own for each way (AX130751, 22A1h and 22A2h).
+#pragma once
+
+#include "firmware/base/time.hpp"
+
+namespace canproof {
+
+class DelayedState {
+  public:
+    /// A wish that goes away before its delay has passed is forgotten; the delay begins anew with the next.
+    bool follow(const bool wanted, const Duration on_delay, const Duration off_delay, const Instant now) noexcept {
+        if (wanted == state_) {
+            pending_ = false;
+            return state_;
+        }
+        if (!pending_) {
+            pending_ = true;
+            since_ = now;
+        }
+        const Duration delay = wanted ? on_delay : off_delay;
+        if (elapsed(since_, now).us >= delay.us) {
+            set(wanted);
+        }
+        return state_;
+    }
+    /// Takes a state at once and forgets what was pending.
+    void set(const bool state) noexcept {
+        state_ = state;
+        pending_ = false;
+    }
+    bool state() const noexcept { return state_; }
+    bool is_pending() const noexcept { return pending_; }
+
+  private:
+    bool state_{false};
+    bool pending_{false};
+    Instant since_{};
+};
+
+}  // namespace canproof

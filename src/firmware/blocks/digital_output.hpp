@@ -1,0 +1,39 @@
+// The digital output block (AX130751, 1.2).
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "firmware/blocks/output_priority.hpp"
+#include "firmware/blocks/switch_polarity.hpp"
+
+namespace canproof {
+
+/// The states that are asked for; which of them counts is the drive's choice.
+struct DigitalDemand {
+    bool control{false};
+    bool override_state{false};
+    bool fault_state{false};
+};
+
+struct DigitalOutputState {
+    bool logic{false};  ///< 7330h
+    bool drive{false};  ///< 2370h
+};
+
+class DigitalOutput {
+  public:
+    DigitalOutputState advance(OutputDrive drive, const DigitalDemand& demand, const SwitchPolarity& polarity,
+                               Duration blink, Instant now) noexcept;
+    /// OFF, at once, and nothing remembered.
+    void reset() noexcept { *this = DigitalOutput{}; }
+
+  private:
+    bool follow_control(SwitchDrive drive, Duration blink, Instant now) noexcept;
+
+    DigitalOutputState state_{};
+    bool control_before_{false};
+    bool memory_{false};  ///< of latched logic: kept while something else drives the output
+    bool blinking_{false};
+    Instant blinking_since_{};
+};
+
+}  // namespace canproof

@@ -1,0 +1,37 @@
+// The straight line between two points, held outside of them (AX130751, 1.3, Figures 2 and 3).
+#pragma once
+
+#include <cstdint>
+
+namespace canproof {
+
+/// y1 at x1 and y2 at x2, where x1 < x2; y1 may lie above y2.
+struct LinearScaling {
+    double x1{0.0};
+    double x2{1.0};
+    double y1{0.0};
+    double y2{1.0};
+};
+
+enum class ScalingPosition : std::uint8_t { below, within, above };
+
+/// Where x lies; x1 and x2 themselves are within.
+constexpr ScalingPosition position_of(const double x, const LinearScaling& scaling) noexcept {
+    if (x < scaling.x1) {
+        return ScalingPosition::below;
+    }
+    return (x > scaling.x2) ? ScalingPosition::above : ScalingPosition::within;
+}
+
+/// y for x: y1 at and below x1, y2 at and above x2.
+constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
+    if (x <= scaling.x1) {
+        return scaling.y1;
+    }
+    if (x >= scaling.x2) {
+        return scaling.y2;
+    }
+    return scaling.y1 + (((x - scaling.x1) * (scaling.y2 - scaling.y1)) / (scaling.x2 - scaling.x1));
+}
+
+}  // namespace canproof

@@ -1,0 +1,73 @@
+#include "firmware/blocks/logic_block.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/blocks/linear_scaling.hpp"
+#include "generated/ax130751/tables.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+static_assert(implements<req::AOR_T16> && implements<req::AOR_LOGIC_001>);
+bool holds(const LogicCondition& condition) noexcept {
+    namespace table = own::t_aor_t16;
+    table::Relation relation{table::Relation::equal};
+    if (condition.first.value < condition.second.value) {
+        relation = table::Relation::less;
+    } else if (condition.first.value > condition.second.value) {
+        relation = table::Relation::greater;
+    } else {
+        // equal
+    }
+    const auto* const row = table::find(condition.comparison, relation);
+    return (row != nullptr) && row->holds;
+}
+
+static_assert(implements<req::AOR_T19>);
+bool counts(const std::uint8_t logical, const ConditionResult result) noexcept {
+    const auto* const row = own::t_aor_t19::find(logical, result);
+    return (row != nullptr) && row->counts;
+}
+
+}  // namespace
+
+static_assert(implements<req::AOR_T17> && implements<req::AOR_E_CONDITION> && implements<req::AOR_LOGIC_002>);
+ConditionResult evaluate(const LogicCondition& condition) noexcept {
+    const bool in_error = condition.first.is_in_error() || condition.second.is_in_error();
+    const bool unavailable = (!condition.first.is_available()) || (!condition.second.is_available());
+    const auto* const row = own::t_aor_t17::find(in_error, unavailable, holds(condition));
+    return (row == nullptr) ? ConditionResult::error : row->result;
+}
+
+static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004>);
+bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept {
+    const auto* const row = own::t_aor_t18::find(logical, counts(logical, results[0U]), counts(logical, results[1U]),
+                                                 counts(logical, results[2U]));
+    return (row != nullptr) && row->selects;
+}
+
+static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);
+std::size_t select_function(const std::array<LogicFunction, logic_functions>& functions) noexcept {
+    for (std::size_t number = 0U; number < logic_functions; ++number) {
+        const LogicFunction& function = functions[number];
+        const std::array<ConditionResult, logic_conditions> results{
+            {evaluate(function.conditions[0U]), evaluate(function.conditions[1U]), evaluate(function.conditions[2U])}};
+        if (selects(function.logical, results)) {
+            return number;
+        }
+    }
+    return 0U;
+}
+
+static_assert(implements<req::AOR_LOGIC_007>);
+double percentage_of_limits(const BlockSignal& table) noexcept {
+    if (table.upper <= table.lower) {
+        return 0.0;
+    }
+    return scale(table.value, LinearScaling{table.lower, table.upper, 0.0, 100.0});
+}
+
+}  // namespace canproof

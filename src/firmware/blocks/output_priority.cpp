@@ -1,0 +1,37 @@
+#include "firmware/blocks/output_priority.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+OutputDrive drive_of(const EnableAction action) noexcept {
+    switch (action) {
+        case EnableAction::run:
+            return OutputDrive::control;
+        case EnableAction::ramp_off:
+            return OutputDrive::ramp_off;
+        case EnableAction::keep:
+            return OutputDrive::keep;
+        case EnableAction::shut_off:
+        default:
+            return OutputDrive::shut_off;
+    }
+}
+
+}  // namespace
+
+static_assert(implements<req::AOR_OUT_007>);
+OutputDrive choose_drive(const OutputConditions& conditions) noexcept {
+    if (conditions.shutdown) {
+        return OutputDrive::shutdown;
+    }
+    if (conditions.input_in_error) {
+        return (conditions.on_error == FaultAction::keep) ? OutputDrive::keep : OutputDrive::fault_value;
+    }
+    return conditions.overridden ? OutputDrive::override_value : drive_of(conditions.enable);
+}
+
+}  // namespace canproof

@@ -1,0 +1,27 @@
+// What decides about an output: the order of AX130751, Figure 4, as sections 1.2 to 1.4 and 1.8 give it.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof {
+
+/// What the enable input asks for (Tables 7 and 11).
+enum class EnableAction : std::uint8_t { run, shut_off, ramp_off, keep };
+
+/// What an output does while an input is in error (Tables 2 and 9).
+enum class FaultAction : std::uint8_t { keep, fault_value };
+
+struct OutputConditions {
+    bool shutdown{false};        ///< a diagnostic fault shuts all outputs off
+    bool input_in_error{false};  ///< control, enable or override
+    FaultAction on_error{FaultAction::fault_value};
+    bool overridden{false};
+    EnableAction enable{EnableAction::run};
+};
+
+/// What drives the output.
+enum class OutputDrive : std::uint8_t { control, shutdown, fault_value, override_value, shut_off, ramp_off, keep };
+
+OutputDrive choose_drive(const OutputConditions& conditions) noexcept;
+
+}  // namespace canproof

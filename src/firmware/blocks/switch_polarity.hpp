@@ -1,0 +1,22 @@
+// How a switched output answers its logic state (AX130751, Tables 1 and 10).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace canproof {
+
+enum class SwitchDrive : std::uint8_t { off, on, keep, change, blink };
+
+/// The drive for a logic state and the one of the cycle before.
+struct SwitchPolarity {
+    std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};  ///< now OFF, now ON
+    std::array<SwitchDrive, 2U> was_on{{SwitchDrive::off, SwitchDrive::on}};
+
+    constexpr SwitchDrive drive(const bool before, const bool state) const noexcept {
+        const std::size_t column = state ? 1U : 0U;
+        return before ? was_on[column] : was_off[column];
+    }
+};
+
+}  // namespace canproof
