@@ -30,7 +30,9 @@ const Table* find_table(const Register& content, const Part& part, const std::st
 void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell& cell) {
     std::vector<Cell::Part> parts = cell.parts;
     if (cell.any() && column.minimum && column.maximum) {
-        parts.push_back({*column.minimum, *column.maximum});
+        parts.emplace_back();
+        parts.back().first = *column.minimum;
+        parts.back().last = *column.maximum;
     }
     for (const auto& part : parts) {
         const auto* first = std::get_if<std::int64_t>(&part.first);
