@@ -147,6 +147,10 @@ struct Ask : SdoCommand {
         } else if (kind < 8) {
             request = obedient(model, next, any_of({0, 1}) != 0, *rc::gen::inRange<unsigned>(0, 8),
                                static_cast<std::uint16_t>(any_of({0, 0x31C3})));
+        } else if (kind < 9) {
+            request = obedient(model, next, false, 0, 0);
+            const auto at = *rc::gen::inRange<std::size_t>(0, 3);
+            request[at] = static_cast<std::uint8_t>(any_of({0, 128, 255, request[at] + 1U, request[at] ^ 0x10U}));
         } else {
             request = anything();
         }

@@ -276,6 +276,17 @@ TEST_F(SdoBlock, ASegmentedUploadFitsTheSameMemory) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{stray}));
 }
 
+TEST_F(SdoBlock, AValueOfWholeSegmentsEndsWithAFullOne) {
+    verifies<req::CO_SDO_002>();
+    hold(counting(14));
+    talk(*this, {
+                    {"605#4000240000000000", {"585#410024000E000000"}},
+                    {"605#6000000000000000", {"585#0001020304050607"}},
+                    {"605#7000000000000000", {"585#1108090A0B0C0D0E"}},  // toggle, none unused, last
+                    {"605#6000000000000000", {stray}},
+                });
+}
+
 TEST_F(SdoBlock, AValueOfMoreThan64BytesIsReadWhereItLies) {
     verifies<req::CO_K_SDO_BUFFER, req::CO_SDO_034>();
     EXPECT_EQ(send("605#4002230000000000"), (Frames{"585#4102230048000000"}));  // 72 bytes
