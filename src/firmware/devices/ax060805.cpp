@@ -1,0 +1,579 @@
+#include "firmware/devices/ax060805.hpp"
+
+#include <cmath>
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/blocks/count_value.hpp"
+#include "generated/ax060805/constants.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof::ax060805 {
+
+namespace {
+
+namespace own = generated::ax060805;
+namespace field = generated::ax060805::field;
+
+constexpr std::uint16_t slew_rate_index = 0x2000U;
+constexpr std::uint16_t filter_type_index = 0x2050U;
+constexpr std::uint16_t filter_constant_index = 0x2051U;
+constexpr std::uint16_t filter_rate_index = 0x2052U;
+constexpr std::uint16_t angle_type_index = 0x2100U;
+constexpr std::uint16_t initial_pitch_index = 0x2200U;
+constexpr std::uint16_t initial_roll_index = 0x2210U;
+constexpr std::uint16_t auto_null_index = 0x2300U;
+constexpr std::uint16_t received_index = 0x2500U;
+constexpr std::uint16_t function_operation_index = 0x300AU;
+constexpr std::uint16_t function_scaling_index = 0x300BU;
+constexpr std::uint16_t function_offset_index = 0x300CU;
+constexpr std::uint16_t first_function_index = 0x3010U;  // 30x0h of function 1
+constexpr std::uint16_t function_index_step = 0x0010U;
+constexpr std::uint16_t supply_index = 0x5020U;
+constexpr std::uint16_t processor_temperature_index = 0x5030U;
+constexpr std::uint8_t sensor_error_class = 2U;  // sub-index of 1029h
+
+constexpr ErrorId temperature_error = ErrorId::first_of_device;
+constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U);
+constexpr Duration sample_period = microseconds(own::sample_period_us);
+
+static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004>);
+constexpr auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
+
+constexpr NodeProfile make_profile() noexcept {
+    NodeProfile profile{};
+    profile.limit_abort = LimitAbort::high_low;
+    profile.error_list = ErrorList::active;
+    profile.emcy_content = EmcyContent::detail;
+    profile.stored_node_id = StoredNodeId::follows;
+    profile.lss = LssProfile{bit_rates, true};
+    profile.tpdo_trigger = TpdoTrigger::event_timer;
+    return profile;
+}
+constexpr NodeProfile profile = make_profile();
+
+constexpr ErrorId id_of(const own::t_inc_t22::Error error) noexcept {
+    using own::t_inc_t22::Error;
+    switch (error) {
+        case Error::sensor_temperature:
+            return temperature_error;
+        case Error::can_overrun:
+            return ErrorId::can_overrun;
+        case Error::life_guarding:
+            return ErrorId::life_guarding;
+        case Error::heartbeat:
+            return ErrorId::heartbeat_1;
+        case Error::bus_off_recovered:
+            return ErrorId::bus_off_recovered;
+        case Error::rpdo_length:
+            return ErrorId::rpdo_length;
+        case Error::rpdo_timeout:
+            return ErrorId::rpdo_timeout;
+        case Error::stored_set_checksum:
+            return ErrorId::stored_set_checksum;
+        case Error::accelerometer:
+        default:
+            return accelerometer_error;
+    }
+}
+
+static_assert(implements<req::INC_T22> && implements<req::INC_ERR_001> && implements<req::INC_ERR_004>);
+constexpr ErrorTable make_error_table() noexcept {
+    ErrorTable table{};
+    for (const own::t_inc_t22::Row& row : own::t_inc_t22::rows) {
+        table[static_cast<std::size_t>(id_of(row.error))] =
+            ErrorRow{row.code, row.register_bits, row.sent, row.listed, row.detail};
+    }
+    return table;
+}
+
+/// Within the range of the sensor; what is no number is not.
+bool is_measurement(const float acceleration) noexcept {
+    return std::fabs(acceleration) <= own::sensor_range;
+}
+
+constexpr float reversed_if(const bool reversed, const float value) noexcept {
+    return reversed ? -value : value;
+}
+
+}  // namespace
+
+Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
+    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      lss_store_{memory},
+      errors_{make_error_table()},
+      node_{objects_, memory, queue, *this, errors_, profile},
+      factory_{factory} {}
+
+static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006> && implements<req::INC_K_NODE_ID> &&
+              implements<req::INC_K_BIT_RATE>);
+void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    const LssConfiguration stored = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
+    bit_rate_ = stored.bit_rate;
+    node_.power_on(stored, now);
+    set_inputs(inputs, now);
+}
+
+void Device::receive(const Frame& frame, const Instant now) noexcept {
+    measure_due(now);
+    node_.receive(frame, now);
+}
+
+void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
+    measure_due(now);
+    inputs_ = inputs;
+    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
+    const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
+    node_.set_can_state(static_cast<CanState>(can), now);
+    node_.set_overrun(inputs.can_overrun, now);
+}
+
+void Device::advance(const Instant now) noexcept {
+    measure_due(now);
+    node_.advance(now);
+}
+
+Instant Device::next_deadline() const noexcept {
+    return earliest(node_.next_deadline(), earliest(next_sample_, next_filter_));
+}
+
+AbortCode Device::check_access(const EntryRef&) {
+    return AbortCode::none;  // no entry depends on the state of the device
+}
+
+static_assert(implements<req::INC_INSTALL_005>);
+AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
+    const bool commands_null = (entry.index == auto_null_index) && (value[0U] != 0U);
+    if (commands_null && !inclination_.nulling_angles(settings_).has_value()) {
+        return AbortCode::device_state;
+    }
+    return AbortCode::none;
+}
+
+static_assert(implements<req::INC_ANGLE_009> && implements<req::INC_INSTALL_008> && implements<req::INC_AVG_007> &&
+              implements<req::INC_RPDO_002> && implements<req::INC_SLEW_001> && implements<req::INC_AUTO_001>);
+void Device::after_write(const EntryRef& entry, const Instant now) {
+    switch (entry.index) {
+        case slew_rate_index:
+            drive_slew_rate();
+            break;
+        case received_index:
+            received_[entry.row->subindex - 1U] = true;
+            break;
+        case auto_null_index:
+            null_angles();
+            take_settings();
+            restart_filters(now);
+            break;
+        case filter_type_index:
+        case filter_constant_index:
+            restart_filter(entry.row->subindex - 1U);
+            break;
+        case filter_rate_index:
+        case angle_type_index:
+        case initial_pitch_index:
+        case initial_roll_index:
+            take_settings();
+            restart_filters(now);
+            break;
+        default:
+            take_settings();
+            for (std::size_t function = 0U; function < function_count; ++function) {
+                take_function(function);
+            }
+            break;
+    }
+    pass_filters(true, false);
+    publish();
+}
+
+static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002> && implements<req::INC_SLEW_002> &&
+              implements<req::INC_T_SLEW>);
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
+            if (value.has_value()) {
+                objects_.set(entry, *value);
+            }
+        };
+        put(field::o1018_3_revision_number, factory_.revision);
+        put(field::o1018_4_serial_number, factory_.serial_number);
+        put(field::o1020_verify_configuration[1U], factory_.made_on);
+        put(field::o1020_verify_configuration[2U], factory_.made_at);
+    } else if (group == ParameterGroup::manufacturer) {
+        const auto* const suited = own::t_inc_t_slew::find(bit_rate_);
+        const bool fast = (suited != nullptr) && suited->fast;
+        objects_.set(field::o2000_can_slew_rate, static_cast<std::uint8_t>(fast ? 1U : 0U));
+        objects_.set(field::o2400_calibrated_pitch_angle_data, factory_.calibration.pitch);
+        objects_.set(field::o2401_calibrated_roll_angle_data, factory_.calibration.roll);
+    } else {
+        // no application parameters
+    }
+}
+
+static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001>);
+void Device::restart(const Instant now) {
+    const auto* const range = own::t_inc_t8::find(factory_.range);
+    if (range != nullptr) {
+        span_ = AngleSpan{static_cast<float>(range->lower), static_cast<float>(range->upper)};
+    }
+    received_.fill(false);
+    results_.fill(undefined_signal());
+    timed_out_ = false;
+    take_settings();
+    for (std::size_t function = 0U; function < function_count; ++function) {
+        take_function(function);
+    }
+    drive_slew_rate();
+    inclination_.restart();
+    take_sample();
+    restart_filters(now);
+    publish();
+    run_functions();
+    next_sample_ = now + sample_period;
+}
+
+static_assert(implements<req::INC_START_001>);
+void Device::booted(const Instant now) {
+    if (objects_.get(field::o5555_start_in_operational_mode)) {
+        node_.start_at(now);
+    }
+    tell_errors(now);
+}
+
+void Device::communication_failed(const bool, const Instant) {
+    // nothing here depends on it: an RPDO that timed out is asked for in run_functions()
+}
+
+void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
+    bit_rate_ = bit_rate;
+    const auto* const suited = own::t_inc_t_slew::find(bit_rate);
+    if (suited != nullptr) {
+        objects_.set(field::o2000_can_slew_rate, static_cast<std::uint8_t>(suited->fast ? 1U : 0U));
+        drive_slew_rate();
+    }
+}
+
+LssError Device::store_configuration(const LssConfiguration& configuration) {
+    return lss_store_.store(configuration);
+}
+
+static_assert(implements<req::INC_FILTER_001> && implements<req::INC_AVG_004> && implements<req::INC_K_SAMPLE_PERIOD>);
+void Device::measure_due(const Instant now) noexcept {
+    const bool samples = next_sample_ <= now;
+    const bool filters = next_filter_ <= now;
+    if (!samples && !filters) {
+        return;
+    }
+    if (samples) {
+        take_sample();
+        next_sample_ = ((next_sample_ + sample_period) > now) ? (next_sample_ + sample_period) : (now + sample_period);
+    }
+    if (filters) {
+        const Duration rate = milliseconds(objects_.get(field::o2052_angular_filter_rate));
+        next_filter_ = ((next_filter_ + rate) > now) ? (next_filter_ + rate) : (now + rate);
+    }
+    pass_filters(samples, filters);
+    publish();
+    if (samples) {
+        run_functions();
+        if (node_.state() != NmtState::initialising) {
+            tell_errors(now);
+        }
+    }
+}
+
+static_assert(implements<req::INC_ERR_006> && implements<req::INC_K_SENSOR_RANGE>);
+bool Device::has_sensor_fault() const noexcept {
+    return inputs_.accelerometer_fault || !is_measurement(inputs_.acceleration_x) ||
+           !is_measurement(inputs_.acceleration_y) || !is_measurement(inputs_.acceleration_z);
+}
+
+static_assert(implements<req::INC_FV_007>);
+void Device::take_sample() noexcept {
+    if (has_sensor_fault()) {
+        inclination_.fail();
+    } else {
+        inclination_.sample(Vector3{inputs_.acceleration_x, inputs_.acceleration_y, inputs_.acceleration_z}, settings_);
+    }
+}
+
+static_assert(implements<req::INC_AVG_005>);
+void Device::pass_filters(const bool sampled, const bool timed) noexcept {
+    if (!inclination_.is_measuring()) {
+        return;
+    }
+    for (std::size_t angle = 0U; angle < angle_count; ++angle) {
+        const bool unfiltered = filter_kind(static_cast<std::uint8_t>(angle + 1U)) == AngleFilterKind::none;
+        if (unfiltered ? sampled : timed) {
+            filters_[angle].add(inclination_.angles()[angle]);
+        }
+    }
+}
+
+void Device::publish() noexcept {
+    publish_accelerations();
+    publish_angles();
+    publish_diagnostics();
+}
+
+static_assert(implements<req::INC_FV_001> && implements<req::INC_FV_002> && implements<req::INC_FV_003> &&
+              implements<req::INC_FV_004> && implements<req::INC_FV_005> && implements<req::INC_ANGLE_001>);
+void Device::publish_accelerations() noexcept {
+    for (std::uint8_t axis = 1U; axis <= angle_count; ++axis) {
+        const CountScale scale{objects_.get(field::o2010_accelerometer_data_decimal_digits[axis]),
+                               objects_.get(field::o2020_accelerometer_data_offset[axis])};
+        objects_.set(field::o4000_accelerometer_axis_data_field_value[axis],
+                     count_value(given_acceleration(axis), scale));
+    }
+}
+
+void Device::publish_angles() noexcept {
+    constexpr std::array<Field<std::int16_t>, angle_count> shown{{field::o4030_pitch_angle_data_field_value,
+                                                                  field::o4040_roll_angle_data_field_value,
+                                                                  field::o4050_gravity_angle_data_field_value}};
+    for (std::uint8_t sub = 1U; sub <= angle_count; ++sub) {
+        const CountScale scale{objects_.get(field::o2030_angular_data_decimal_digits[sub]),
+                               objects_.get(field::o2040_angular_data_offset[sub])};
+        objects_.set(shown[sub - 1U], count_value(given_angle(sub - 1U), scale));
+    }
+}
+
+static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && implements<req::INC_FV_006> &&
+              implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
+void Device::publish_diagnostics() noexcept {
+    const auto* const merit =
+        own::t_inc_t5::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
+    objects_.set(field::o4020_angular_figure_of_merit, (merit == nullptr) ? std::uint8_t{0U} : merit->state);
+    objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
+    objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
+    show_if_valid(supply_index, inputs_.supply_voltage);
+    show_if_valid(processor_temperature_index, inputs_.processor_temperature);
+}
+
+/// A value that its object cannot hold is no measurement: the last one stays.
+void Device::show_if_valid(const std::uint16_t index, const float value) noexcept {
+    const auto entry = objects_.find(index, 0U);
+    std::array<std::uint8_t, sizeof(float)> bytes{};
+    write_le(MutableBytes{bytes}, 0U, sizeof(float), bit_cast<std::uint32_t>(value));
+    if (entry.ok() && (objects_.check_value(entry.value(), ByteView{bytes}) == AbortCode::none)) {
+        objects_.put(entry.value(), ByteView{bytes});
+    }
+}
+
+static_assert(implements<req::INC_BIN_008> && implements<req::INC_BIN_009> && implements<req::INC_RPDO_002>);
+void Device::run_functions() noexcept {
+    const bool timed_out = node_.has_error(ErrorId::rpdo_timeout);
+    if (timed_out && !timed_out_) {
+        received_.fill(false);
+    }
+    timed_out_ = timed_out;
+    for (std::size_t function = 0U; function < function_count; ++function) {
+        FunctionBlock& block = functions_[function];
+        for (std::size_t input = 0U; input < block.inputs.size(); ++input) {
+            block.inputs[input].source = signal_of(sources_[function][input]);
+        }
+        results_[function] = evaluate(block);
+        objects_.set(field::o3000_binary_function_output_field_value[static_cast<std::uint8_t>(function + 1U)],
+                     count_value(as_continuous(results_[function]), CountScale{}));
+    }
+}
+
+static_assert(implements<req::INC_ERR_005> && implements<req::INC_ERR_006> && implements<req::INC_ERR_011>);
+void Device::tell_errors(const Instant now) noexcept {
+    tell_sensor_error(temperature_error, is_temperature_outside(), now);
+    tell_sensor_error(accelerometer_error, !inclination_.is_measuring(), now);
+}
+
+void Device::tell_sensor_error(const ErrorId error, const bool present, const Instant now) noexcept {
+    const bool begins = present && !node_.has_error(error);
+    node_.set_error(error, present, now);
+    if (begins) {
+        node_.apply_error_behaviour(sensor_error_class, now);
+    }
+}
+
+static_assert(implements<req::INC_FILTER_002> && implements<req::INC_FILTER_004> &&
+              implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
+void Device::take_settings() noexcept {
+    const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
+    const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
+    settings_.filter_share = filtered ? low_pass_coefficient(cut_off, sample_period) : 1.0F;
+    settings_.calibration = PitchRoll{objects_.get(field::o2400_calibrated_pitch_angle_data),
+                                      objects_.get(field::o2401_calibrated_roll_angle_data)};
+    settings_.installation =
+        PitchRoll{objects_.get(field::o2200_initial_pitch_angle), objects_.get(field::o2210_initial_roll_angle)};
+    settings_.euler = objects_.get(field::o2100_pitch_and_roll_angle_type) == 0U;
+    settings_.gimbal_lock_cone = own::gimbal_lock_cone;
+    settings_.least_gravity = own::least_gravity;
+    inclination_.update(settings_);
+}
+
+void Device::restart_filters(const Instant now) noexcept {
+    for (std::size_t angle = 0U; angle < angle_count; ++angle) {
+        restart_filter(angle);
+    }
+    next_filter_ = now + milliseconds(objects_.get(field::o2052_angular_filter_rate));
+}
+
+void Device::restart_filter(const std::size_t angle) noexcept {
+    const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
+    filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]));
+    if (inclination_.is_measuring()) {
+        filters_[angle].add(inclination_.angles()[angle]);
+    }
+}
+
+static_assert(implements<req::INC_T4>);
+AngleFilterKind Device::filter_kind(const std::uint8_t subindex) const noexcept {
+    using own::t_inc_t4::Filter;
+    const auto* const row = own::t_inc_t4::find(objects_.get(field::o2050_angular_filter_type[subindex]));
+    switch ((row == nullptr) ? Filter::none : row->filter) {
+        case Filter::moving_average:
+            return AngleFilterKind::moving_average;
+        case Filter::repeating:
+            return AngleFilterKind::repeating;
+        case Filter::none:
+        default:
+            return AngleFilterKind::none;
+    }
+}
+
+static_assert(implements<req::INC_BIN_001> && implements<req::INC_BIN_010> && implements<req::INC_BIN_011>);
+void Device::take_function(const std::size_t function) noexcept {
+    const auto real = [this](const std::size_t index, const std::uint8_t sub) noexcept {
+        return bit_cast<float>(objects_.read(static_cast<std::uint16_t>(index), sub));
+    };
+    const auto small = [this](const std::size_t index, const std::uint8_t sub) noexcept {
+        return static_cast<std::uint8_t>(objects_.read(static_cast<std::uint16_t>(index), sub));
+    };
+    const std::size_t first = first_function_index + (function * function_index_step);
+    FunctionBlock& block = functions_[function];
+    for (std::uint8_t input = 1U; input <= block.inputs.size(); ++input) {
+        FunctionInput& taken = block.inputs[input - 1U];
+        sources_[function][input - 1U] = small(first, input);
+        taken.has_default = small(first + 1U, input) != 0U;
+        taken.default_value = real(first + 2U, input);
+        taken.unary = small(first + 3U, input);
+        taken.linear = Linear{real(first + 4U, input), real(first + 5U, input)};
+    }
+    const std::uint8_t sub = static_cast<std::uint8_t>(function + 1U);
+    block.operation = small(function_operation_index, sub);
+    block.output = Linear{real(function_scaling_index, sub), real(function_offset_index, sub)};
+}
+
+static_assert(implements<req::INC_INSTALL_003> && implements<req::INC_INSTALL_006>);
+void Device::null_angles() noexcept {
+    const auto angles = inclination_.nulling_angles(settings_);
+    if ((objects_.get(field::o2300_auto_null_command) != 0U) && angles.has_value()) {
+        objects_.set(field::o2200_initial_pitch_angle, angles->pitch);
+        objects_.set(field::o2210_initial_roll_angle, angles->roll);
+    }
+    objects_.set(field::o2300_auto_null_command, std::uint8_t{0U});
+}
+
+void Device::drive_slew_rate() noexcept {
+    outputs_.slew_rate_fast = objects_.get(field::o2000_can_slew_rate) != 0U;
+}
+
+/// Reversed in sign where 2011h says so, in g.
+float Device::given_acceleration(const std::uint8_t axis) const noexcept {
+    const Vector3& sensed = inclination_.acceleration();
+    const std::array<float, angle_count> axes{{sensed.x, sensed.y, sensed.z}};
+    return reversed_if(objects_.get(field::o2011_accelerometer_data_inversion[axis]) != 0U, axes[axis - 1U]);
+}
+
+static_assert(implements<req::INC_RANGE_001> && implements<req::INC_RANGE_003> && implements<req::INC_FV_004>);
+/// Filtered, in its range and reversed in sign where 2031h says so, in degrees.
+float Device::given_angle(const std::size_t angle) const noexcept {
+    const float measured = filters_[angle].output();
+    const float ranged = (angle == gravity_tilt) ? measured : in_span(measured, span_);
+    const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
+    return reversed_if(objects_.get(field::o2031_angular_data_inversion[sub]) != 0U, ranged);
+}
+
+float Device::latency_ms() const noexcept {
+    const std::uint16_t rate = objects_.get(field::o2052_angular_filter_rate);
+    float slowest{0.0F};
+    for (std::uint8_t sub = 1U; sub <= angle_count; ++sub) {
+        const std::uint16_t samples = objects_.get(field::o2051_angular_filter_constant[sub]);
+        slowest = std::fmax(slowest, angle_filter_delay_ms(filter_kind(sub), samples, rate));
+    }
+    const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
+    const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
+    return filtered ? (slowest + low_pass_delay_ms(cut_off)) : slowest;
+}
+
+static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TEMPERATURE_HIGH>);
+bool Device::is_temperature_outside() const noexcept {
+    const float temperature = inputs_.sensor_temperature;
+    const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
+    return !inside;  // what is no number is not inside
+}
+
+Signal Device::acceleration_signal(const std::uint8_t axis) const noexcept {
+    return inclination_.is_measuring() ? continuous_signal(given_acceleration(axis)) : undefined_signal();
+}
+
+Signal Device::angle_signal(const std::size_t angle) const noexcept {
+    return inclination_.is_measuring() ? continuous_signal(given_angle(angle)) : undefined_signal();
+}
+
+static_assert(implements<req::INC_RPDO_001>);
+Signal Device::received_signal(const std::uint8_t number) const noexcept {
+    if (!received_[number - 1U]) {
+        return undefined_signal();
+    }
+    const CountScale scale{objects_.get(field::o2501_rpdo_decimal_digits[number]),
+                           objects_.get(field::o2502_rpdo_offset[number])};
+    return continuous_signal(
+        value_of_count(objects_.get(field::o2500_rpdo_received_message_process_value[number]), scale));
+}
+
+static_assert(implements<req::INC_T1> && implements<req::INC_SIG_001> && implements<req::INC_SIG_002> &&
+              implements<req::INC_SIG_005> && implements<req::INC_GLOBAL_003>);
+Signal Device::signal_of(const std::uint8_t source) const noexcept {
+    using Source = own::t_inc_t1::Signal;
+    const auto* const row = own::t_inc_t1::find(source);
+    if (row == nullptr) {
+        return undefined_signal();
+    }
+    switch (row->signal) {
+        case Source::acceleration:
+            return acceleration_signal(row->number);
+        case Source::sensor_temperature:
+            return std::isnan(inputs_.sensor_temperature) ? undefined_signal()
+                                                          : continuous_signal(inputs_.sensor_temperature);
+        case Source::pitch:
+            return angle_signal(pitch_angle);
+        case Source::roll:
+            return angle_signal(roll_angle);
+        case Source::gravity_angle:
+            return angle_signal(gravity_tilt);
+        case Source::latency:
+            return continuous_signal(latency_ms());
+        case Source::figure_of_merit:
+            return discrete_signal(objects_.get(field::o4020_angular_figure_of_merit));
+        case Source::binary_function:
+            return results_[row->number - 1U];
+        case Source::received:
+            return received_signal(row->number);
+        case Source::discrete_constant:
+            return discrete_signal(objects_.get(field::o4080_discrete_signal));
+        case Source::continuous_constant:
+            return continuous_signal(objects_.get(field::o4070_continuous_signal));
+        case Source::zero:
+            return continuous_signal(0.0F);
+        case Source::one:
+            return continuous_signal(1.0F);
+        case Source::supply:
+            return continuous_signal(objects_.get(field::o5020_power_supply_field_value));
+        case Source::processor_temperature:
+            return continuous_signal(objects_.get(field::o5030_processor_temperature_field_value));
+        case Source::none:
+        default:
+            return undefined_signal();
+    }
+}
+
+}  // namespace canproof::ax060805
