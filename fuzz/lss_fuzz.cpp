@@ -1,0 +1,189 @@
+// Frames of an LSS master, of any bytes and lengths, with time passing between them, to a node without a node-ID and
+// then with whatever it was given. Input: records of ten bytes: what happens, length or time, and eight bytes of data.
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "generated/requirements.hpp"
+#include "host/devices/generic_device.hpp"
+#include "host/devices/memory.hpp"
+#include "host/speccompiler/register.hpp"
+#include "support/claims.hpp"
+
+namespace {
+
+using namespace canproof;
+
+constexpr std::size_t record_size = 10;
+constexpr std::uint32_t request_id = 0x7E5;
+constexpr std::uint32_t response_id = 0x7E4;
+constexpr std::array<std::uint32_t, 4> address{0x00000055, 0xAA020301, 0x00010002, 0x20261121};
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+/// Nothing but an LSS address.
+const host::Part& part() {
+    static const host::LoadResult loaded = [] {
+        host::SpecFiles files;
+        files["spec/manuals/s.toml"] =
+            "key = \"S1\"\ntitle = \"t\"\npublisher = \"p\"\nrevision = \"1\"\ndate = \"2026-11-21\"\n"
+            "[[section]]\nref = \"1\"\ntitle = \"t\"\ndisposition = \"normative\"\n";
+        files["spec/devices/slave/device.toml"] =
+            "name = \"slave\"\ntitle = \"t\"\nvendor = \"v\"\nprefix = \"AO4\"\nmanual = \"S1\"\npart_numbers = "
+            "[\"n\"]\n"
+            "node_id = 5\nbit_rate = 125000\nbit_rates = [125000]\nsource = [\"S1:1\"]\n[services]\nlss = true\n";
+        files["spec/devices/slave/objects.toml"] = R"toml([[object]]
+index = 0x1018
+name = "Identity Object"
+source = ["S1:1"]
+  [[object.entry]]
+  sub = 1
+  name = "Vendor-ID"
+  type = "UNSIGNED32"
+  access = "ro"
+  default = 0x00000055
+  [[object.entry]]
+  sub = 2
+  name = "Product Code"
+  type = "UNSIGNED32"
+  access = "ro"
+  default = 0xAA020301
+  [[object.entry]]
+  sub = 3
+  name = "Revision Number"
+  type = "UNSIGNED32"
+  access = "ro"
+  default = 0x00010002
+  [[object.entry]]
+  sub = 4
+  name = "Serial Number"
+  type = "UNSIGNED32"
+  access = "ro"
+  default = 0x20261121
+)toml";
+        return host::load_register(files);
+    }();
+    require(loaded.faults.empty());
+    return *loaded.content.part("slave");
+}
+
+/// What the frames alone tell about the slave. Where they leave it open, LSS configuration is taken to be possible.
+class Watch {
+  public:
+    void request(const Frame& frame, bool answered, Instant now) {
+        const std::uint8_t specifier = frame.data[0];
+        if (specifier == 0x51 && answered) {
+            fastscan(frame);
+        } else if (specifier == 0x15 && frame.length >= 3) {
+            const Instant end = now + milliseconds(2U * read_u16(frame.payload(), 1));
+            quiet_until_ = end > quiet_until_ ? end : quiet_until_;
+        } else if (specifier == 0x04 && frame.length >= 2 && frame.data[1] == 1) {
+            may_configure_ = true;
+        } else if (specifier == 0x04 && frame.length >= 2 && frame.data[1] == 0) {
+            may_configure_ = may_configure_ && now < quiet_until_;  // not heard while the bit rate is switched
+        } else if (specifier == 0x43 && answered) {
+            may_configure_ = true;
+        }
+    }
+    void booted() { may_configure_ = false; }
+    /// By switch state, or because all four numbers were confirmed since the scan began.
+    bool may_configure() const { return may_configure_; }
+
+  private:
+    void fastscan(const Frame& frame) {
+        const std::uint8_t check = frame.data[5];
+        const std::uint8_t which = frame.data[6];
+        require(check <= 31 || check == 128);
+        if (check == 128) {
+            confirmed_ = 0;
+            return;
+        }
+        require(which <= 3 && ((address[which] ^ read_u32(frame.payload(), 1)) >> check) == 0);
+        confirmed_ |= check == 0 && frame.data[7] != which ? 1U << which : 0U;
+        may_configure_ = may_configure_ || confirmed_ == 0xF;
+    }
+    unsigned confirmed_{0};
+    bool may_configure_{false};
+    Instant quiet_until_{};
+};
+
+bool is_answer_to(std::uint8_t asked, std::uint8_t answer) {
+    switch (asked) {
+        case 0x43:
+            return answer == 0x44;
+        case 0x4B:
+        case 0x51:
+            return answer == 0x4F;
+        case 0x4C:
+            return answer == 0x50;
+        default:
+            return answer == asked;
+    }
+}
+
+bool needs_configuration(std::uint8_t specifier) {
+    return specifier == 0x11 || specifier == 0x13 || specifier == 0x17 || (specifier >= 0x5A && specifier <= 0x5E);
+}
+
+/// At most one answer, which belongs to its request; besides only boot-up.
+void check_answers(TransmitQueue& queue, const Frame& request, Watch& watch, Instant now) {
+    bool answered = false;
+    bool booted = false;
+    while (!queue.empty()) {
+        const Frame frame = queue.pop();
+        require(!frame.extended && !frame.remote && frame.length >= 1 && frame.length <= 8);
+        if (frame.id == response_id) {
+            require(!answered && request.id == request_id && request.length >= 1);
+            require((frame.length == 8) == (request.length == 8));
+            require(is_answer_to(request.data[0], frame.data[0]));
+            require(!needs_configuration(request.data[0]) || watch.may_configure());
+            answered = true;
+        } else {
+            require(frame.id > 0x700 && frame.id <= 0x77F && frame.length == 1 && frame.data[0] == 0);
+            booted = true;
+        }
+    }
+    if (request.id == request_id) {
+        watch.request(request, answered, now);
+    }
+    if (booted) {
+        watch.booted();
+    }
+}
+
+}  // namespace
+
+CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    host::Memory memory{64};
+    TransmitQueue queue;
+    host::GenericDevice device{part(), memory, queue};
+    Instant now{};
+    Watch watch;
+    device.power_on(LssConfiguration{255, 125000}, now);
+    require(queue.empty());
+    for (; size >= record_size; data += record_size, size -= record_size) {
+        const std::uint8_t what = data[0] & 0x0FU;
+        if (what == 0x0F) {  // time passes
+            const Instant end = now + milliseconds(data[1]);
+            for (; device.next_deadline() <= end; device.advance(now)) {
+                now = device.next_deadline();
+            }
+            now = end;
+            require(queue.empty());
+            continue;
+        }
+        const bool is_nmt = what == 0x0E;
+        const auto length = static_cast<std::uint8_t>(is_nmt ? 2 : std::min(data[1] & 0x0F, 8));
+        Frame frame = data_frame(is_nmt ? 0U : request_id, length);
+        std::copy_n(data + 2, length, frame.data.begin());
+        device.receive(frame, now);
+        check_answers(queue, frame, watch, now);
+    }
+    return 0;
+}
