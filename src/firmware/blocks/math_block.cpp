@@ -81,6 +81,12 @@ double calculate(const Operation operation, const double a, const double b) noex
     }
 }
 
+/// Loops of quotients and products grow no further than this, so that no result ever ceases to be a number.
+double held_finite(const double value) noexcept {
+    constexpr double bound = 1.0e9;
+    return std::fmin(std::fmax(value, -bound), bound);
+}
+
 }  // namespace
 
 static_assert(implements<req::AOR_MATH_001> && implements<req::AOR_MATH_006>);
@@ -144,7 +150,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
         const std::uint8_t number = config.operators[function];
         const bool done = chained && second.signal.is_available();
         if (done) {
-            const double raw = apply_operator(number, chain, input_value(second));
+            const double raw = held_finite(apply_operator(number, chain, input_value(second)));
             const bool signed_result = negative_gain || (second.gain < 0.0);
             const bool held_at_0 = (operation_of(number) == Operation::minus) && (raw < 0.0) && (!signed_result);
             results_[function] = raw;
