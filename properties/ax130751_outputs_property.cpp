@@ -22,8 +22,12 @@ double hundredths(int low, int high) {
     return *rc::gen::inRange(low * 100, (high * 100) + 1) / 100.0;
 }
 
+Duration some_ms(std::uint64_t low, std::uint64_t end) {
+    return milliseconds(*rc::gen::inRange<std::uint64_t>(low, end));
+}
+
 RampTimes some_times() {
-    return {hundredths(0, 20), milliseconds(*rc::gen::inRange(0, 10001)), milliseconds(*rc::gen::inRange(0, 10001))};
+    return {hundredths(0, 20), some_ms(0, 10001), some_ms(0, 10001)};
 }
 
 /// Table 3.
@@ -49,7 +53,7 @@ RC_GTEST_PROP(OutputLaw, OutputsStayInTheRangeOfTheirType, ()) {
     for (int step = 0; step < steps; ++step) {
         const auto drive = static_cast<OutputDrive>(*rc::gen::inRange(0, 7));
         const AnalogueDemand demand{hundredths(-40000, 40000), hundredths(-40000, 40000), hundredths(-40000, 40000)};
-        now = now + milliseconds(*rc::gen::inRange(0, 3000));
+        now = now + some_ms(0, 3000);
         const auto state = output.advance(drive, demand, range, some_times(), now);
         for (const double value : {state.value, state.target}) {
             const bool off = value >= 0.0 && value <= 0.0;
@@ -60,8 +64,7 @@ RC_GTEST_PROP(OutputLaw, OutputsStayInTheRangeOfTheirType, ()) {
 
 RC_GTEST_PROP(OutputLaw, ARampIsNeverSteeperThanConfiguredAndReachesItsEnd, ()) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>("property");
-    const RampTimes times{hundredths(1, 20), milliseconds(*rc::gen::inRange(1, 10001)),
-                          milliseconds(*rc::gen::inRange(1, 10001))};
+    const RampTimes times{hundredths(1, 20), some_ms(1, 10001), some_ms(1, 10001)};
     Ramp ramp;
     ramp.set(hundredths(-10, 10));
     Instant now{};
@@ -97,7 +100,7 @@ RC_GTEST_PROP(OutputLaw, ARampDoesNotDependOnHowOftenItIsAsked, ()) {
         seldom.follow(target, times, now);
         const int steps = *rc::gen::inRange(0, 10);
         for (int step = 0; step < steps; ++step) {
-            now = now + milliseconds(*rc::gen::inRange(0, 700));
+            now = now + some_ms(0, 700);
             often.follow(target, times, now);
         }
         RC_ASSERT(std::fabs(often.value_at(now) - seldom.value_at(now)) <= 0.0);
@@ -129,8 +132,8 @@ RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
 
 RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
     verifies<req::AOR_RELAY_012>("property");
-    const Duration on_delay = milliseconds(*rc::gen::inRange(0, 50));
-    const Duration off_delay = milliseconds(*rc::gen::inRange(0, 50));
+    const Duration on_delay = some_ms(0, 50);
+    const Duration off_delay = some_ms(0, 50);
     DelayedState state;
     Instant now{};
     std::uint64_t asked_for = 0;  // ms for which the present wish has stood against the state
