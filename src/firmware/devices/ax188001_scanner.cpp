@@ -1,0 +1,355 @@
+#include "firmware/devices/ax188001_scanner.hpp"
+
+#include <cmath>
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/blocks/limit_condition.hpp"
+#include "firmware/blocks/thermocouple_curves.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/objects.hpp"
+#include "generated/ax188001/tables.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof::ax188001 {
+
+namespace {
+
+namespace own = generated::ax188001;
+namespace field = generated::ax188001::field;
+
+constexpr double microvolts_per_millivolt = 1000.0;
+constexpr std::uint16_t channel_field_value_index = 0x6100U;
+constexpr std::uint16_t average_field_value_index = 0x2100U;
+constexpr std::uint8_t filter_50_hz = 50U;
+constexpr std::uint8_t filter_60_hz = 60U;
+
+constexpr ReservedValues reserved{own::process_value_disabled, own::process_value_open};
+
+static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
+              implements<req::TCS_K_GAIN_BACK>);
+constexpr ConverterCircuit make_circuit() noexcept {
+    ConverterCircuit circuit{};
+    for (const auto& row : own::t_tcs_t_gain::rows) {
+        circuit.gains[row.step] = ConverterGain{row.gain, static_cast<double>(row.full_scale_uv)};
+    }
+    circuit.codes = static_cast<double>(own::converter_codes);
+    circuit.raise_fraction = static_cast<double>(own::gain_raise_fraction);
+    circuit.settling_conversions = own::settling_conversions;
+    return circuit;
+}
+constexpr ConverterCircuit circuit = make_circuit();
+
+// From the highest gain to the lowest, each change settled: what the start of the module waits for.
+constexpr std::size_t conversions_to_settle =
+    1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
+
+static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
+double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
+    namespace table = own::t_tcs_t_rejection;
+    const table::FilterHz selected = (filter == filter_50_hz) ? table::FilterHz::hz_50 : table::FilterHz::hz_60;
+    table::MainsHz frequency = table::MainsHz::none;
+    if (mains == filter_50_hz) {
+        frequency = table::MainsHz::hz_50;
+    } else if (mains == filter_60_hz) {
+        frequency = table::MainsHz::hz_60;
+    } else {
+        // no hum
+    }
+    const auto* const row = table::find(selected, frequency);
+    return (row == nullptr) ? 0.0 : static_cast<double>(row->left);
+}
+
+double limit_c(const std::int16_t threshold) noexcept {
+    return static_cast<double>(threshold) / static_cast<double>(own::limit_steps_per_c);
+}
+
+/// Sub-index of a channel, which is counted from 0.
+constexpr std::uint8_t subindex(const std::size_t channel) noexcept {
+    return static_cast<std::uint8_t>(channel + 1U);
+}
+
+std::uint32_t bits_of(const float value) noexcept {
+    return bit_cast<std::uint32_t>(value);
+}
+
+}  // namespace
+
+static_assert(implements<req::TCS_IN_001> && implements<req::TCS_LIM_006>);
+void Scanner::restart(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].reset();
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.clear();
+        }
+    }
+    for (DelayedFault& fault : unit_faults_) {
+        fault.clear();
+    }
+    hum_rises_ = true;
+    for (std::size_t i = 0U; i < conversions_to_settle; ++i) {
+        read(inputs);
+    }
+}
+
+static_assert(implements<req::TCS_IN_002> && implements<req::TCS_IN_003> && implements<req::TCS_IN_004> &&
+              implements<req::TCS_IN_005>);
+void Scanner::read(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].convert(input_uv(inputs, channel), circuit);
+    }
+    hum_rises_ = !hum_rises_;
+    cold_junction_c_ = static_cast<double>(inputs.cold_junction);
+    cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);
+    supply_v_ = static_cast<double>(inputs.supply);
+}
+
+/// What the converter sees: a broken wire is pulled up by the detection current; what is left of hum falls on the one
+/// side of the voltage and on the other in turn, the worst that a beat with the readings can do.
+static_assert(implements<req::TCS_IN_006> && implements<req::TCS_K_OPEN_VOLTAGE>);
+double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
+    if (inputs.tc_open[channel]) {
+        return static_cast<double>(own::open_input_uv);
+    }
+    const double left = static_cast<double>(inputs.tc_hum[channel]) *
+                        hum_left(objects_.get(field::o2020_adc_filter_frequency), inputs.mains_frequency);
+    const double voltage = static_cast<double>(inputs.tc_microvolts[channel]);
+    return hum_rises_ ? (voltage + left) : (voltage - left);
+}
+
+static_assert(implements<req::TCS_IN_008>);
+void Scanner::change_filter() noexcept {
+    for (GainRanging& converter : converters_) {
+        converter.unsettle(circuit);
+    }
+}
+
+static_assert(implements<req::TCS_IN_014>);
+SensorType Scanner::sensor_type(const std::size_t channel) const noexcept {
+    // 6110h takes the numbers of the enumeration only (table TCS-T1).
+    return static_cast<SensorType>(objects_.get(field::o6110_tc_sensor_type[subindex(channel)]));
+}
+
+std::uint8_t Scanner::gain(const std::size_t channel) const noexcept {
+    return converters_[channel].gain(circuit);
+}
+
+bool Scanner::is_enabled(const std::size_t channel) const noexcept {
+    return objects_.get(field::o6112_tc_operating_mode[subindex(channel)]) != 0U;
+}
+
+static_assert(implements<req::TCS_CJ_003> && implements<req::TCS_IN_009> && implements<req::TCS_IN_010>);
+double Scanner::converted_uv(const std::size_t channel) const noexcept {
+    const double measured = converters_[channel].microvolts();
+    if (objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) == 0U) {
+        return measured;
+    }
+    const ThermocoupleCurve& curve = thermocouple_curve(sensor_type(channel));
+    return measured + (reference_mv(curve, cold_junction_c_) * microvolts_per_millivolt);
+}
+
+static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_006> && implements<req::TCS_K_RANGE_MARGIN>);
+Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) const noexcept {
+    const SensorType type = sensor_type(channel);
+    Conversion result{};
+    result.celsius = exact_celsius(thermocouple_curve(type), microvolts / microvolts_per_millivolt);
+    const auto* const range = own::t_tcs_t1::find(type);
+    if (range != nullptr) {
+        result.above = microvolts > (static_cast<double>(range->highest_uv) + own::range_margin_uv);
+        result.below = microvolts < (static_cast<double>(range->lowest_uv) - own::range_margin_uv);
+    }
+    return result;
+}
+
+static_assert(implements<req::TCS_IN_011>);
+void Scanner::evaluate(const Instant now) noexcept {
+    std::array<Measurement, channel_count> channels{};
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        channels[channel] = evaluate_channel(channel, now);
+    }
+    evaluate_average(channels);
+    evaluate_cold_junction();
+    evaluate_unit(now);
+    put_status();
+}
+
+static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_005> && implements<req::TCS_VAL_006> &&
+              implements<req::TCS_VAL_007> && implements<req::TCS_IN_013>);
+Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
+    const std::uint8_t sub = subindex(channel);
+    const bool open = converters_[channel].is_open();
+    const double microvolts = converted_uv(channel);
+    if (!open) {
+        objects_.set(field::o2010_tc_input_microvolts[sub], static_cast<std::int32_t>(std::round(microvolts)));
+    }
+    if (!is_enabled(channel)) {
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.clear();
+        }
+        put_channel(channel, own::field_value_invalid_bits, own::process_value_disabled);
+        return Measurement{};
+    }
+    fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
+    if (open) {
+        // 6150h has no temperature to judge: what was told stays, what waits is dropped.
+        fault_of(channel, ChannelFault::high).drop();
+        fault_of(channel, ChannelFault::low).drop();
+        fault_of(channel, ChannelFault::shutdown).drop();
+        put_channel(channel, own::field_value_invalid_bits, own::process_value_open);
+        return Measurement{};
+    }
+    Conversion conversion = convert(channel, microvolts);
+    // What is sent is what is judged: the field value is a REAL32.
+    const float field_value = static_cast<float>(conversion.celsius);
+    conversion.celsius = static_cast<double>(field_value);
+    judge_temperature(channel, conversion, now);
+    const Scaling scaling{static_cast<double>(objects_.get(field::o6126_tc_scaling_factor[sub])),
+                          static_cast<double>(objects_.get(field::o6127_tc_scaling_offset[sub]))};
+    put_channel(channel, bits_of(field_value), measured_process_value(conversion.celsius, scaling, reserved));
+    return Measurement{conversion.celsius, true};
+}
+
+void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_value_bits,
+                          const std::int16_t process_value) noexcept {
+    objects_.write(channel_field_value_index, subindex(channel), field_value_bits);
+    objects_.set(field::o7130_tc_input_process_value[subindex(channel)], process_value);
+}
+
+static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_007> &&
+              implements<req::TCS_LIM_009> && implements<req::TCS_LIM_010> && implements<req::TCS_K_HYSTERESIS> &&
+              implements<req::TCS_K_LIMIT_RESOLUTION>);
+void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
+    constexpr double hysteresis = static_cast<double>(own::limit_hysteresis_c);
+    const std::uint8_t sub = subindex(channel);
+    const Duration delay = channel_delay(channel);
+    const double low = limit_c(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));
+    const double high = limit_c(objects_.get(field::o4010_tc_high_temperature_warning_threshold[sub]));
+    const double shutdown = limit_c(objects_.get(field::o4020_tc_high_temperature_shutdown_threshold[sub]));
+
+    FaultCondition too_low = low_limit(conversion.celsius, low, low + hysteresis);
+    too_low.begins = too_low.begins || conversion.below;
+    too_low.ends = too_low.ends && !conversion.below;
+    FaultCondition too_hot = high_limit(conversion.celsius, shutdown, shutdown - hysteresis);
+    too_hot.begins = too_hot.begins || conversion.above;
+    too_hot.ends = too_hot.ends && !conversion.above;
+
+    fault_of(channel, ChannelFault::low).judge(too_low, delay, now);
+    fault_of(channel, ChannelFault::high).judge(high_limit(conversion.celsius, high, high - hysteresis), delay, now);
+    fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
+}
+
+static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
+              implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
+void Scanner::evaluate_average(const std::array<Measurement, channel_count>& channels) noexcept {
+    const auto* const row = own::t_tcs_t2::find(objects_.get(field::o2112_avg_operating_mode));
+    const bool enabled = (row != nullptr) && (row->mode == own::t_tcs_t2::Mode::normal);
+    const Measurement mean = enabled ? average(channels) : Measurement{};
+    if (mean.valid) {
+        const float field_value = static_cast<float>(mean.value);
+        const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),
+                              static_cast<double>(objects_.get(field::o2127_avg_scaling_offset))};
+        objects_.write(average_field_value_index, 0U, bits_of(field_value));
+        objects_.set(field::o2130_avg_input_process_value,
+                     measured_process_value(static_cast<double>(field_value), scaling, reserved));
+        return;
+    }
+    bool broken{false};
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        broken = broken || (is_enabled(channel) && converters_[channel].is_open());
+    }
+    objects_.write(average_field_value_index, 0U, own::field_value_invalid_bits);
+    objects_.set(field::o2130_avg_input_process_value, (enabled && broken) ? reserved.open : reserved.disabled);
+}
+
+static_assert(implements<req::TCS_CJ_001> && implements<req::TCS_CJ_002>);
+void Scanner::evaluate_cold_junction() noexcept {
+    const float field_value = static_cast<float>(cold_junction_c_);
+    const Scaling scaling{static_cast<double>(objects_.get(field::o3126_cj_scaling_factor)),
+                          static_cast<double>(objects_.get(field::o3127_cj_scaling_offset))};
+    objects_.set(field::o3100_cj_input_field_value, field_value);
+    objects_.set(field::o3130_cj_input_process_value, process_value(static_cast<double>(field_value), scaling));
+}
+
+static_assert(implements<req::TCS_FD_001> && implements<req::TCS_FD_002> && implements<req::TCS_FD_003> &&
+              implements<req::TCS_FD_004> && implements<req::TCS_FD_005> && implements<req::TCS_K_FD_RESOLUTION>);
+void Scanner::evaluate_unit(const Instant now) noexcept {
+    constexpr double steps = static_cast<double>(own::fault_steps_per_unit);
+    const double temperature = std::round(cpu_temperature_c_ * steps);
+    const double voltage = std::round(supply_v_ * steps);
+    objects_.set(field::o5040_fd_field_value[1U], static_cast<float>(temperature));
+    objects_.set(field::o5040_fd_field_value[2U], static_cast<float>(voltage));
+
+    std::array<double, unit_fault_count> set{};
+    std::array<double, unit_fault_count> clear{};
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        set[i] = static_cast<double>(objects_.get(field::o5041_fd_set_threshold[subindex(i)]));
+        clear[i] = static_cast<double>(objects_.get(field::o5042_fd_clear_threshold[subindex(i)]));
+    }
+    const bool temperature_enabled = objects_.get(field::o5050_fd_enable_fault_detection[1U]) != 0U;
+    const bool supply_enabled = objects_.get(field::o5050_fd_enable_fault_detection[2U]) != 0U;
+    judge_unit(UnitFault::cpu_temperature, temperature_enabled, high_limit(temperature, set[0], clear[0]), now);
+    judge_unit(UnitFault::over_voltage, supply_enabled, high_limit(voltage, set[1], clear[1]), now);
+    judge_unit(UnitFault::under_voltage, supply_enabled, low_limit(voltage, set[2], clear[2]), now);
+}
+
+void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultCondition& condition,
+                         const Instant now) noexcept {
+    const std::size_t at = static_cast<std::size_t>(fault);
+    if (enabled) {
+        unit_faults_[at].judge(condition, unit_delay(at), now);
+    } else {
+        unit_faults_[at].clear();
+    }
+}
+
+static_assert(implements<req::TCS_T7> && implements<req::TCS_LIM_005>);
+void Scanner::put_status() noexcept {
+    namespace table = own::t_tcs_t7;
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        const auto* const row =
+            table::find(told(channel, ChannelFault::open) ? table::Open::yes : table::Open::no,
+                        told(channel, ChannelFault::shutdown) ? table::Shutdown::yes : table::Shutdown::no,
+                        told(channel, ChannelFault::high) ? table::High::yes : table::High::no,
+                        told(channel, ChannelFault::low) ? table::Low::yes : table::Low::no);
+        if (row != nullptr) {
+            objects_.set(field::o6150_tc_status[subindex(channel)], row->status);
+        }
+    }
+}
+
+static_assert(implements<req::TCS_LIM_003> && implements<req::TCS_LIM_011>);
+Duration Scanner::channel_delay(const std::size_t channel) const noexcept {
+    return milliseconds(objects_.get(field::o4030_tc_error_react_delay[subindex(channel)]));
+}
+
+/// 5051h:1 for FD1, 5051h:2 for FD2 and FD3.
+Duration Scanner::unit_delay(const std::size_t fault) const noexcept {
+    const std::uint8_t sub = (fault == static_cast<std::size_t>(UnitFault::cpu_temperature)) ? 1U : 2U;
+    return milliseconds(objects_.get(field::o5051_fd_error_response_delay[sub]));
+}
+
+void Scanner::advance(const Instant now) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.advance(channel_delay(channel), now);
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        unit_faults_[i].advance(unit_delay(i), now);
+    }
+    put_status();
+}
+
+Instant Scanner::next_deadline() const noexcept {
+    Instant next = never;
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (const DelayedFault& fault : faults_[channel]) {
+            next = earliest(next, fault.due(channel_delay(channel)));
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        next = earliest(next, unit_faults_[i].due(unit_delay(i)));
+    }
+    return next;
+}
+
+}  // namespace canproof::ax188001

@@ -1,0 +1,67 @@
+#include "firmware/devices/ax188001.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "host/devices/devices.hpp"
+#include "host/devices/simulation.hpp"
+#include "host/plant/thermocouple_plant.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t memory_size = 1024;  // two banks of parameters, and LSS at the end
+
+class Ax188001Simulation final
+    : public Simulation<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData> {
+  public:
+    Ax188001Simulation() : Simulation{memory_size} {}
+
+    /// As if LSS had stored it; the bit rate stays.
+    void set_node_id(int node_id) override {
+        namespace own = generated::ax188001;
+        LssStore store{memory_};
+        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
+        configuration.node_id = static_cast<std::uint8_t>(node_id);
+        store.store(configuration);
+    }
+    void power_on(Instant now) override {
+        // The wires are of the types that are stored: another unit reads them from the same memory.
+        TransmitQueue nowhere;
+        ax188001::Device reader{memory_, nowhere, {}};
+        reader.power_on(inputs_, now);
+        plant_.drive(inputs_, types_of(reader));
+        Simulation::power_on(now);
+    }
+    void receive(const Frame& frame, Instant now) override {
+        Simulation::receive(frame, now);
+        follow_plant(now);
+    }
+    bool set_input(const std::string& name, double value, Instant now) override {
+        if (!put_input(name, value)) {
+            return false;
+        }
+        plant_.stimulus(name);
+        plant_.drive(inputs_, types_of(device_));
+        device_.set_inputs(inputs_, now);
+        return true;
+    }
+
+  private:
+    static std::array<ax188001::SensorType, ax188001::channel_count> types_of(const ax188001::Device& device) {
+        return {device.sensor_type(0), device.sensor_type(1)};
+    }
+    void follow_plant(Instant now) {
+        if (plant_.drive(inputs_, types_of(device_))) {
+            device_.set_inputs(inputs_, now);
+        }
+    }
+
+    ThermocouplePlant plant_;
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDevice> make_ax188001() {
+    return std::make_unique<Ax188001Simulation>();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,22 @@
+#include "host/devices/devices.hpp"
+
+namespace canproof::host {
+
+std::unique_ptr<SimulatedDevice> make_device(const std::string& name) {
+    struct Maker {
+        const char* name;
+        std::unique_ptr<SimulatedDevice> (*make)();
+    };
+    constexpr Maker makers[]{
+        {"ax188001", make_ax188001},
+        {"cbx-ao412", make_cbx_ao412},
+    };
+    for (const Maker& maker : makers) {
+        if (name == maker.name) {
+            return maker.make();
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,13 @@
+// The devices of the catalogue, each made by its own file.
+#pragma once
+
+#include <memory>
+
+#include "host/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+std::unique_ptr<SimulatedDevice> make_ax188001();
+std::unique_ptr<SimulatedDevice> make_cbx_ao412();
+
+}  // namespace canproof::host
