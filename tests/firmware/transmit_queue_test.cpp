@@ -27,6 +27,17 @@ TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, FrontShowsWhatPopGives) {
+    TransmitQueue queue;
+    EXPECT_EQ(queue.front(), nullptr);
+    queue.push(numbered(0x583, 1));
+    queue.push(numbered(0x083, 2));
+    ASSERT_NE(queue.front(), nullptr);
+    EXPECT_EQ(queue.front()->data[0], 2);
+    EXPECT_EQ(queue.pop().data[0], 2);
+    EXPECT_EQ(queue.front()->data[0], 1);
+}
+
 TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
     verifies<req::CO_FRAME_002, req::CO_NMT_001>();
     TransmitQueue queue;

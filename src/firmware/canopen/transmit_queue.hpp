@@ -23,6 +23,8 @@ class TransmitQueue {
     void push_boot_up(const Frame& frame) noexcept;
     bool empty() const noexcept { return count_ == 0U; }
     std::size_t size() const noexcept { return count_; }
+    /// The frame to be sent next; nullptr when there is none. Good until the queue is touched.
+    const Frame* front() const noexcept { return (count_ == 0U) ? nullptr : &frames_[count_ - 1U]; }
     /// Removes the frame to be sent next. Without one, gives an empty frame.
     Frame pop() noexcept;
 

@@ -38,6 +38,7 @@ class Device final : private Application {
     /// unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
     /// The type that 6110h sets for a channel, 0 or 1.
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 

@@ -42,6 +42,7 @@ class Device final : private Application {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_id_; }
     NmtState state() const noexcept { return node_.state(); }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
     /// What an output holds: a value in the unit of 6411h, or 0 V whatever the calibration.

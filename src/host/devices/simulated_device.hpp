@@ -9,6 +9,7 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 #include "host/devices/memory.hpp"
 
@@ -29,6 +30,14 @@ class SimulatedDevice {
     /// The value of each output, in the order of output_names().
     virtual std::vector<double> outputs() const = 0;
     virtual const std::vector<std::string>& output_names() const = 0;
+
+    /// The active node-ID; unconfigured_node_id when there is none.
+    virtual std::uint8_t node_id() const = 0;
+    virtual NmtState state() const = 0;
+    /// bit/s that the CAN controller works at, as switches or LSS set it; 0 when the device has no say in it.
+    virtual std::uint32_t bit_rate() const = 0;
+    /// Its dictionary as it is now; nullptr from a device that does not show it.
+    virtual const ObjectDictionary* objects() const { return nullptr; }
 
     TransmitQueue& queue() { return queue_; }
     Memory& memory() { return memory_; }

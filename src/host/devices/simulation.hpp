@@ -40,6 +40,11 @@ class Simulation : public SimulatedDevice {
         return names;
     }
 
+    std::uint8_t node_id() const override { return device_.node_id(); }
+    NmtState state() const override { return device_.state(); }
+    std::uint32_t bit_rate() const override { return device_.bit_rate(); }
+    const ObjectDictionary* objects() const override { return &device_.objects(); }
+
   protected:
     explicit Simulation(std::size_t memory_size)
         : SimulatedDevice{memory_size}, device_{memory_, queue_, FactoryData{}} {}
