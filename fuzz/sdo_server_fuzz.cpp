@@ -1,67 +1,117 @@
-// SDO requests of any bytes, in any order, with time passing between them, to a whole CAN-CBX-AO412.
-// Input: records of nine bytes, a time step of 16 ms each unit and eight bytes of request.
+// SDO requests of any bytes, in any order, with time passing between them: expedited, segmented and block transfer on
+// numbers, strings and DOMAINs. Every answer is compared with that of a naive server.
+// Input: records of nine bytes. The first is a time step of 16 ms each unit before a request, the other eight; from E0h
+// up the request is what an obedient client sends next, several times: see Obedient.
 #include <cstdlib>
+#include <iostream>
 
-#include "firmware/devices/cbx_ao412.hpp"
 #include "generated/requirements.hpp"
-#include "host/devices/memory.hpp"
 #include "support/claims.hpp"
+#include "support/frame_probe.hpp"
+#include "support/naive_sdo_client.hpp"
+#include "support/record_mutator.hpp"
+#include "support/sdo_pair.hpp"
 
 namespace {
 
 using namespace canproof;
 
 constexpr std::size_t record_size = 9;
-constexpr std::uint32_t request_id = 0x603;
-constexpr std::uint32_t response_id = 0x583;
+constexpr std::uint8_t first_obedient = 0xE0;
 
-void require(bool holds) {
+/// Lets an input get through transfers that are longer than itself.
+struct Obedient {
+    unsigned count;   ///< requests
+    bool ends;        ///< the last of them is marked as the last segment
+    unsigned unused;  ///< bytes of it without data
+    unsigned lost;    ///< 0: none, otherwise every n-th request is lost
+
+    explicit Obedient(const std::uint8_t* record)
+        : count{1U + record[1]}, ends{(record[2] & 1U) != 0}, unused{record[3] % 8U}, lost{record[4]} {}
+};
+
+void require(bool holds, const naive::Message& request) {
     if (!holds) {
+        std::cerr << "differs at ";
+        for (const auto byte : request) {
+            std::cerr << std::hex << unsigned{byte} << ' ';
+        }
+        std::cerr << '\n';
         std::abort();
     }
 }
 
-/// At most one answer a request, eight bytes, with a server's command specifier; frames on the device's own identifiers
-/// only.
-void check_answers(TransmitQueue& queue) {
-    int answers = 0;
-    while (!queue.empty()) {
-        const Frame frame = queue.pop();
-        require(!frame.extended && frame.length <= 8);
-        if (frame.id == response_id) {
-            ++answers;
-            require(frame.length == 8 && (frame.data[0] >> 5U) <= 4U);
+/// Both servers, side by side.
+class Both {
+  public:
+    explicit Both(naive::Ours& ours) : ours_{ours} {}
+
+    void ask(const naive::Message& request) {
+        Frame frame = data_frame(0x600U + naive::pair_node_id, 8);
+        frame.data = request;
+        fuzz::deliver(ours_.device, frame, ours_.now);
+        auto answers = ours_.answers();
+        for (const auto& later : ours_.pass(0)) {
+            answers.push_back(later);
+        }
+        require(answers == naive_.ask(request, now_ms_), request);
+    }
+    void pass(std::uint64_t ms) {
+        now_ms_ += ms;
+        require(ours_.pass(ms) == naive_.pass(now_ms_), naive::Message{});
+    }
+    void obey(const Obedient& wish) {
+        for (unsigned i = 1; i <= wish.count; ++i) {
+            const auto request = naive::obedient(naive_, next_data_, wish.ends && i == wish.count, wish.unused);
+            if (wish.lost == 0 || i % wish.lost != 0) {
+                ask(request);
+            }
         }
     }
-    require(answers <= 1);
-}
+    /// What the transfers left behind.
+    void compare_values() {
+        const ByteView held = ours_.device.held(naive::pair_domain, 0);
+        const auto& value = naive_.objects().at(naive::pair_domain).at(0).value;
+        require(naive::Bytes(held.data(), held.data() + held.size()) == value.value_or(naive::Bytes{}),
+                naive::Message{});
+        for (const auto& [index, entries] : naive_.objects()) {
+            for (const auto& [subindex, entry] : entries) {
+                const auto found = ours_.device.objects().find(index, subindex);
+                const bool in_image = entry.kind != naive::Entry::Kind::domain;
+                require(found.ok(), naive::Message{});
+                const ByteView ours = ours_.device.objects().value(found.value());
+                require(!in_image || naive::Bytes(ours.data(), ours.data() + ours.size()) == *entry.value,
+                        naive::Message{});
+            }
+        }
+    }
+
+  private:
+    naive::Ours& ours_;
+    naive::Server naive_{naive::pair_model()};
+    std::uint64_t now_ms_{0};
+    std::uint8_t next_data_{1};
+};
 
 }  // namespace
 
-CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_036)
+CANPROOF_FUZZ_RECORDS(record_size)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    host::Memory memory{1024};
-    TransmitQueue queue;
-    cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};
-    Instant now{};
-    device.power_on(cbx_ao412::Inputs{}, now);
-    while (!queue.empty()) {
-        queue.pop();
-    }
+    static naive::Ours ours;
+    ours.restart();
+    Both both{ours};
     for (; size >= record_size; data += record_size, size -= record_size) {
-        now = now + milliseconds(16U * data[0]);
-        device.advance(now);
-        while (!queue.empty()) {
-            queue.pop();
+        if (data[0] >= first_obedient) {
+            both.obey(Obedient{data});
+            continue;
         }
-        Frame request = data_frame(request_id, 8);
-        std::copy(data + 1, data + record_size, request.data.begin());
-        device.receive(request, now);
-        check_answers(queue);
-        for (const float volts : device.outputs().aout) {
-            require(volts >= -10.2046F && volts <= 10.2046F);
-        }
+        both.pass(16U * data[0]);
+        naive::Message request{};
+        std::copy(data + 1, data + record_size, request.begin());
+        both.ask(request);
     }
+    both.compare_values();
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
 
+#include "support/naive_sdo_client.hpp"
 #include "support/sdo_pair.hpp"
 #include "support/verifies.hpp"
 
@@ -14,7 +15,6 @@ namespace canproof::naive {
 namespace {
 
 using test::verifies;
-using Doing = Server::Doing;
 
 std::string text(const std::string& id, const Message& message) {
     std::string line = id + "#";
@@ -49,18 +49,11 @@ void compare(Model& model, Ours& ours, const Message& request) {
         RC_FAIL(text("605", request) + " is answered " + text(answered) + ", by the naive server " + text(expected));
     }
     const auto& value = model.server.objects().at(pair_domain).at(0).value;
-    const ByteView held = ours.device->held(pair_domain, 0);
+    const ByteView held = ours.device.held(pair_domain, 0);
     RC_ASSERT(Bytes(held.data(), held.data() + held.size()) == value.value_or(Bytes{}));
 }
 
 // -- requests ---------------------------------------------------------------------------------------------------------
-
-Message message(unsigned command, std::initializer_list<unsigned> rest = {}) {
-    Message m{static_cast<std::uint8_t>(command)};
-    std::transform(rest.begin(), rest.end(), m.begin() + 1,
-                   [](unsigned byte) { return static_cast<std::uint8_t>(byte); });
-    return m;
-}
 
 unsigned any_of(std::initializer_list<unsigned> values) {
     return *rc::gen::elementOf(std::vector<unsigned>(values));
@@ -90,40 +83,6 @@ Message initiate() {
     return m;
 }
 
-/// Seven bytes that go on from where the stream is, behind `command`.
-Message with_data(unsigned command, std::uint8_t& next) {
-    Message m = message(command);
-    for (std::size_t i = 1; i < m.size(); ++i) {
-        m[i] = next;
-        next = static_cast<std::uint8_t>(next == 255 ? 1 : next + 1);
-    }
-    return m;
-}
-
-/// What an obedient client sends now. `ends`: its segment is the last one; `unused` of it hold no data.
-Message obedient(const Model& model, std::uint8_t& next, bool ends, unsigned unused, std::uint16_t crc) {
-    const Server& server = model.server;
-    switch (server.doing()) {
-        case Doing::download:
-            return with_data(server.next_toggle() + 2 * (ends ? unused : 0) + (ends ? 1 : 0), next);
-        case Doing::upload:
-            return message(0x60U + server.next_toggle());
-        case Doing::block_download:
-            return with_data(server.next_sequence() + (ends ? 0x80U : 0U), next);
-        case Doing::block_download_end:
-            return message(0xC1 + 4 * unused, {crc % 256U, crc / 256U});
-        case Doing::block_start:
-            return message(0xA3);
-        case Doing::block_upload:
-            return message(0xA2, {static_cast<unsigned>(server.pieces_out()), 127});
-        case Doing::block_end:
-            return message(0xA1);
-        case Doing::nothing:
-        default:
-            return message(0x40, {0x07, 0x20});
-    }
-}
-
 /// Any eight bytes, those first that steer a transfer.
 Message anything() {
     const unsigned command =
@@ -145,10 +104,9 @@ struct Ask : SdoCommand {
         if (kind < 4) {
             request = initiate();
         } else if (kind < 8) {
-            request = obedient(model, next, any_of({0, 1}) != 0, *rc::gen::inRange<unsigned>(0, 8),
-                               static_cast<std::uint16_t>(any_of({0, 0x31C3})));
+            request = obedient(model.server, next, any_of({0, 1}) != 0, *rc::gen::inRange<unsigned>(0, 8));
         } else if (kind < 9) {
-            request = obedient(model, next, false, 0, 0);
+            request = obedient(model.server, next, false, 0);
             const auto at = *rc::gen::inRange<std::size_t>(0, 3);
             request[at] = static_cast<std::uint8_t>(any_of({0, 128, 255, request[at] + 1U, request[at] ^ 0x10U}));
         } else {
@@ -175,7 +133,7 @@ struct Stream : SdoCommand {
     template <typename Deliver>
     void play(Model& model, Deliver deliver) const {
         for (unsigned i = 1; i <= count; ++i) {
-            const Message request = obedient(model, model.next_data, i == count, 3, 0);
+            const Message request = obedient(model.server, model.next_data, i == count, 3);
             const bool lost = lost_every != 0 && i % lost_every == 0;
             if (!lost) {
                 deliver(model, request);
@@ -354,7 +312,7 @@ Bytes plain_upload(Ours& ours) {
 }
 
 Bytes held(const Ours& ours) {
-    const ByteView view = ours.device->held(pair_domain, 0);
+    const ByteView view = ours.device.held(pair_domain, 0);
     return {view.data(), view.data() + view.size()};
 }
 
@@ -376,7 +334,7 @@ RC_GTEST_PROP(SdoBlockLaw, WhatIsDownloadedIsUploadedWhateverSegmentsAreLost, ()
 RC_GTEST_PROP(SdoBlockLaw, AFlippedBitIsNeverTaken, ()) {
     verifies<req::CO_SDO_028, req::CO_SDO_033>("property");
     Ours ours;
-    ours.device->fill(pair_domain, 0, {1, 2, 3});
+    ours.device.fill(pair_domain, 0, {1, 2, 3});
     Bytes value = arbitrary_value();
     RC_PRE(!value.empty());
     const std::uint16_t crc = crc16(value);
@@ -392,7 +350,7 @@ RC_GTEST_PROP(SdoBlockLaw, AFlippedBitIsNeverTaken, ()) {
 RC_GTEST_PROP(SdoBlockLaw, ADownloadThatEndsAnywhereLeavesTheOldValue, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_033>("property");
     Ours ours;
-    ours.device->fill(pair_domain, 0, {1, 2, 3});
+    ours.device.fill(pair_domain, 0, {1, 2, 3});
     const Bytes value = arbitrary_value();
     const auto pieces = pieces_of_seven(value);
     const auto sent = *rc::gen::inRange<std::size_t>(0, pieces.size() + 1);
@@ -408,11 +366,11 @@ RC_GTEST_PROP(SdoBlockLaw, ADownloadThatEndsAnywhereLeavesTheOldValue, ()) {
             RC_ASSERT(ours.pass(1000).size() == 1U);  // the server's abort
             break;
         case 2:
-            ours.device->receive(host::parse_frame("000#8205", "property"), ours.now);
+            ours.device.receive(host::parse_frame("000#8205", "property"), ours.now);
             break;
         default:
-            ours.device->receive(host::parse_frame("000#0205", "property"), ours.now);
-            ours.device->receive(host::parse_frame("000#8005", "property"), ours.now);
+            ours.device.receive(host::parse_frame("000#0205", "property"), ours.now);
+            ours.device.receive(host::parse_frame("000#8005", "property"), ours.now);
             break;
     }
     ours.answers();

@@ -76,6 +76,8 @@ class Server {
     /// Pieces of the sub-block that the client has not acknowledged yet.
     std::size_t pieces_out() const { return out_; }
     std::uint8_t next_toggle() const { return toggle_; }
+    /// What came in a download so far.
+    const Bytes& received() const { return data_; }
     /// Number that the next segment of a block download must have.
     std::uint8_t next_sequence() const { return static_cast<std::uint8_t>(in_order_ + 1); }
 

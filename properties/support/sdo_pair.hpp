@@ -1,7 +1,7 @@
 // The same small dictionary twice: behind our server, as the register's compiler reads it, and behind the naive one.
 #pragma once
 
-#include <memory>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -190,21 +190,24 @@ inline Objects pair_model() {
 /// Our server, in a whole node.
 class Ours {
   public:
-    Ours() { restart(); }
+    Ours() : device{pair_part(), memory, queue} {
+        device.lend(pair_domain, 0, pair_domain_size);
+        restart();
+    }
 
-    /// As new.
+    /// As new: power-on with an empty memory.
     void restart() {
         queue = TransmitQueue{};
+        now = Instant{};
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
-        device = std::make_unique<host::GenericDevice>(pair_part(), memory, queue);
-        device->lend(pair_domain, 0, pair_domain_size);
-        device->power_on(pair_node_id, now);
+        device.empty(pair_domain, 0);
+        device.power_on(pair_node_id, now);
         answers();
     }
     std::vector<Message> ask(const Message& request) {
         Frame frame = data_frame(0x600U + pair_node_id, 8);
         frame.data = request;
-        device->receive(frame, now);
+        device.receive(frame, now);
         std::vector<Message> all = answers();
         keep_deadlines(now, all);
         return all;
@@ -231,13 +234,13 @@ class Ours {
     host::Memory memory{256};
     TransmitQueue queue;
     Instant now{};
-    std::unique_ptr<host::GenericDevice> device;
+    host::GenericDevice device;
 
   private:
     void keep_deadlines(Instant end, std::vector<Message>& all) {
-        while (device->next_deadline() <= end) {
-            now = device->next_deadline() < now ? now : device->next_deadline();
-            device->advance(now);
+        while (device.next_deadline() <= end) {
+            now = device.next_deadline() < now ? now : device.next_deadline();
+            device.advance(now);
             const auto more = answers();
             all.insert(all.end(), more.begin(), more.end());
         }

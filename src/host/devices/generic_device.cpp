@@ -81,6 +81,12 @@ void GenericDevice::fill(std::uint16_t index, std::uint8_t subindex, const std::
     place.holds_value = true;
 }
 
+void GenericDevice::empty(std::uint16_t index, std::uint8_t subindex) {
+    Domain& place = *domain(index, subindex);
+    place.length = 0;
+    place.holds_value = false;
+}
+
 Result<ByteView, AbortCode> GenericDevice::domain_value(const EntryRef& entry) {
     const Domain* place = domain(entry.index, entry.row->subindex);
     if (place == nullptr) {

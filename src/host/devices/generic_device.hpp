@@ -35,6 +35,8 @@ class GenericDevice final : private Application {
     ByteView held(std::uint16_t index, std::uint8_t subindex) const;
     /// As a download would put it there.
     void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
+    /// As it was before anything was put there.
+    void empty(std::uint16_t index, std::uint8_t subindex);
     /// What commit() answers from now on: AbortCode::none takes every new value.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 

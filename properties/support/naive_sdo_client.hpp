@@ -1,0 +1,55 @@
+// An SDO client that always sends what the naive server waits for: it gets transfers through.
+#pragma once
+
+#include <initializer_list>
+
+#include "support/naive_sdo_server.hpp"
+
+namespace canproof::naive {
+
+inline Message message(unsigned command, std::initializer_list<unsigned> rest = {}) {
+    Message m{static_cast<std::uint8_t>(command)};
+    std::transform(rest.begin(), rest.end(), m.begin() + 1,
+                   [](unsigned byte) { return static_cast<std::uint8_t>(byte); });
+    return m;
+}
+
+/// Seven bytes that go on from where the stream is, behind `command`.
+inline Message with_data(unsigned command, std::uint8_t& next) {
+    Message m = message(command);
+    for (std::size_t i = 1; i < m.size(); ++i) {
+        m[i] = next;
+        next = static_cast<std::uint8_t>(next == 255 ? 1 : next + 1);
+    }
+    return m;
+}
+
+/// The next request. `ends`: a segment is the last one; `unused` (0...7) of its bytes hold no data. `next` is the next
+/// byte of data.
+inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
+    switch (server.doing()) {
+        case Server::Doing::download:
+            return with_data(server.next_toggle() + 2 * (ends ? unused : 0) + (ends ? 1 : 0), next);
+        case Server::Doing::upload:
+            return message(0x60U + server.next_toggle());
+        case Server::Doing::block_download:
+            return with_data(server.next_sequence() + (ends ? 0x80U : 0U), next);
+        case Server::Doing::block_download_end: {
+            Bytes data = server.received();
+            data.resize(data.size() - unused);
+            const unsigned crc = crc16(data);
+            return message(0xC1 + 4 * unused, {crc % 256U, crc / 256U});
+        }
+        case Server::Doing::block_start:
+            return message(0xA3);
+        case Server::Doing::block_upload:
+            return message(0xA2, {static_cast<unsigned>(server.pieces_out()), 127});
+        case Server::Doing::block_end:
+            return message(0xA1);
+        case Server::Doing::nothing:
+        default:
+            return message(0x40, {0x07, 0x20});
+    }
+}
+
+}  // namespace canproof::naive
