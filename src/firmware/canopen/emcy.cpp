@@ -201,8 +201,11 @@ void Emcy::enable(const bool enabled, const Instant now) noexcept {
 }
 
 void Emcy::advance(const Instant now) noexcept {
+    if (!enabled_ || (pending_count_ == 0U)) {
+        return;
+    }
     const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
-    while (enabled_ && (pending_count_ > 0U) && (may_send_at_ <= now)) {
+    while ((pending_count_ > 0U) && (may_send_at_ <= now)) {
         static_cast<void>(queue_.push(message(pending_[0])));
         forget(0U);
         may_send_at_ = now + inhibit;

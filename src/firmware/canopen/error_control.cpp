@@ -22,23 +22,17 @@ constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
 
 }  // namespace
 
-std::uint32_t ErrorControl::identifier() const noexcept {
+void ErrorControl::refresh() noexcept {
     const auto configured = objects_.find(guarding_identifier_index, 0U);
-    return configured.ok() ? cob_id::identifier(objects_.read(guarding_identifier_index, 0U))
-                           : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
-}
-
-Duration ErrorControl::heartbeat_time() const noexcept {
-    return milliseconds(objects_.read(heartbeat_time_index, 0U));
-}
-
-Duration ErrorControl::life_time() const noexcept {
+    identifier_ = configured.ok() ? cob_id::identifier(objects_.read(guarding_identifier_index, 0U))
+                                  : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
+    heartbeat_time_ = milliseconds(objects_.read(heartbeat_time_index, 0U));
     const std::uint64_t guard_time = objects_.read(guard_time_index, 0U);
-    return milliseconds(guard_time * objects_.read(life_time_factor_index, 0U));
+    life_time_ = milliseconds(guard_time * objects_.read(life_time_factor_index, 0U));
 }
 
 Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
-    Frame frame = data_frame(identifier(), 1U);
+    Frame frame = data_frame(identifier_, 1U);
     frame.data[0] = octet;
     return frame;
 }
@@ -49,6 +43,7 @@ void ErrorControl::send_state(const std::uint8_t octet) noexcept {
 
 void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexcept {
     node_id_ = node_id;
+    refresh();
     toggle_ = false;
     life_failed_ = false;
     life_deadline_ = never;
@@ -57,7 +52,7 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
 }
 
 void ErrorControl::start_heartbeat(const Instant now) noexcept {
-    const Duration time = heartbeat_time();
+    const Duration time = heartbeat_time_;
     next_heartbeat_ = (time.us == 0U) ? never : (now + time);
     if (time.us != 0U) {
         // A heartbeat producer is not guarded (CiA 301, 7.2.8.2.2.1): either protocol, never both.
@@ -67,8 +62,8 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
 }
 
 bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
-    const bool is_request = frame.remote && !frame.extended && (frame.id == identifier());
-    if (!is_request || (heartbeat_time().us != 0U)) {
+    const bool is_request = frame.remote && !frame.extended && (frame.id == identifier_);
+    if (!is_request || (heartbeat_time_.us != 0U)) {
         return false;
     }
     const std::uint8_t state = static_cast<std::uint8_t>(state_);
@@ -76,16 +71,16 @@ bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
     toggle_ = !toggle_;
     life_failed_ = false;
     // Life guarding starts with the first request, not with the objects being set.
-    life_deadline_ = (life_time().us == 0U) ? never : (now + life_time());
+    life_deadline_ = (life_time_.us == 0U) ? never : (now + life_time_);
     return true;
 }
 
 void ErrorControl::advance(const Instant now) noexcept {
     if (next_heartbeat_ <= now) {
         send_state(static_cast<std::uint8_t>(state_));
-        next_heartbeat_ = next_heartbeat_ + heartbeat_time();
+        next_heartbeat_ = next_heartbeat_ + heartbeat_time_;
         if (next_heartbeat_ <= now) {
-            next_heartbeat_ = now + heartbeat_time();
+            next_heartbeat_ = now + heartbeat_time_;
         }
     }
     if (life_deadline_ <= now) {
@@ -105,12 +100,13 @@ AbortCode ErrorControl::before_write(const EntryRef& entry, const ByteView value
 }
 
 void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcept {
+    refresh();
     if (entry.index == heartbeat_time_index) {
         start_heartbeat(now);
     } else if ((entry.index == guard_time_index) || (entry.index == life_time_factor_index)) {
         // A running life guarding goes on with the new time; one that is off waits for the next request.
         const bool running = life_deadline_ != never;
-        life_deadline_ = (running && (life_time().us != 0U)) ? (now + life_time()) : never;
+        life_deadline_ = (running && (life_time_.us != 0U)) ? (now + life_time_) : never;
     } else {
         // 100Eh: the next message takes the new identifier.
     }

@@ -29,9 +29,8 @@ class ErrorControl {
     AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
 
   private:
-    std::uint32_t identifier() const noexcept;
-    Duration heartbeat_time() const noexcept;
-    Duration life_time() const noexcept;
+    /// Reads the parameters anew: after a reset and after each write to one of them.
+    void refresh() noexcept;
     Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;
     void start_heartbeat(Instant now) noexcept;
@@ -39,6 +38,9 @@ class ErrorControl {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     std::uint8_t node_id_{0U};
+    std::uint32_t identifier_{0U};
+    Duration heartbeat_time_{};
+    Duration life_time_{};
     NmtState state_{NmtState::initialising};
     bool toggle_{false};
     bool life_failed_{false};

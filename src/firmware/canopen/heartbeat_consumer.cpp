@@ -13,6 +13,10 @@ constexpr std::uint32_t node_id_of(const std::uint32_t setting) noexcept {
     return (setting >> 16U) & 0xFFU;
 }
 
+constexpr std::uint8_t slot_bit(const std::size_t slot) noexcept {
+    return static_cast<std::uint8_t>(1U << slot);
+}
+
 /// A time or node-ID of zero, or a node-ID that cannot exist, watches nobody (CiA 301, 7.5.2.19).
 constexpr bool is_active(const std::uint32_t setting) noexcept {
     const std::uint32_t node_id = node_id_of(setting);
@@ -22,7 +26,23 @@ constexpr bool is_active(const std::uint32_t setting) noexcept {
 }  // namespace
 
 void HeartbeatConsumer::reset() noexcept {
-    watches_.fill(Watch{});
+    for (std::size_t slot = 0U; slot < max_producers; ++slot) {
+        restart(slot);
+    }
+}
+
+void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
+    const std::uint32_t watched = setting(slot);
+    watches_[slot] = Watch{};
+    failed_ = static_cast<std::uint8_t>(failed_ & ~slot_bit(slot));
+    if (is_active(watched)) {
+        watches_[slot].identifier = generated::canopen::guarding_cob_id_base + node_id_of(watched);
+        watches_[slot].time = milliseconds(watched & time_mask);
+    }
+    any_ = false;
+    for (const Watch& watch : watches_) {
+        any_ = any_ || (watch.identifier != 0U);
+    }
 }
 
 std::uint32_t HeartbeatConsumer::setting(const std::size_t slot) const noexcept {
@@ -34,41 +54,33 @@ std::uint8_t HeartbeatConsumer::producer(const std::size_t slot) const noexcept 
 }
 
 void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept {
-    if (frame.extended || frame.remote || (frame.length != 1U)) {
+    if (!any_ || frame.extended || frame.remote || (frame.length != 1U)) {
         return;
     }
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
-        const std::uint32_t watched = setting(slot);
-        if (is_active(watched) && (frame.id == (generated::canopen::guarding_cob_id_base + node_id_of(watched)))) {
-            watches_[slot].failed = false;
-            watches_[slot].deadline = now + milliseconds(watched & time_mask);
+        Watch& watch = watches_[slot];
+        if ((watch.identifier != 0U) && (frame.id == watch.identifier)) {
+            failed_ = static_cast<std::uint8_t>(failed_ & ~slot_bit(slot));
+            watch.deadline = now + watch.time;
         }
     }
 }
 
 void HeartbeatConsumer::advance(const Instant now) noexcept {
-    for (Watch& watch : watches_) {
-        if (watch.deadline <= now) {
-            watch.deadline = never;
-            watch.failed = true;
+    for (std::size_t slot = 0U; (slot < max_producers) && any_; ++slot) {
+        if (watches_[slot].deadline <= now) {
+            watches_[slot].deadline = never;
+            failed_ = static_cast<std::uint8_t>(failed_ | slot_bit(slot));
         }
     }
 }
 
 Instant HeartbeatConsumer::next_deadline() const noexcept {
     Instant next{never};
-    for (const Watch& watch : watches_) {
-        next = earliest(next, watch.deadline);
+    for (std::size_t slot = 0U; (slot < max_producers) && any_; ++slot) {
+        next = earliest(next, watches_[slot].deadline);
     }
     return next;
-}
-
-bool HeartbeatConsumer::failed() const noexcept {
-    bool any{false};
-    for (const Watch& watch : watches_) {
-        any = any || watch.failed;
-    }
-    return any;
 }
 
 AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const ByteView value) const noexcept {
@@ -86,7 +98,7 @@ AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const ByteView 
 void HeartbeatConsumer::after_write(const EntryRef& entry) noexcept {
     const std::size_t slot = entry.row->subindex - std::size_t{1U};
     if (slot < max_producers) {
-        watches_[slot] = Watch{};
+        restart(slot);
     }
 }
 

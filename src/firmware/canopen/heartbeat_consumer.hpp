@@ -22,10 +22,8 @@ class HeartbeatConsumer {
     void receive(const Frame& frame, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
-    /// A producer that was heard has fallen silent and has not been heard again.
-    bool failed() const noexcept;
-    /// The same of one entry of 1016h, slot 0 for sub-index 1.
-    bool failed(const std::size_t slot) const noexcept { return watches_[slot].failed; }
+    /// Producers that were heard, have fallen silent and have not been heard again: bit n for 1016h:n + 1.
+    std::uint8_t failed() const noexcept { return failed_; }
     /// The node-ID that this entry watches.
     std::uint8_t producer(std::size_t slot) const noexcept;
 
@@ -34,14 +32,19 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
+        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0: nobody is watched
+        Duration time{};
         Instant deadline{never};
-        bool failed{false};
     };
 
     std::uint32_t setting(std::size_t slot) const noexcept;
+    /// Reads one entry of 1016h anew; what was heard from its producer is forgotten.
+    void restart(std::size_t slot) noexcept;
 
     ObjectDictionary& objects_;
     std::array<Watch, max_producers> watches_{};
+    std::uint8_t failed_{0U};
+    bool any_{false};  ///< somebody is watched
 };
 
 }  // namespace canproof

@@ -59,6 +59,7 @@ void Node::reset_node(const Instant now) noexcept {
     load_group(ParameterGroup::application);
     emcy_.enable(false, now);
     emcy_.reset();
+    faults_ = CommunicationFaults{};
     communication_failed_ = false;
     application_.restart(now);
     emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
@@ -119,7 +120,9 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (can_state_ == CanState::bus_off) {
         return;
     }
-    advance(now);
+    if (next_deadline() <= now) {
+        advance(now);
+    }
     if (lss_.is_silent()) {
         return;
     }
@@ -289,12 +292,24 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_PDO_032>);
+Node::CommunicationFaults Node::communication_faults() const noexcept {
+    CommunicationFaults faults{};
+    faults.silent_producers = heartbeats_.failed();
+    faults.guarding = error_control_.life_guarding_failed();
+    faults.rpdo_short = rpdos_.has_short();
+    faults.rpdo_overdue = rpdos_.has_overdue();
+    faults.bus_off = can_state_ == CanState::bus_off;
+    return faults;
+}
+
 void Node::watch_communication(const Instant now) noexcept {
-    announce_silence(now);
-    emcy_.set(ErrorId::rpdo_length, rpdos_.has_short(), now);
-    emcy_.set(ErrorId::rpdo_timeout, rpdos_.has_overdue(), now);
-    const bool silent = error_control_.life_guarding_failed() || heartbeats_.failed() || rpdos_.has_overdue();
-    const bool failed = silent || (can_state_ == CanState::bus_off);
+    const CommunicationFaults faults = communication_faults();
+    if (faults == faults_) {
+        return;
+    }
+    faults_ = faults;
+    announce(faults, now);
+    const bool failed = faults.is_error();
     if (failed == communication_failed_) {
         return;
     }
@@ -305,13 +320,15 @@ void Node::watch_communication(const Instant now) noexcept {
     application_.communication_failed(failed, now);
 }
 
-void Node::announce_silence(const Instant now) noexcept {
-    const bool guarding = error_control_.life_guarding_failed();
-    emcy_.set(ErrorId::guard_or_heartbeat, guarding || heartbeats_.failed(), now);
-    emcy_.set(ErrorId::life_guarding, guarding, now);
+void Node::announce(const CommunicationFaults& faults, const Instant now) noexcept {
+    emcy_.set(ErrorId::guard_or_heartbeat, faults.guarding || (faults.silent_producers != 0U), now);
+    emcy_.set(ErrorId::life_guarding, faults.guarding, now);
     for (std::size_t slot = 0U; slot < HeartbeatConsumer::max_producers; ++slot) {
-        emcy_.set(error_after(ErrorId::heartbeat_1, slot), heartbeats_.failed(slot), now, heartbeats_.producer(slot));
+        const bool silent = ((faults.silent_producers >> slot) & 1U) != 0U;
+        emcy_.set(error_after(ErrorId::heartbeat_1, slot), silent, now, heartbeats_.producer(slot));
     }
+    emcy_.set(ErrorId::rpdo_length, faults.rpdo_short, now);
+    emcy_.set(ErrorId::rpdo_timeout, faults.rpdo_overdue, now);
 }
 
 std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {

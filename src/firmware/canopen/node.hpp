@@ -153,8 +153,26 @@ class Node final : private ObjectAccess {
     AbortCode store(const EntryRef& entry, ByteView value) noexcept;
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
+    /// What stands in the way of communication.
+    struct CommunicationFaults {
+        std::uint8_t silent_producers{0U};  ///< bit n: the producer of 1016h:n + 1
+        bool guarding{false};
+        bool rpdo_short{false};
+        bool rpdo_overdue{false};
+        bool bus_off{false};
+
+        /// A communication error of 1029h:1.
+        bool is_error() const noexcept { return (silent_producers != 0U) || guarding || rpdo_overdue || bus_off; }
+        bool operator==(const CommunicationFaults& other) const noexcept {
+            return (silent_producers == other.silent_producers) && (guarding == other.guarding) &&
+                   (rpdo_short == other.rpdo_short) && (rpdo_overdue == other.rpdo_overdue) &&
+                   (bus_off == other.bus_off);
+        }
+    };
+
+    CommunicationFaults communication_faults() const noexcept;
     void watch_communication(Instant now) noexcept;
-    void announce_silence(Instant now) noexcept;
+    void announce(const CommunicationFaults& faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
 
@@ -174,6 +192,7 @@ class Node final : private ObjectAccess {
     NmtState state_{NmtState::initialising};
     CanState can_state_{CanState::error_active};
     std::uint8_t node_id_{0U};
+    CommunicationFaults faults_{};
     bool communication_failed_{false};
     bool overrun_{false};
     bool switching_{false};  ///< silent: LSS changes the bit rate
