@@ -124,6 +124,8 @@ class Node final : private ObjectAccess {
     /// The active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
+    /// Receive PDOs that did not come within their event time and have not come since: bit n stands for RPDO n + 1.
+    std::uint8_t overdue_rpdos() const noexcept { return rpdos_.overdue(); }
 
   private:
     Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;

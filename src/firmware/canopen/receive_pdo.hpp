@@ -39,6 +39,8 @@ class ReceivePdos {
     bool has_short() const noexcept { return short_ != 0U; }
     /// An RPDO did not come within its event time, and has not come since.
     bool has_overdue() const noexcept { return overdue_ != 0U; }
+    /// Which: bit n stands for RPDO n + 1.
+    std::uint8_t overdue() const noexcept { return overdue_; }
 
     /// An entry of 14xxh or 16xxh has a new value: the PDO begins anew.
     void after_write(const EntryRef& entry) noexcept;
