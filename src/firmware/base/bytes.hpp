@@ -54,8 +54,20 @@ class MutableBytes {
     }
     /// Copies `source` to `at`; bytes that would not fit are dropped.
     constexpr void copy(const std::size_t at, const ByteView source) noexcept {
-        for (std::size_t i = 0U; i < source.size(); ++i) {
-            set(at + i, source[i]);
+        const std::size_t room = (at < size_) ? (size_ - at) : std::size_t{0U};
+        const std::size_t count = (source.size() < room) ? source.size() : room;
+        for (std::size_t i = 0U; i < count; ++i) {
+            data_[at + i] = source.data()[i];
+        }
+    }
+    /// The low `count` (0…8) bytes of `value` at `at`, least significant first; bytes that would not fit are dropped.
+    constexpr void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
+        const std::size_t room = (at < size_) ? (size_ - at) : std::size_t{0U};
+        const std::size_t fitting = (count < room) ? count : room;
+        std::uint64_t rest{value};
+        for (std::size_t i = 0U; i < fitting; ++i) {
+            data_[at + i] = static_cast<std::uint8_t>(rest & 0xFFU);
+            rest >>= 8U;
         }
     }
     constexpr MutableBytes part(const std::size_t from, const std::size_t count) const noexcept {
@@ -71,9 +83,10 @@ class MutableBytes {
 
 /// `count` (0…8) bytes from `at`, least significant first; bytes beyond the view read as zero.
 constexpr std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
+    const ByteView part = bytes.part(at, count);
     std::uint64_t value{0U};
-    for (std::size_t i = count; i > 0U; --i) {
-        value = (value << 8U) | bytes[at + i - 1U];
+    for (std::size_t i = part.size(); i > 0U; --i) {
+        value = (value << 8U) | part.data()[i - 1U];
     }
     return value;
 }
@@ -88,9 +101,7 @@ constexpr std::uint32_t read_u32(const ByteView bytes, const std::size_t at) noe
 /// Writes the low `count` (0…8) bytes of `value` at `at`, least significant first.
 constexpr void write_le(MutableBytes bytes, const std::size_t at, const std::size_t count,
                         const std::uint64_t value) noexcept {
-    for (std::size_t i = 0U; i < count; ++i) {
-        bytes.set(at + i, static_cast<std::uint8_t>((value >> (8U * i)) & 0xFFU));
-    }
+    bytes.set_le(at, count, value);
 }
 
 /// The bit pattern of a value of equal size (what C++20 calls std::bit_cast).

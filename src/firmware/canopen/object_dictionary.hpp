@@ -54,6 +54,14 @@ class ObjectDictionary {
     /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros.
     void put(const EntryRef& entry, ByteView value) noexcept;
 
+    /// An entry of at most eight bytes as a number, least significant byte first: the short way of the PDOs.
+    std::uint64_t bits(const EntryRef& entry) const noexcept {
+        const EntryRow& row = *entry.row;
+        const bool in_flash = entry.may(rights::constant);
+        return in_flash ? read_le(ByteView{tables_.constants.rows, tables_.constants.count}, row.offset, row.size)
+                        : read_le(image_.view(), row.offset, row.size);
+    }
+
     /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
 

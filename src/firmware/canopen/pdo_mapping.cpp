@@ -35,23 +35,22 @@ std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// `bits` (1…64) bits from bit `at` (0…63) of eight bytes, counted from the least significant bit of the first.
+/// `bits` (0…64) bits from bit `at` (0…63) of eight bytes, counted from the least significant bit of the first.
 constexpr std::uint64_t extract(const std::uint64_t packed, const std::uint32_t at, const std::uint32_t bits) noexcept {
     const std::uint64_t mask = (bits >= max_bits) ? UINT64_MAX : ((std::uint64_t{1U} << bits) - 1U);
     return (packed >> at) & mask;
 }
 
+std::uint64_t packed_of(const Frame& frame) noexcept {
+    return read_le(ByteView{frame.data}, 0U, max_frame_length);
+}
+
 using ValueBytes = std::array<std::uint8_t, max_frame_length>;
 
-/// The value at bit `at` of a frame: a view of the frame where it begins with a byte, else of `scratch`.
-ByteView value_in(const Frame& frame, const std::uint32_t at, const std::uint32_t bits, ValueBytes& scratch) noexcept {
-    const std::size_t size = (bits + std::size_t{7U}) / 8U;
-    if (((at % 8U) == 0U) && ((bits % 8U) == 0U)) {
-        return frame.payload().part(at / 8U, size);
-    }
-    const std::uint64_t packed = read_le(frame.payload(), 0U, max_frame_length);
-    write_le(MutableBytes{scratch}, 0U, scratch.size(), extract(packed, at, bits));
-    return ByteView{scratch.data(), size};
+/// The first bytes of `scratch`, made to hold a value of `bits` bits.
+ByteView as_bytes(const std::uint64_t value, const std::uint32_t bits, ValueBytes& scratch) noexcept {
+    write_le(MutableBytes{scratch}, 0U, scratch.size(), value);
+    return ByteView{scratch.data(), (bits + std::size_t{7U}) / 8U};
 }
 
 }  // namespace
@@ -96,24 +95,46 @@ AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint8_
     return (bits > max_bits) ? AbortCode::mapping_too_long : AbortCode::none;
 }
 
+PdoMapping::Line PdoMapping::find_line(const ObjectDictionary& objects, const std::uint32_t entry,
+                                       const std::uint32_t at) noexcept {
+    const auto found = objects.find(index_of(entry), subindex_of(entry));
+    Line line{nullptr, index_of(entry), bits_of(entry), false, false};
+    if (found.ok()) {
+        const EntryRow& row = *found.value().row;
+        line.row = &row;
+        line.bytes = ((at % 8U) == 0U) && (line.bits == (row.size * 8U)) && (row.type != DataType::boolean) &&
+                     ((row.rights & rights::constant) == 0U);
+        line.plain = line.bytes && (row.limit == no_limit) && (row.service == Service::none) &&
+                     ((row.rights & rights::tpdo) == 0U);
+    }
+    return line;
+}
+
+void PdoMapping::append(const Line& line) noexcept {
+    Line* const last = (count_ == 0U) ? nullptr : &lines_[count_ - 1U];
+    const bool joins =
+        (last != nullptr) && last->plain && line.plain && (line.row->offset == (last->row->offset + (last->bits / 8U)));
+    if (joins) {
+        last->bits = static_cast<std::uint8_t>(last->bits + line.bits);
+    } else {
+        lines_[count_] = line;
+        ++count_;
+    }
+}
+
 void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t index) noexcept {
     const std::uint32_t wanted = objects.read(index, 0U);
     std::uint32_t total{0U};
     count_ = 0U;
     all_plain_ = true;
-    for (std::uint32_t number = 1U; (number <= wanted) && (number <= max_lines); ++number) {
+    for (std::uint32_t number = 1U; (number <= wanted) && (number <= max_lines) && (total <= max_bits); ++number) {
         const std::uint32_t entry = objects.read(index, static_cast<std::uint8_t>(number));
-        const auto found = objects.find(index_of(entry), subindex_of(entry));
-        Line line{found.ok() ? found.value().row : nullptr, index_of(entry), bits_of(entry), true};
-        if (found.ok()) {
-            const EntryRow& row = *line.row;
-            line.plain = (row.limit == no_limit) && (row.type != DataType::boolean) && (row.service == Service::none) &&
-                         ((row.rights & rights::tpdo) == 0U);
-        }
-        lines_[count_] = line;
-        ++count_;
+        const Line line = find_line(objects, entry, total);
         total += line.bits;
-        all_plain_ = all_plain_ && line.plain;
+        if ((line.bits != 0U) && (total <= max_bits)) {
+            append(line);
+            all_plain_ = all_plain_ && (line.plain || (line.row == nullptr));
+        }
     }
     // A mapping that no frame can carry cannot be written (check_mapping_count); one that was shipped so is not used.
     if ((wanted > max_lines) || (total > max_bits)) {
@@ -141,7 +162,7 @@ std::uint64_t PdoMapping::watch_marks() const noexcept {
     return marks;
 }
 
-bool PdoMapping::is_acceptable(const Frame& frame, const ObjectDictionary& objects,
+bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionary& objects,
                                ObjectAccess& access) const noexcept {
     std::uint32_t at{0U};
     for (std::size_t i = 0U; i < count_; ++i) {
@@ -149,7 +170,7 @@ bool PdoMapping::is_acceptable(const Frame& frame, const ObjectDictionary& objec
         if ((line.row != nullptr) && !line.plain) {
             ValueBytes scratch{};
             const EntryRef entry{line.row, line.index};
-            const ByteView value = value_in(frame, at, line.bits, scratch);
+            const ByteView value = as_bytes(extract(packed, at, line.bits), line.bits, scratch);
             const bool fits = objects.check_value(entry, value) == AbortCode::none;
             if (!fits || (access.before_received(entry, value) != AbortCode::none)) {
                 return false;
@@ -163,39 +184,45 @@ bool PdoMapping::is_acceptable(const Frame& frame, const ObjectDictionary& objec
 static_assert(implements<req::CO_PDO_005>);
 void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access,
                        const Instant now) const noexcept {
-    if (!all_plain_ && !is_acceptable(frame, objects, access)) {
+    if (!all_plain_ && !is_acceptable(packed_of(frame), objects, access)) {
         return;
     }
     std::uint32_t at{0U};
     for (std::size_t i = 0U; i < count_; ++i) {
         const Line& line = lines_[i];
-        if (line.row != nullptr) {
+        if (line.plain) {
+            objects.image().copy(line.row->offset, ByteView{frame.data}.part(at / 8U, line.bits / 8U));
+        } else if (line.row != nullptr) {
             ValueBytes scratch{};
-            const EntryRef entry{line.row, line.index};
-            const ByteView value = value_in(frame, at, line.bits, scratch);
-            if (line.plain) {
-                objects.put(entry, value);
-            } else {
-                access.put_received(entry, value, now);
-            }
+            const ByteView value = as_bytes(extract(packed_of(frame), at, line.bits), line.bits, scratch);
+            access.put_received(EntryRef{line.row, line.index}, value, now);
+        } else {
+            // a gap
         }
         at += line.bits;
     }
 }
 
 Frame PdoMapping::pack(const ObjectDictionary& objects, const std::uint32_t id) const noexcept {
+    Frame frame = data_frame(id, length_);
+    MutableBytes data{frame.data};
     std::uint64_t packed{0U};
     std::uint32_t at{0U};
     for (std::size_t i = 0U; i < count_; ++i) {
         const Line& line = lines_[i];
-        if ((line.row != nullptr) && (at < max_bits) && (line.bits != 0U)) {
-            const ByteView value = objects.value(EntryRef{line.row, line.index});
-            packed |= extract(read_le(value, 0U, value.size()), 0U, line.bits) << at;
+        if (line.bytes) {
+            data.copy(at / 8U, objects.image().part(line.row->offset, line.bits / 8U));
+        } else if (line.row != nullptr) {
+            packed |= extract(objects.bits(EntryRef{line.row, line.index}), 0U, line.bits) << at;
+        } else {
+            // a gap
         }
         at += line.bits;
     }
-    Frame frame = data_frame(id, length_);
-    write_le(MutableBytes{frame.data}, 0U, max_frame_length, packed);
+    for (std::size_t i = 0U; (packed != 0U) && (i < max_frame_length); ++i) {
+        data.set(i, static_cast<std::uint8_t>(data[i] | (packed & 0xFFU)));
+        packed >>= 8U;
+    }
     return frame;
 }
 

@@ -48,10 +48,13 @@ class PdoMapping {
         const EntryRow* row{nullptr};  ///< nullptr: a gap
         std::uint16_t index{0U};
         std::uint8_t bits{0U};
-        bool plain{false};  ///< no limits, no owner, nobody to be told: the bytes are all there is to it
+        bool bytes{false};  ///< just the bits / 8 bytes of the image from the row's offset, on a byte boundary
+        bool plain{false};  ///< such bytes without limits, owner or anyone to be told; neighbours are joined into one
     };
 
-    bool is_acceptable(const Frame& frame, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
+    static Line find_line(const ObjectDictionary& objects, std::uint32_t entry, std::uint32_t at) noexcept;
+    void append(const Line& line) noexcept;
+    bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
 
     std::array<Line, max_lines> lines_{};
     std::uint8_t count_{0U};

@@ -7,10 +7,6 @@ namespace canproof {
 
 namespace {
 
-bool is_event_driven(const PdoParameters& parameters) noexcept {
-    return parameters.sent == PdoSent::on_event;
-}
-
 /// Types 0 to 240 and 252: what is sent was valid at a SYNC.
 bool is_sampled_at_sync(const PdoParameters& parameters) noexcept {
     return (parameters.sent == PdoSent::at_sync_after_event) || (parameters.sent == PdoSent::each_nth_sync) ||
@@ -38,6 +34,7 @@ void TransmitPdos::refresh(const std::size_t number) noexcept {
     tpdo.parameters = read_pdo_parameters(objects_, PdoDirection::transmit, number);
     tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number));
     tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();
+    tpdo.event_driven = tpdo.usable && (tpdo.parameters.sent == PdoSent::on_event);
 }
 
 void TransmitPdos::start(const Instant now) noexcept {
@@ -58,7 +55,7 @@ void TransmitPdos::stop() noexcept {
 static_assert(implements<req::CO_PDO_018>);
 void TransmitPdos::begin(Tpdo& tpdo, const Instant now) const noexcept {
     const bool is_timed = tpdo.parameters.event.us != 0U;
-    const bool is_sent_now = is_event_driven(tpdo.parameters) && ((trigger_ == TpdoTrigger::value_change) || is_timed);
+    const bool is_sent_now = tpdo.event_driven && ((trigger_ == TpdoTrigger::value_change) || is_timed);
     tpdo.sampled = false;
     tpdo.pending = is_sent_now;
     tpdo.cycle_begun = false;
@@ -68,7 +65,7 @@ void TransmitPdos::begin(Tpdo& tpdo, const Instant now) const noexcept {
 }
 
 bool TransmitPdos::waits_for_changes(const Tpdo& tpdo) const noexcept {
-    const bool at_once = is_event_driven(tpdo.parameters) && (trigger_ == TpdoTrigger::value_change);
+    const bool at_once = tpdo.event_driven && (trigger_ == TpdoTrigger::value_change);
     return tpdo.usable && (at_once || (tpdo.parameters.sent == PdoSent::at_sync_after_event));
 }
 
@@ -76,9 +73,9 @@ static_assert(implements<req::CO_PDO_015>);
 void TransmitPdos::note_change(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
     for (std::size_t number = 0U; number < count_; ++number) {
         Tpdo& tpdo = tpdos_[number];
-        if (waits_for_changes(tpdo) && tpdo.mapping.maps(index, subindex)) {
+        if (((tpdo.watched & watch_mark(index, subindex)) != 0U) && tpdo.mapping.maps(index, subindex)) {
             tpdo.pending = true;
-            if (is_event_driven(tpdo.parameters)) {
+            if (tpdo.event_driven) {
                 next_ = earliest(next_, latest(now, tpdo.inhibited_until));
             }
         }
@@ -126,7 +123,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
         if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
             continue;
         }
-        if (is_event_driven(tpdo.parameters)) {
+        if (tpdo.event_driven) {
             tpdo.pending = true;
             next_ = earliest(next_, latest(now, tpdo.inhibited_until));
         } else if (!is_sampled_at_sync(tpdo.parameters)) {
@@ -143,7 +140,7 @@ void TransmitPdos::send_due(const Instant now) noexcept {
     for (std::size_t number = 0U; number < count_; ++number) {
         Tpdo& tpdo = tpdos_[number];
         const bool is_due = tpdo.pending || (tpdo.timer_expires <= now);
-        if (tpdo.usable && is_event_driven(tpdo.parameters) && is_due && (tpdo.inhibited_until <= now)) {
+        if (tpdo.event_driven && is_due && (tpdo.inhibited_until <= now)) {
             send_event(tpdo, now);
         }
     }
@@ -169,8 +166,10 @@ void TransmitPdos::push(const Tpdo& tpdo) noexcept {
 
 void TransmitPdos::watch() noexcept {
     watched_ = 0U;
-    for (std::size_t number = 0U; running_ && (number < count_); ++number) {
-        watched_ |= waits_for_changes(tpdos_[number]) ? tpdos_[number].mapping.watch_marks() : 0U;
+    for (std::size_t number = 0U; number < count_; ++number) {
+        Tpdo& tpdo = tpdos_[number];
+        tpdo.watched = (running_ && waits_for_changes(tpdo)) ? tpdo.mapping.watch_marks() : 0U;
+        watched_ |= tpdo.watched;
     }
 }
 
@@ -178,7 +177,7 @@ void TransmitPdos::schedule() noexcept {
     next_ = never;
     for (std::size_t number = 0U; running_ && (number < count_); ++number) {
         const Tpdo& tpdo = tpdos_[number];
-        if (tpdo.usable && is_event_driven(tpdo.parameters)) {
+        if (tpdo.event_driven) {
             const Instant wanted =
                 tpdo.pending ? tpdo.inhibited_until : latest(tpdo.timer_expires, tpdo.inhibited_until);
             next_ = earliest(next_, wanted);

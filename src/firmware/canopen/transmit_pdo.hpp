@@ -57,6 +57,8 @@ class TransmitPdos {
         PdoMapping mapping{};
         Frame sample{};  ///< the values of the last SYNC
         bool usable{false};
+        bool event_driven{false};   ///< usable, of type 254 or 255
+        std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
         bool sampled{false};
         bool pending{false};           ///< an event has not been told yet
         bool cycle_begun{false};       ///< the SYNC of the start value has come
@@ -82,7 +84,7 @@ class TransmitPdos {
     std::array<Tpdo, max_pdos> tpdos_{};
     std::size_t count_{0U};
     bool running_{false};
-    std::uint64_t watched_{0U};  ///< watch_mark() of every value whose change is an event
+    std::uint64_t watched_{0U};  ///< the same of all TPDOs
     Instant next_{never};
 };
 
