@@ -1,0 +1,59 @@
+// Replays a fuzz target's corpus and leaves, under callgrind with --collect-atstart=no, one dump for each frame that
+// the target gives to a device: NAME_cost FILE|FOLDER... Of the dumps tests/bench/frame_cost finds the dearest frame.
+#include <valgrind/callgrind.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "host/bus/candump.hpp"
+#include "support/frame_probe.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+std::string input_name;
+unsigned long frames = 0;
+
+void frame_begins() {
+    CALLGRIND_ZERO_STATS;
+    CALLGRIND_TOGGLE_COLLECT;
+}
+
+void frame_ends(const canproof::Frame& frame) {
+    CALLGRIND_TOGGLE_COLLECT;
+    ++frames;
+    const std::string label = input_name + " " + canproof::host::format_frame(frame);
+    CALLGRIND_DUMP_STATS_AT(label.c_str());
+}
+
+void replay(const std::filesystem::path& path) {
+    std::ifstream in{path, std::ios::binary};
+    const std::vector<char> text{std::istreambuf_iterator<char>{in}, {}};
+    const std::vector<std::uint8_t> bytes{text.begin(), text.end()};
+    input_name = path.filename().string();
+    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    canproof::fuzz::frame_probe = {frame_begins, frame_ends};
+    for (const std::filesystem::path path : std::vector<std::string>(argv + 1, argv + argc)) {
+        if (!std::filesystem::is_directory(path)) {
+            replay(path);
+            continue;
+        }
+        for (const auto& file : std::filesystem::recursive_directory_iterator(path)) {
+            if (file.is_regular_file()) {
+                replay(file.path());
+            }
+        }
+    }
+    std::printf("%lu\n", frames);
+    return frames == 0 ? 2 : 0;
+}
