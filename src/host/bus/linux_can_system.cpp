@@ -1,0 +1,156 @@
+// Raw CAN sockets of Linux; the interface's controller through libsocketcan.
+#include <fmt/format.h>
+#include <libsocketcan.h>
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "host/bus/can_system.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int receive_room = 1 << 20;  // bytes: some thousand frames while the process does not run
+
+/// Room for the time stamp and the drop counter of one frame.
+constexpr std::size_t control_size = CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t));
+
+bool set(int descriptor, int level, int option, int value) {
+    return setsockopt(descriptor, level, option, &value, sizeof value) == 0;
+}
+
+int bind_to(int descriptor, unsigned number) {
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(number);
+    sockaddr_storage general{};
+    std::memcpy(&general, &address, sizeof address);
+    return bind(descriptor, reinterpret_cast<const sockaddr*>(&general), sizeof address) == 0 ? 0 : errno;
+}
+
+void read_control(msghdr& message, CanReception& got) {
+    for (cmsghdr* one = CMSG_FIRSTHDR(&message); one != nullptr; one = CMSG_NXTHDR(&message, one)) {
+        if (one->cmsg_level != SOL_SOCKET) {
+            continue;
+        }
+        if (one->cmsg_type == SO_TIMESTAMPNS) {
+            timespec stamp{};
+            std::memcpy(&stamp, CMSG_DATA(one), sizeof stamp);
+            got.stamp_ns =
+                static_cast<std::uint64_t>(stamp.tv_sec) * 1000000000U + static_cast<std::uint64_t>(stamp.tv_nsec);
+        } else if (one->cmsg_type == SO_RXQ_OVFL) {
+            std::memcpy(&got.dropped, CMSG_DATA(one), sizeof got.dropped);
+        }
+    }
+}
+
+class LinuxCanSystem final : public CanSystem {
+  public:
+    CanOpening open(const std::string& interface, bool error_frames) override {
+        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW);
+        if (descriptor < 0) {
+            return {-1, errno};
+        }
+        const can_err_mask_t errors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
+        static_cast<void>(set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room));
+        bool sound = set(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1) && set(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
+        if (error_frames) {
+            sound = sound && set(descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, static_cast<int>(errors));
+        }
+        const unsigned number = interface_number(interface);
+        const int error = !sound ? errno : number == 0 ? ENODEV : bind_to(descriptor, number);
+        if (error != 0) {
+            ::close(descriptor);
+            return {-1, error};
+        }
+        return {descriptor, 0};
+    }
+    void close(int descriptor) override { ::close(descriptor); }
+
+    int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
+        const auto size = static_cast<socklen_t>(filters.size() * sizeof(can_filter));
+        return setsockopt(descriptor, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size) == 0 ? 0 : errno;
+    }
+
+    int send(int descriptor, const can_frame& frame) override {
+        const ssize_t sent = ::write(descriptor, &frame, sizeof frame);
+        return sent == static_cast<ssize_t>(sizeof frame) ? 0 : sent < 0 ? errno : EIO;
+    }
+
+    CanReception receive(int descriptor) override {
+        CanReception got;
+        iovec place{&got.frame, sizeof got.frame};
+        alignas(cmsghdr) std::array<char, control_size> control{};
+        msghdr message{};
+        message.msg_iov = &place;
+        message.msg_iovlen = 1;
+        message.msg_control = control.data();
+        message.msg_controllen = control.size();
+        const ssize_t count = recvmsg(descriptor, &message, 0);
+        if (count != static_cast<ssize_t>(sizeof got.frame)) {
+            got.error = count < 0 ? errno : EIO;
+            return got;
+        }
+        read_control(message, got);
+        return got;
+    }
+
+    unsigned interface_number(const std::string& interface) override { return if_nametoindex(interface.c_str()); }
+
+    bool is_up(const std::string& interface) override {
+        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW);
+        ifreq request{};
+        interface.copy(request.ifr_name, sizeof request.ifr_name - 1);
+        const bool known = descriptor >= 0 && ioctl(descriptor, SIOCGIFFLAGS, &request) == 0;
+        if (descriptor >= 0) {
+            ::close(descriptor);
+        }
+        return known && (static_cast<unsigned>(request.ifr_flags) & static_cast<unsigned>(IFF_UP)) != 0U;
+    }
+
+    std::uint32_t bit_rate(const std::string& interface) override {
+        can_bittiming timing{};
+        return can_get_bittiming(interface.c_str(), &timing) == 0 ? timing.bitrate : 0U;
+    }
+
+    BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t wanted) override {
+        const std::uint32_t present = bit_rate(interface);
+        if (present == 0 || present == wanted) {
+            return {present == wanted, present == wanted ? "" : fmt::format("{} has no bit rate to be set", interface)};
+        }
+        if (can_do_stop(interface.c_str()) != 0) {
+            return {false, fmt::format("{} could not be taken down; this takes the right CAP_NET_ADMIN", interface)};
+        }
+        const bool done = can_set_bitrate(interface.c_str(), wanted) == 0;
+        const bool up = can_do_start(interface.c_str()) == 0;
+        return {done && up, done && up ? ""
+                            : done     ? fmt::format("{} could not be taken up again", interface)
+                                       : fmt::format("{} takes no such bit rate", interface)};
+    }
+
+    bool restart(const std::string& interface) override { return can_do_restart(interface.c_str()) == 0; }
+
+    std::uint64_t realtime_ns() override {
+        timespec now{};
+        clock_gettime(CLOCK_REALTIME, &now);
+        return static_cast<std::uint64_t>(now.tv_sec) * 1000000000U + static_cast<std::uint64_t>(now.tv_nsec);
+    }
+};
+
+}  // namespace
+
+CanSystem& linux_can_system() {
+    static LinuxCanSystem system;
+    return system;
+}
+
+}  // namespace canproof::host
