@@ -50,7 +50,7 @@ std::uint16_t crc15(const std::vector<bool>& bits) {
     std::uint16_t crc = 0;
     for (const bool bit : bits) {
         const bool top = ((crc >> (crc_bits - 1U)) & 1U) != 0U;
-        crc = static_cast<std::uint16_t>((crc << 1U) & 0x7FFFU);
+        crc = static_cast<std::uint16_t>((std::uint32_t{crc} << 1U) & 0x7FFFU);
         crc = top != bit ? static_cast<std::uint16_t>(crc ^ crc_polynomial) : crc;
     }
     return crc;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <tuple>
 
 #include "host/bus/can_bits.hpp"
 #include "host/bus/candump.hpp"
@@ -118,8 +119,9 @@ void SocketCanBus::poll(Instant now) {
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         read_socket(i, now);
     }
-    std::stable_sort(arrived_.begin(), arrived_.end(),
-                     [](const Arrival& a, const Arrival& b) { return a.time < b.time; });
+    std::sort(arrived_.begin(), arrived_.end(), [](const Arrival& a, const Arrival& b) {
+        return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
+    });
 }
 
 void SocketCanBus::read_socket(std::size_t port, Instant now) {
@@ -135,7 +137,7 @@ void SocketCanBus::read_socket(std::size_t port, Instant now) {
         }
         const bool lost = got.dropped != from.dropped;
         from.dropped = got.dropped;
-        arrived_.push_back({arrival_time(got.stamp_ns, now), port, got.frame, lost});
+        arrived_.push_back({arrival_time(got.stamp_ns, now), port, got.frame, lost, arrivals_++});
     }
 }
 

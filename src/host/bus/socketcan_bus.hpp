@@ -63,6 +63,7 @@ class SocketCanBus final : public Bus {
         std::size_t port{0};
         can_frame frame{};
         bool lost_before{false};
+        std::uint64_t order{0};  ///< of reading: equal times keep it
     };
 
     void open_sockets(Instant now);
@@ -93,6 +94,7 @@ class SocketCanBus final : public Bus {
     Instant restart_at_{never};
     std::int64_t clock_offset_us_{0};  ///< run time minus real time
     std::deque<Arrival> arrived_;
+    std::uint64_t arrivals_{0};
     struct Sender {
         const BusNode* node{nullptr};
         Instant time{};
