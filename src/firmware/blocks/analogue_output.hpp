@@ -42,6 +42,8 @@ class AnalogueOutput {
                                 const RampTimes& times, Instant now) noexcept;
     /// OFF, at once.
     void reset() noexcept { ramp_.set(0.0); }
+    /// Whether a ramp is under way.
+    bool is_moving(const Instant now) const noexcept { return ramp_.is_moving(now); }
 
   private:
     Ramp ramp_{};

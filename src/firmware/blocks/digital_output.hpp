@@ -25,6 +25,7 @@ class DigitalOutput {
                                Duration blink, Instant now) noexcept;
     /// OFF, at once, and nothing remembered.
     void reset() noexcept { *this = DigitalOutput{}; }
+    bool is_blinking() const noexcept { return blinking_; }
 
   private:
     bool follow_control(SwitchDrive drive, Duration blink, Instant now) noexcept;

@@ -145,6 +145,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
     double chain = chained ? input_value(first) : 0.0;
     bool negative_gain = first.gain < 0.0;
     MathResult result{};
+    const std::array<double, math_functions> before{results_};
     for (std::size_t function = 0U; function < math_functions; ++function) {
         const MathInput& second = config.inputs[function + 1U];
         const std::uint8_t number = config.operators[function];
@@ -163,6 +164,8 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
         // Without input 2 there is no function 1, and nothing for the others to work on.
         chained = chained && (done || (function != 0U));
     }
+    settled_ =
+        is_same(before[0U], results_[0U]) && is_same(before[1U], results_[1U]) && is_same(before[2U], results_[2U]);
     return result;
 }
 

@@ -40,10 +40,13 @@ class MathBlock {
     /// The result of the last function that was done, as a fraction: 1 is full scale, more and less are possible.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
+    /// Whether the last cycle gave the results of the one before: with the same inputs the next will too.
+    bool is_settled() const noexcept { return settled_; }
 
   private:
     double input_value(const MathInput& input) const noexcept;
 
+    bool settled_{true};
     std::array<double, math_functions> results_{};  ///< of this cycle, or of the one before where not yet calculated
 };
 

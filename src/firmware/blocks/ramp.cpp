@@ -54,4 +54,8 @@ double Ramp::value_at(const Instant now) const noexcept {
     return rising ? (start_ + gone) : (start_ - gone);
 }
 
+bool Ramp::is_moving(const Instant now) const noexcept {
+    return !is_same(value_at(now), target_);
+}
+
 }  // namespace canproof

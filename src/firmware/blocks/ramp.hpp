@@ -23,6 +23,8 @@ class Ramp {
     double hold(Instant now) noexcept;
 
     double value_at(Instant now) const noexcept;
+    /// Whether it is not yet at its target.
+    bool is_moving(Instant now) const noexcept;
 
   private:
     double start_{0.0};

@@ -1,0 +1,356 @@
+#include "firmware/devices/ax130751.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+constexpr std::uint16_t override_value_index = 0x2300U;
+constexpr std::uint16_t bit_rate_index = 0x5B50U;
+constexpr std::uint16_t node_id_index = 0x5B51U;
+constexpr std::uint16_t output_type_index = 0x6310U;
+constexpr std::uint16_t scaling_1_fv_index = 0x7321U;
+constexpr std::uint16_t scaling_2_fv_index = 0x7323U;
+constexpr std::uint16_t fault_value_index = 0x7341U;
+constexpr std::uint16_t first_table_index = 0x3000U;  // 3yz0h of a table "00": 3010h is that of table 1
+constexpr std::uint16_t tenth_table_index = 0x3100U;
+constexpr std::uint16_t table_index_step = 0x0010U;
+constexpr std::uint16_t point_response_offset = 5U;
+constexpr std::uint16_t point_x_offset = 6U;
+
+constexpr ErrorId supply_error = ErrorId::first_of_device;
+constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
+constexpr std::uint8_t producer_count = 4U;  // of 1016h
+
+static_assert(implements<req::AOR_K_CYCLE>);
+constexpr Duration cycle_time = milliseconds(own::cycle_ms);
+/// A cycle that changed nothing after one that changed nothing: so will all that follow, until something new comes.
+constexpr std::uint8_t cycles_to_rest = 2U;
+
+static_assert(implements<req::AOR_T22>);
+constexpr auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
+
+constexpr NodeProfile make_profile() noexcept {
+    NodeProfile profile{};
+    profile.limit_abort = LimitAbort::high_low;
+    profile.error_list = ErrorList::active;
+    profile.emcy_content = EmcyContent::detail;
+    profile.stored_node_id = StoredNodeId::follows;
+    profile.lss = LssProfile{bit_rates, true};
+    profile.tpdo_trigger = TpdoTrigger::event_timer;
+    return profile;
+}
+constexpr NodeProfile profile = make_profile();
+
+constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t23::Row& row) noexcept {
+    const auto detail = static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
+    table[static_cast<std::size_t>(id)] = ErrorRow{row.code, row.register_bits, true, true, detail};
+}
+
+static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
+              implements<req::AOR_DIAG_010>);
+constexpr ErrorTable make_error_table() noexcept {
+    using own::t_aor_t23::Error;
+    ErrorTable table{};
+    for (const own::t_aor_t23::Row& row : own::t_aor_t23::rows) {
+        switch (row.error) {
+            case Error::rpdo_timeout:
+                put_error(table, ErrorId::rpdo_timeout, row);
+                break;
+            case Error::life_guarding:
+                put_error(table, ErrorId::life_guarding, row);
+                break;
+            case Error::heartbeat:
+                for (std::size_t producer = 0U; producer < producer_count; ++producer) {
+                    put_error(table, error_after(ErrorId::heartbeat_1, producer), row);
+                }
+                break;
+            case Error::error_reset:
+            default:
+                break;
+        }
+    }
+    for (const own::t_aor_t_fault_codes::Row& row : own::t_aor_t_fault_codes::rows) {
+        const bool of_supply = row.fault == own::t_aor_t_fault_codes::Fault::supply;
+        table[static_cast<std::size_t>(of_supply ? supply_error : temperature_error)] =
+            ErrorRow{row.code, row.register_bits, true, true, 0U};
+    }
+    return table;
+}
+
+/// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
+struct TableEntry {
+    std::uint8_t table{0U};  ///< 0: none
+    std::uint16_t offset{0U};
+};
+
+constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
+    const auto offset = static_cast<std::uint16_t>(index % table_index_step);
+    if ((index >= tenth_table_index) && (index < (tenth_table_index + table_index_step))) {
+        return TableEntry{table_count, offset};
+    }
+    if ((index < (first_table_index + table_index_step)) || (index >= tenth_table_index)) {
+        return TableEntry{};
+    }
+    const auto table = static_cast<std::uint8_t>((index - first_table_index) / table_index_step);
+    return (table < table_count) ? TableEntry{table, offset} : TableEntry{};
+}
+
+bool is_field_value(const std::uint16_t index) noexcept {
+    return (index == override_value_index) || (index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
+           (index == fault_value_index);
+}
+
+std::int16_t to_int16(const ByteView value) noexcept {
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(read_le(value, 0U, sizeof(std::int16_t))));
+}
+
+std::int32_t to_int32(const ByteView value) noexcept {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(read_le(value, 0U, sizeof(std::int32_t))));
+}
+
+}  // namespace
+
+Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
+    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      lss_store_{memory},
+      errors_{make_error_table()},
+      node_{objects_, memory, queue, *this, errors_, profile},
+      factory_{factory},
+      sources_{objects_},
+      universal_{{UniversalOutput{objects_, sources_, 1U}, UniversalOutput{objects_, sources_, 2U}}},
+      relay_{objects_, sources_} {}
+
+static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003> && implements<req::AOR_K_NODE_ID> &&
+              implements<req::AOR_K_BIT_RATE>);
+void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
+    bit_rate_ = kept_.bit_rate;
+    node_.power_on(kept_, now);
+    set_inputs(inputs, now);
+}
+
+void Device::receive(const Frame& frame, const Instant now) noexcept {
+    advance(now);
+    node_.receive(frame, now);
+    watch_network();
+    wake(now);
+}
+
+void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
+    advance(now);
+    inputs_ = inputs;
+    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
+    const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
+    node_.set_can_state(static_cast<CanState>(can), now);
+    node_.set_overrun(inputs.can_overrun, now);
+    wake(now);
+}
+
+/// Cycles and deadlines of the node, in the order of their times; at the same time the cycle comes first.
+static_assert(implements<req::AOR_OUT_027>);
+void Device::advance(const Instant now) noexcept {
+    bool node_moves{true};
+    for (Instant due = next_deadline(); due <= now; due = node_moves ? next_deadline() : next_cycle_) {
+        if (next_cycle_ <= due) {
+            run_cycle(due);
+        }
+        if (node_moves && (node_.next_deadline() <= due)) {
+            node_.advance(due);
+            watch_network();
+            // A deadline that stays where it is waits for something else, such as room in the queue.
+            node_moves = node_.next_deadline() > due;
+        }
+    }
+    node_.advance(now);
+    watch_network();
+}
+
+Instant Device::next_deadline() const noexcept {
+    return earliest(node_.next_deadline(), next_cycle_);
+}
+
+static_assert(implements<req::AOR_OUT_001>);
+void Device::run_cycle(const Instant now) noexcept {
+    const bool changes = run_blocks(now);
+    tell_errors(now);
+    quiet_cycles_ = changes ? std::uint8_t{0U} : static_cast<std::uint8_t>(quiet_cycles_ + 1U);
+    next_cycle_ = (quiet_cycles_ >= cycles_to_rest) ? never : (now + cycle_time);
+}
+
+/// One evaluation of all blocks. True when the next one may differ.
+bool Device::run_blocks(const Instant now) noexcept {
+    bool changes = supervision_.advance(inputs_, objects_);
+    sources_.set_network(overdue_, silent_);
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        changes = tables_[table - 1U].advance(table, objects_, sources_, now) || changes;
+    }
+    for (std::uint8_t block = 1U; block <= logic_count; ++block) {
+        changes = advance_logic(block, objects_, sources_) || changes;
+    }
+    for (std::uint8_t block = 1U; block <= math_count; ++block) {
+        changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
+    }
+    const OutputCycle cycle{supervision_.shuts_down(), now};
+    for (UniversalOutput& output : universal_) {
+        changes = output.advance(cycle, inputs_, outputs_) || changes;
+    }
+    return relay_.advance(cycle, outputs_) || changes;
+}
+
+static_assert(implements<req::AOR_DIAG_007>);
+void Device::tell_errors(const Instant now) noexcept {
+    if (node_.state() != NmtState::initialising) {
+        node_.set_error(supply_error, supervision_.has_supply_fault(), now);
+        node_.set_error(temperature_error, supervision_.has_temperature_fault(), now);
+    }
+}
+
+/// What makes CANopen messages faulty as sources.
+void Device::watch_network() noexcept {
+    bool silent = node_.has_error(ErrorId::life_guarding);
+    for (std::size_t producer = 0U; producer < producer_count; ++producer) {
+        silent = silent || node_.has_error(error_after(ErrorId::heartbeat_1, producer));
+    }
+    overdue_ = node_.overdue_rpdos();
+    silent_ = silent;
+}
+
+/// Something new came at `now`: the next cycle sees it.
+void Device::wake(const Instant now) noexcept {
+    const std::uint64_t cycles_gone = elapsed(epoch_, now).us / cycle_time.us;
+    const Instant next = epoch_ + Duration{(cycles_gone + 1U) * cycle_time.us};
+    next_cycle_ = earliest(next_cycle_, next);
+    quiet_cycles_ = 0U;
+}
+
+AbortCode Device::check_access(const EntryRef&) {
+    return AbortCode::none;  // no entry depends on the state of the device
+}
+
+static_assert(implements<req::AOR_NODE_002>);
+AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
+    const TableEntry place = table_entry(entry.index);
+    if ((place.table != 0U) && (place.offset == point_x_offset)) {
+        return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
+    }
+    if (is_field_value(entry.index)) {
+        return universal_[entry.row->subindex - 1U].check_field_value(to_int16(value));
+    }
+    if (entry.index == bit_rate_index) {
+        const auto* const row = own::t_aor_t22::find(value[0U]);
+        const std::uint32_t bit_rate = (row == nullptr) ? 0U : row->bit_rate;
+        return (bit_rate == 0U) ? AbortCode::value_range
+                                : keep_configuration(LssConfiguration{kept_.node_id, bit_rate});
+    }
+    return (entry.index == node_id_index) ? keep_configuration(LssConfiguration{value[0U], kept_.bit_rate})
+                                          : AbortCode::none;
+}
+
+void Device::after_write(const EntryRef& entry, const Instant) {
+    const TableEntry place = table_entry(entry.index);
+    if ((place.table != 0U) && (place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
+        is_over_time(objects_, place.table)) {
+        begin_time_response(objects_, place.table);
+    }
+    if (entry.index == output_type_index) {
+        const std::uint8_t output = entry.row->subindex;
+        const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
+        if (type != types_[output - 1U]) {
+            types_[output - 1U] = type;
+            universal_[output - 1U].take_type_defaults();
+        }
+    }
+}
+
+static_assert(implements<req::AOR_ID_002>);
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
+            if (value.has_value()) {
+                objects_.set(entry, *value);
+            }
+        };
+        put(field::o1018_3_revision_number, factory_.revision);
+        put(field::o1018_4_serial_number, factory_.serial_number);
+        put(field::o1020_verify_configuration[1U], factory_.made_on);
+        put(field::o1020_verify_configuration[2U], factory_.made_at);
+    }
+}
+
+static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_NODE_004>);
+void Device::restart(const Instant now) {
+    outputs_ = Outputs{};
+    supervision_.reset();
+    sources_.reset();
+    for (TableBlock& table : tables_) {
+        table.reset();
+    }
+    for (CalculationBlock& calculation : calculations_) {
+        calculation.reset();
+    }
+    for (std::uint8_t output = 1U; output <= output_count; ++output) {
+        universal_[output - 1U].reset();
+        types_[output - 1U] = objects_.get(field::o6310_ao_output_type[output]);
+    }
+    relay_.reset(outputs_);
+    static_cast<void>(supervision_.advance(inputs_, objects_));
+    show_configuration();
+    overdue_ = 0U;
+    silent_ = false;
+    epoch_ = now;
+    next_cycle_ = never;
+    wake(now);
+}
+
+static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002>);
+void Device::booted(const Instant now) {
+    if (objects_.get(field::o5555_start_in_operational_mode)) {
+        node_.start_at(now);
+    }
+    tell_errors(now);
+}
+
+void Device::communication_failed(const bool, const Instant now) {
+    watch_network();
+    wake(now);
+}
+
+void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
+    bit_rate_ = bit_rate;
+}
+
+LssError Device::store_configuration(const LssConfiguration& configuration) {
+    const LssError error = lss_store_.store(configuration);
+    if (error == LssError::none) {
+        kept_ = configuration;
+        show_configuration();
+    }
+    return error;
+}
+
+AbortCode Device::keep_configuration(const LssConfiguration& configuration) noexcept {
+    if (lss_store_.store(configuration) != LssError::none) {
+        return AbortCode::hardware_error;
+    }
+    kept_ = configuration;
+    return AbortCode::none;
+}
+
+static_assert(implements<req::AOR_NODE_003>);
+void Device::show_configuration() noexcept {
+    for (const own::t_aor_t22::Row& row : own::t_aor_t22::rows) {
+        if (row.bit_rate == kept_.bit_rate) {
+            objects_.set(field::o5b50_change_baud_rate, row.index);
+        }
+    }
+    objects_.set(field::o5b51_change_node_id, kept_.node_id);
+}
+
+}  // namespace canproof::ax130751

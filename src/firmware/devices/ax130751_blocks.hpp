@@ -1,0 +1,45 @@
+// Lookup tables (1.5), logic blocks (1.6) and math blocks (1.7) of the AX130751, each wired to its objects.
+#pragma once
+
+#include "firmware/blocks/logic_block.hpp"
+#include "firmware/blocks/lookup_table.hpp"
+#include "firmware/blocks/math_block.hpp"
+#include "firmware/devices/ax130751_sources.hpp"
+
+namespace canproof::ax130751 {
+
+/// One lookup table.
+class TableBlock {
+  public:
+    void reset() noexcept { table_.reset(); }
+    /// Evaluates table `number` (1…10), sets 3yz8h and what other blocks see. True while it goes on changing.
+    bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
+
+  private:
+    LookupTable table_{};
+    SignalState state_{SignalState::not_available};
+};
+
+/// Whether table `number` is over time (3yz5h:1).
+bool is_over_time(const ObjectDictionary& objects, std::uint8_t number) noexcept;
+/// What the choice of time response sets: point 1 and the digits of X.
+void begin_time_response(ObjectDictionary& objects, std::uint8_t number) noexcept;
+/// Whether point `point` (1…11) of table `number` may lie at `x`.
+AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, std::uint8_t number, std::uint8_t point,
+                      std::int32_t x) noexcept;
+
+/// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when that changed.
+bool advance_logic(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
+
+/// One math block.
+class CalculationBlock {
+  public:
+    void reset() noexcept { math_.reset(); }
+    /// Evaluates math block `number` (1…4) and sets 4030h. True while it goes on changing.
+    bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
+
+  private:
+    MathBlock math_{};
+};
+
+}  // namespace canproof::ax130751

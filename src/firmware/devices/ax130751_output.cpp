@@ -1,0 +1,300 @@
+#include "firmware/devices/ax130751_output.hpp"
+
+#include <cmath>
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/blocks/current_loop.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "generated/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+static_assert(implements<req::AOR_T07>);
+EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
+    using Action = own::t_aor_t07::Action;
+    const auto* const row = own::t_aor_t07::find(response, on);
+    switch ((row == nullptr) ? Action::shut_off : row->action) {
+        case Action::run:
+            return EnableAction::run;
+        case Action::ramp_off:
+            return EnableAction::ramp_off;
+        case Action::keep:
+            return EnableAction::keep;
+        case Action::shut_off:
+        default:
+            return EnableAction::shut_off;
+    }
+}
+
+static_assert(implements<req::AOR_T01>);
+SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool state) noexcept {
+    using Drive = own::t_aor_t01::Drive;
+    const auto* const row = own::t_aor_t01::find(value, before, state);
+    switch ((row == nullptr) ? Drive::off : row->drive) {
+        case Drive::on:
+            return SwitchDrive::on;
+        case Drive::keep:
+            return SwitchDrive::keep;
+        case Drive::change:
+            return SwitchDrive::change;
+        case Drive::blink:
+            return SwitchDrive::blink;
+        case Drive::off:
+        default:
+            return SwitchDrive::off;
+    }
+}
+
+static_assert(implements<req::AOR_T06> && implements<req::AOR_OUT_006>);
+bool follows_profile(const std::uint8_t response, const ScalingPosition position) noexcept {
+    namespace table = own::t_aor_t06;
+    table::Position where{table::Position::within};
+    if (position == ScalingPosition::below) {
+        where = table::Position::below;
+    } else if (position == ScalingPosition::above) {
+        where = table::Position::above;
+    } else {
+        // within
+    }
+    const auto* const row = table::find(response, where);
+    return (row != nullptr) && (row->drive == table::Drive::profile);
+}
+
+/// The override input as Table 8 reads it.
+static_assert(implements<req::AOR_T08>);
+bool is_overridden(const std::uint8_t response, const bool on) noexcept {
+    const auto* const row = own::t_aor_t08::find(response, on);
+    return (row != nullptr) && row->overridden;
+}
+
+OutputRange range_of(const own::t_aor_t03::Row& type) noexcept {
+    return OutputRange{static_cast<double>(type.minimum), static_cast<double>(type.maximum)};
+}
+
+}  // namespace
+
+void UniversalOutput::reset() noexcept {
+    analogue_.reset();
+    digital_.reset();
+    control_ = DigitalReading{};
+    enable_ = DigitalReading{};
+    override_ = DigitalReading{};
+    type_ = objects_.get(field::o6310_ao_output_type[number_]);
+    show(0, 0);
+}
+
+static_assert(implements<req::AOR_OUT_023>);
+void UniversalOutput::follow_type() noexcept {
+    if (objects_.get(field::o6310_ao_output_type[number_]) != type_) {
+        reset();
+    }
+}
+
+bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
+    follow_type();
+    changed_ = false;
+    const InputSignals signals = read_inputs();
+    clear(outputs);
+    const bool moves = is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
+                                                     : advance_analogue(signals, cycle, inputs, outputs);
+    return moves || changed_;
+}
+
+UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
+    const InputSignals signals{sources_.signal(objects_.get(field::o2340_ao_control_input_source[number_]),
+                                               objects_.get(field::o2341_ao_control_input_number[number_])),
+                               sources_.signal(objects_.get(field::o2350_ao_enable_input_source[number_]),
+                                               objects_.get(field::o2351_ao_enable_input_number[number_])),
+                               sources_.signal(objects_.get(field::o2360_ao_override_input_source[number_]),
+                                               objects_.get(field::o2361_ao_override_input_number[number_]))};
+    static_cast<void>(control_.read(signals.control));
+    static_cast<void>(enable_.read(signals.enable));
+    static_cast<void>(override_.read(signals.override_input));
+    return signals;
+}
+
+static_assert(implements<req::AOR_T02> && implements<req::AOR_T09>);
+FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
+    if (digital) {
+        const auto* const row = own::t_aor_t02::find(objects_.get(field::o6250_do_fault_mode_1_output_line[number_]));
+        const bool keeps = (row != nullptr) && (row->action == own::t_aor_t02::Action::keep);
+        return keeps ? FaultAction::keep : FaultAction::fault_value;
+    }
+    const auto* const row = own::t_aor_t09::find(objects_.get(field::o6340_ao_fault_mode[number_]));
+    const bool keeps = (row != nullptr) && (row->action == own::t_aor_t09::Action::keep);
+    return keeps ? FaultAction::keep : FaultAction::fault_value;
+}
+
+static_assert(implements<req::AOR_OUT_008>);
+OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
+    OutputConditions conditions{};
+    conditions.shutdown = shutdown;
+    conditions.input_in_error =
+        signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
+    conditions.on_error = fault_action(digital);
+    conditions.overridden = signals.override_input.is_available() &&
+                            is_overridden(objects_.get(field::o2362_ao_override_response[number_]), override_.on());
+    conditions.enable = signals.enable.is_available()
+                            ? enable_action(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
+                            : EnableAction::run;
+    return choose_drive(conditions);
+}
+
+double UniversalOutput::field_value(const Field<std::int16_t> entry) const noexcept {
+    return physical_value(objects_.get(entry), objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
+}
+
+double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
+    const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
+    const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
+    return driven ? scale(control.value, scaling) : 0.0;
+}
+
+static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && implements<req::AOR_OUT_005> &&
+              implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_025>);
+bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
+                                       Outputs& outputs) noexcept {
+    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    if (type.kind == Kind::none) {
+        analogue_.reset();
+        show(0, 0);
+        return false;
+    }
+    const std::uint8_t pv_digits = objects_.get(field::o6302_ao_decimal_digits_pv[number_]);
+    const LinearScaling scaling{physical_value(objects_.get(field::o7320_ao_output_scaling_1_pv[number_]), pv_digits),
+                                physical_value(objects_.get(field::o7322_ao_output_scaling_2_pv[number_]), pv_digits),
+                                field_value(field::o7321_ao_output_scaling_1_fv[number_]),
+                                field_value(field::o7323_ao_output_scaling_2_fv[number_])};
+    const AnalogueDemand demand{control_value(signals.control, scaling),
+                                field_value(field::o2300_ao_override_field_value[number_]),
+                                field_value(field::o7341_ao_fault_field_value[number_])};
+    const RampTimes times{std::fabs(scaling.y2 - scaling.y1),
+                          milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
+                          milliseconds(objects_.get(field::o2331_ao_ramp_down[number_]))};
+    const OutputDrive drive = drive_of(signals, cycle.shutdown, false);
+    const AnalogueOutputState state = analogue_.advance(drive, demand, range_of(type), times, cycle.now);
+    const double load = static_cast<double>(inputs.load[number_ - 1U]);
+    const double measured = (type.kind == Kind::current)
+                                ? loop_current(state.value, load, static_cast<double>(own::compliance_voltage),
+                                               static_cast<double>(own::milliamperes_per_ampere))
+                                : state.value;
+    const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    show(process_value(state.target, fv_digits), process_value(measured, fv_digits));
+    drive_analogue(type.kind, state.value, measured, outputs);
+    return analogue_.is_moving(cycle.now);
+}
+
+void UniversalOutput::clear(Outputs& outputs) const noexcept {
+    const std::size_t at = number_ - 1U;
+    outputs.out_voltage[at] = 0.0F;
+    outputs.out_current[at] = 0.0F;
+    outputs.out_duty[at] = 0.0F;
+    outputs.out_frequency[at] = 0.0F;
+    outputs.out_level[at] = 0.0F;
+    outputs.out_on[at] = false;
+}
+
+static_assert(implements<req::AOR_OUT_019> && implements<req::AOR_OUT_020> && implements<req::AOR_OUT_021>);
+void UniversalOutput::drive_analogue(const Kind kind, const double value, const double measured,
+                                     Outputs& outputs) const noexcept {
+    const std::size_t at = number_ - 1U;
+    switch (kind) {
+        case Kind::voltage:
+            outputs.out_voltage[at] = static_cast<float>(value);
+            break;
+        case Kind::current:
+            outputs.out_current[at] = static_cast<float>(measured);
+            break;
+        case Kind::pwm:
+            outputs.out_duty[at] = static_cast<float>(value);
+            outputs.out_frequency[at] = static_cast<float>(objects_.get(field::o2380_ao_output_frequency[number_]));
+            outputs.out_level[at] = static_cast<float>(level());
+            break;
+        case Kind::frequency:
+            outputs.out_duty[at] = (value > 0.0) ? own::frequency_duty : 0.0F;
+            outputs.out_frequency[at] = static_cast<float>(value);
+            outputs.out_level[at] = static_cast<float>(level());
+            break;
+        case Kind::none:
+        case Kind::digital:
+        default:
+            break;
+    }
+}
+
+static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
+double UniversalOutput::level() const noexcept {
+    const auto* const row = own::t_aor_t_digital_range::find(objects_.get(field::o2240_do_digital_range[number_]));
+    return (row == nullptr) ? 0.0 : static_cast<double>(row->level_v);
+}
+
+SwitchPolarity UniversalOutput::polarity() const noexcept {
+    const std::uint8_t value = objects_.get(field::o2241_do_polarity_1_output_line[number_]);
+    SwitchPolarity made{};
+    made.was_off = {{switch_drive(value, false, false), switch_drive(value, false, true)}};
+    made.was_on = {{switch_drive(value, true, false), switch_drive(value, true, true)}};
+    return made;
+}
+
+static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
+bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
+                                      Outputs& outputs) noexcept {
+    const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
+                               objects_.get(field::o6260_do_fault_state_1_output_line[number_]) != 0U};
+    const OutputDrive drive = drive_of(signals, cycle.shutdown, true);
+    const Duration blink = milliseconds(objects_.get(field::o2223_do_blink_rate_1_output_line[number_]));
+    const DigitalOutputState state = digital_.advance(drive, demand, polarity(), blink, cycle.now);
+    show(static_cast<std::int16_t>(state.logic ? 1 : 0), static_cast<std::int16_t>(state.drive ? 1 : 0));
+    const std::size_t at = number_ - 1U;
+    outputs.out_on[at] = state.drive;
+    outputs.out_level[at] = static_cast<float>(level());
+    outputs.out_voltage[at] = state.drive ? outputs.out_level[at] : 0.0F;
+    return digital_.is_blinking();
+}
+
+void UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {
+    changed_ = changed_ || (target != shown_target_) || (feedback != shown_feedback_);
+    shown_target_ = target;
+    shown_feedback_ = feedback;
+    objects_.set(field::o7330_ao_output_field_value[number_], target);
+    objects_.set(field::o2370_ao_feedback_field_value[number_], feedback);
+}
+
+static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);
+void UniversalOutput::take_type_defaults() noexcept {
+    const auto type = static_cast<own::OutputType>(objects_.get(field::o6310_ao_output_type[number_]));
+    const auto* const row = own::t_aor_t_type_defaults::find(type);
+    const bool updates = objects_.get(field::o5550_enable_automatic_updates) != 0U;
+    if ((row == nullptr) || (type == own::OutputType::not_used) || (!updates)) {
+        return;
+    }
+    constexpr std::int16_t off = 0;
+    objects_.set(field::o6302_ao_decimal_digits_pv[number_], row->digits);
+    objects_.set(field::o6332_ao_decimal_digits_fv[number_], row->digits);
+    objects_.set(field::o7320_ao_output_scaling_1_pv[number_], row->scaling_1);
+    objects_.set(field::o7322_ao_output_scaling_2_pv[number_], row->scaling_2);
+    objects_.set(field::o7321_ao_output_scaling_1_fv[number_], row->scaling_1);
+    objects_.set(field::o7323_ao_output_scaling_2_fv[number_], row->scaling_2);
+    objects_.set(field::o2300_ao_override_field_value[number_], off);
+    objects_.set(field::o7341_ao_fault_field_value[number_], off);
+}
+
+static_assert(implements<req::AOR_OUT_024>);
+AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
+    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    if ((type.kind == Kind::none) || (field_value == 0)) {
+        return AbortCode::none;
+    }
+    const double value = physical_value(field_value, objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
+    const OutputRange range = range_of(type);
+    if (value > range.maximum) {
+        return AbortCode::value_too_high;
+    }
+    return (value < range.minimum) ? AbortCode::value_too_low : AbortCode::none;
+}
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,76 @@
+// One universal output of the AX130751: the analogue block (1.3) and the digital block (1.2) on the same terminal.
+#pragma once
+
+#include "firmware/blocks/analogue_output.hpp"
+#include "firmware/blocks/digital_output.hpp"
+#include "firmware/blocks/digital_reading.hpp"
+#include "firmware/blocks/linear_scaling.hpp"
+#include "firmware/devices/ax130751_sources.hpp"
+#include "generated/ax130751/signals.hpp"
+
+namespace canproof::ax130751 {
+
+using Inputs = generated::ax130751::Inputs;
+using Outputs = generated::ax130751::Outputs;
+
+/// What a cycle gives all outputs.
+struct OutputCycle {
+    bool shutdown{false};  ///< a diagnostic fault shuts them off
+    Instant now{};
+};
+
+class UniversalOutput {
+  public:
+    /// `number` 1 or 2.
+    UniversalOutput(ObjectDictionary& objects, const Sources& sources, const std::uint8_t number) noexcept
+        : objects_{objects}, sources_{sources}, number_{number} {}
+
+    void reset() noexcept;
+    /// Drives the output, 7330h and 2370h. True while they go on changing.
+    bool advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept;
+
+    /// Writes what belongs to the type in 6310h (5550h).
+    void take_type_defaults() noexcept;
+    /// Whether 7321h, 7323h, 2300h and 7341h may take a value.
+    AbortCode check_field_value(std::int16_t field_value) const noexcept;
+
+  private:
+    using Kind = generated::ax130751::t_aor_t03::Kind;
+
+    /// Control, enable and override at this moment.
+    struct InputSignals {
+        BlockSignal control{};
+        BlockSignal enable{};
+        BlockSignal override_input{};
+    };
+
+    void follow_type() noexcept;
+    InputSignals read_inputs() noexcept;
+    OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
+    FaultAction fault_action(bool digital) const noexcept;
+    double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
+    double field_value(Field<std::int16_t> entry) const noexcept;
+    bool advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
+                          Outputs& outputs) noexcept;
+    bool advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
+    void drive_analogue(Kind kind, double value, double measured, Outputs& outputs) const noexcept;
+    void clear(Outputs& outputs) const noexcept;
+    double level() const noexcept;
+    SwitchPolarity polarity() const noexcept;
+    void show(std::int16_t target, std::int16_t feedback) noexcept;
+
+    ObjectDictionary& objects_;
+    const Sources& sources_;
+    std::uint8_t number_;
+    AnalogueOutput analogue_{};
+    DigitalOutput digital_{};
+    DigitalReading control_{};
+    DigitalReading enable_{};
+    DigitalReading override_{};
+    std::uint16_t type_{0U};
+    std::int16_t shown_target_{0};
+    std::int16_t shown_feedback_{0};
+    bool changed_{false};
+};
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,35 @@
+// The relay of the AX130751 (1.4), wired to its objects.
+#pragma once
+
+#include "firmware/blocks/digital_reading.hpp"
+#include "firmware/blocks/relay.hpp"
+#include "firmware/devices/ax130751_output.hpp"
+
+namespace canproof::ax130751 {
+
+class RelayOutput {
+  public:
+    RelayOutput(const ObjectDictionary& objects, const Sources& sources) noexcept
+        : objects_{objects}, sources_{sources} {}
+
+    void reset(Outputs& outputs) noexcept;
+    /// Drives the contact. True while it goes on changing.
+    bool advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
+
+  private:
+    RelayPolarity polarity() const noexcept;
+    RelayTimes times() const noexcept;
+    OutputDrive drive_of(const RelayPolarity& polarity, bool shutdown) noexcept;
+    void show(bool on, Outputs& outputs) noexcept;
+
+    const ObjectDictionary& objects_;
+    const Sources& sources_;
+    Relay relay_{};
+    DigitalReading control_{};
+    DigitalReading unlatch_{};
+    DigitalReading enable_{};
+    DigitalReading override_{};
+    bool shown_{false};
+};
+
+}  // namespace canproof::ax130751

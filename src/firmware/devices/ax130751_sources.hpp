@@ -1,0 +1,65 @@
+// Control sources of the AX130751: which value a source and a number stand for, with its limits and state (1.3, Tables
+// 4A, 4B and 5).
+#pragma once
+
+#include <array>
+
+#include "firmware/blocks/block_signal.hpp"
+#include "firmware/blocks/lookup_table.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/devices/ax130751_fields.hpp"
+#include "generated/ax130751/enumerations.hpp"
+#include "generated/ax130751/tables.hpp"
+
+namespace canproof::ax130751 {
+
+using generated::ax130751::Quantity;
+
+/// What drives an output of the type in 6310h, and its range; that of an unknown type is "none".
+const generated::ax130751::t_aor_t03::Row& output_type(const ObjectDictionary& objects, std::uint8_t output) noexcept;
+/// Whether the digital output block drives it.
+bool is_digital(const ObjectDictionary& objects, std::uint8_t output) noexcept;
+
+struct SourceRef {
+    Quantity quantity{Quantity::none};
+    std::uint8_t channel{0U};
+};
+/// Tables 4A and 4B; none for a pair that they do not have.
+SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
+
+class Sources {
+  public:
+    explicit Sources(const ObjectDictionary& objects) noexcept : objects_{objects} {}
+
+    void reset() noexcept;
+    /// `overdue`: bit n stands for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
+    void set_network(std::uint8_t overdue, bool silent) noexcept;
+    void set_lookup(std::uint8_t table, SignalState state, const LookupLimits& limits) noexcept;
+    void set_logic(std::uint8_t block, SignalState state) noexcept;
+
+    BlockSignal signal(const SourceRef& ref) const noexcept;
+    BlockSignal signal(const std::uint8_t source, const std::uint8_t number) const noexcept {
+        return signal(resolve(source, number));
+    }
+
+  private:
+    using Lower = generated::ax130751::t_aor_t05::Lower;
+    using Upper = generated::ax130751::t_aor_t05::Upper;
+    using Digits = generated::ax130751::t_aor_t05::Digits;
+
+    std::uint8_t digits(Digits digits, std::uint8_t channel) const noexcept;
+    double lower(Lower limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
+    double upper(Upper limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
+    double value(const SourceRef& ref, std::uint8_t digits) const noexcept;
+    SignalState state(const SourceRef& ref) const noexcept;
+    SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
+
+    const ObjectDictionary& objects_;
+    std::array<SignalState, table_count> lookup_states_{};
+    std::array<LookupLimits, table_count> lookup_limits_{};
+    std::array<SignalState, logic_count> logic_states_{};
+    std::uint8_t overdue_{0U};
+    bool silent_{false};
+};
+
+}  // namespace canproof::ax130751
