@@ -12,6 +12,14 @@ bool is_allowed(const NmtService service, const NmtState state) noexcept {
     return (row != nullptr) && row->allowed;
 }
 
+AllowedServices::AllowedServices(const NmtState state) noexcept {
+    for (const services::Row& row : services::rows) {
+        if (is_allowed(row.service, state)) {
+            bits_ = static_cast<std::uint8_t>(bits_ | (1U << static_cast<unsigned>(row.service)));
+        }
+    }
+}
+
 std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
     constexpr std::uint8_t command_length{2U};
     if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||

@@ -15,6 +15,19 @@ using NmtService = generated::canopen::t_co_t_services::Service;
 /// Whether a service works in a state: table CO-T-SERVICES.
 bool is_allowed(NmtService service, NmtState state) noexcept;
 
+/// The services of one state, looked up once when the state is entered.
+class AllowedServices {
+  public:
+    /// Nothing works.
+    constexpr AllowedServices() noexcept = default;
+    explicit AllowedServices(NmtState state) noexcept;
+
+    bool has(const NmtService service) const noexcept { return ((bits_ >> static_cast<unsigned>(service)) & 1U) != 0U; }
+
+  private:
+    std::uint8_t bits_{0U};
+};
+
 /// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or
 /// `node_id`. Everything else is no command.
 std::optional<NmtCommand> nmt_command(const Frame& frame, std::uint8_t node_id) noexcept;

@@ -79,6 +79,7 @@ void Node::reset_communication(const Instant now) noexcept {
 static_assert(implements<req::CO_LSS_030> && implements<req::CO_K_LSS_UNCONFIGURED>);
 void Node::boot_up(const Instant now) noexcept {
     state_ = NmtState::initialising;
+    allowed_ = AllowedServices{};
     start_at_ = never;
     sync_.allow(false, now);
     sdo_.reset(node_id_);
@@ -97,11 +98,12 @@ void Node::boot_up(const Instant now) noexcept {
 }
 
 void Node::enter(const NmtState state, const Instant now) noexcept {
-    const bool had_pdos = is_allowed(NmtService::pdo, state_);
-    const bool has_pdos = is_allowed(NmtService::pdo, state);
+    const bool had_pdos = allowed_.has(NmtService::pdo);
+    allowed_ = AllowedServices{state};
+    const bool has_pdos = allowed_.has(NmtService::pdo);
     state_ = state;
     error_control_.set_state(state);
-    if (!is_allowed(NmtService::sdo, state)) {
+    if (!allowed_.has(NmtService::sdo)) {
         sdo_.abandon();
     }
     if (!has_pdos) {
@@ -112,8 +114,8 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
     } else {
         // the PDOs go on
     }
-    sync_.allow(is_allowed(NmtService::sync, state), now);
-    emcy_.enable(is_allowed(NmtService::emcy, state) && may_send(), now);
+    sync_.allow(allowed_.has(NmtService::sync), now);
+    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
 }
 
 void Node::receive(const Frame& frame, const Instant now) noexcept {
@@ -157,7 +159,7 @@ void Node::follow_switching(const Instant now) noexcept {
         queue_.close();
         sdo_.abandon();
     }
-    emcy_.enable(is_allowed(NmtService::emcy, state_) && may_send(), now);
+    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
 }
 
 void Node::dispatch(const Frame& frame, const Instant now) noexcept {
@@ -166,7 +168,7 @@ void Node::dispatch(const Frame& frame, const Instant now) noexcept {
         obey(*command, now);
         return;
     }
-    const SyncEvent sync = is_allowed(NmtService::sync, state_) ? sync_.classify(frame) : SyncEvent::none;
+    const SyncEvent sync = allowed_.has(NmtService::sync) ? sync_.classify(frame) : SyncEvent::none;
     if (sync != SyncEvent::none) {
         emcy_.set(ErrorId::sync_length, sync == SyncEvent::wrong_length, now);
         if (sync == SyncEvent::sync) {
@@ -175,12 +177,12 @@ void Node::dispatch(const Frame& frame, const Instant now) noexcept {
     } else if (error_control_.receive(frame, now)) {
         // answered
     } else if (sdo_.is_request(frame)) {
-        if (is_allowed(NmtService::sdo, state_)) {
+        if (allowed_.has(NmtService::sdo)) {
             sdo_.receive(frame, now);
         }
     } else {
         heartbeats_.receive(frame, now);
-        if (is_allowed(NmtService::pdo, state_)) {
+        if (allowed_.has(NmtService::pdo)) {
             rpdos_.receive(frame, now);
             if (frame.remote) {
                 tpdos_.answer(frame, now);
@@ -214,7 +216,7 @@ void Node::obey(const NmtCommand command, const Instant now) noexcept {
 
 static_assert(implements<req::CO_PDO_029>);
 void Node::consume_sync(const std::uint8_t counter, const Instant now) noexcept {
-    if (is_allowed(NmtService::pdo, state_)) {
+    if (allowed_.has(NmtService::pdo)) {
         tpdos_.sync(counter);
         rpdos_.sync(now);
     }
@@ -283,7 +285,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (is_off) {
         sdo_.abandon();
     }
-    emcy_.enable(is_allowed(NmtService::emcy, state_) && may_send(), now);
+    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
     if (was_off && !is_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
     }

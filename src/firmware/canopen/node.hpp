@@ -192,6 +192,7 @@ class Node final : private ObjectAccess {
     TransmitPdos tpdos_;
     Lss lss_;
     NmtState state_{NmtState::initialising};
+    AllowedServices allowed_{};
     CanState can_state_{CanState::error_active};
     std::uint8_t node_id_{0U};
     CommunicationFaults faults_{};

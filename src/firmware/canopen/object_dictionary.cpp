@@ -52,18 +52,17 @@ ObjectDictionary::ObjectDictionary(const DictionaryTables& tables, const Mutable
     : tables_{tables}, image_{image}, limit_abort_{limit_abort} {}
 
 const ObjectRow* ObjectDictionary::find_object(const std::uint16_t index) const noexcept {
-    std::size_t low{0U};
-    std::size_t high{tables_.objects.count};
-    while (low < high) {
-        const std::size_t middle = low + ((high - low) / 2U);
-        if (tables_.objects[middle].index < index) {
-            low = middle + 1U;
-        } else {
-            high = middle;
+    // The compiler leaves slots free, so that every search ends after a few steps.
+    const std::size_t count = tables_.slots.count;
+    std::size_t slot = object_slot(index, tables_.slot_factor, count);
+    while (tables_.slots[slot] != no_object) {
+        const ObjectRow& object = tables_.objects[tables_.slots[slot]];
+        if (object.index == index) {
+            return &object;
         }
+        slot = (slot + 1U) & (count - 1U);
     }
-    const bool found = (low < tables_.objects.count) && (tables_.objects[low].index == index);
-    return found ? &tables_.objects[low] : nullptr;
+    return nullptr;
 }
 
 Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,

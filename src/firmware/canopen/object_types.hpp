@@ -123,7 +123,18 @@ struct DictionaryTables {
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, node-ID terms not yet added
     std::uint32_t layout;               ///< fingerprint of entries and offsets: a stored set fits only its own layout
+    TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object where a slot is free
+    std::uint32_t slot_factor;
 };
+
+constexpr std::uint16_t no_object = 0xFFFFU;
+
+/// Where the search for an index begins in a table of `count` slots, a power of two. An object stands in that slot or
+/// soon after it, before the next free one.
+constexpr std::size_t object_slot(const std::uint16_t index, const std::uint32_t factor,
+                                  const std::size_t count) noexcept {
+    return ((index * factor) >> 16U) & (count - 1U);
+}
 
 /// A value of the image by name: what the device code uses. `T` is an arithmetic type.
 template <typename T>

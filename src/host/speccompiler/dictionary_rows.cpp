@@ -99,6 +99,43 @@ Service service_of(const Entry& entry) {
     return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
 }
 
+/// The objects in slots by this factor, and the length of the longest search.
+std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<ObjectRow>& objects, std::size_t count,
+                                                              std::uint32_t factor) {
+    std::vector<std::uint16_t> slots(count, no_object);
+    std::size_t longest = 0;
+    for (std::size_t at = 0; at < objects.size(); ++at) {
+        std::size_t slot = object_slot(objects[at].index, factor, count);
+        std::size_t steps = 1;
+        while (slots[slot] != no_object) {
+            slot = (slot + 1) % count;
+            ++steps;
+        }
+        slots[slot] = static_cast<std::uint16_t>(at);
+        longest = std::max(longest, steps);
+    }
+    return {slots, longest};
+}
+
+/// Slots for at least twice as many objects, by the factor of a few hundred whose longest search is the shortest.
+void find_slots(DictionaryRows& rows) {
+    std::size_t count = 2;
+    while (count < 2 * rows.objects.size()) {
+        count *= 2;
+    }
+    std::size_t best = rows.objects.size() + 1;
+    std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads neighbours
+    for (int attempt = 0; attempt < 300; ++attempt) {
+        auto [slots, longest] = fill_slots(rows.objects, count, factor);
+        if (longest < best) {
+            best = longest;
+            rows.slots = std::move(slots);
+            rows.slot_factor = factor;
+        }
+        factor = factor * 1664525U + 1013904223U;
+    }
+}
+
 }  // namespace
 
 DataType data_type(const std::string& cia_type) {
@@ -127,9 +164,15 @@ const std::vector<std::string>& service_words() {
 }
 
 DictionaryTables DictionaryRows::tables() const {
-    return DictionaryTables{table_view(objects), table_view(entries),          table_view(limits),
-                            table_view(allowed), table_view(layout.constants), table_view(layout.image),
-                            layout.fingerprint};
+    return DictionaryTables{table_view(objects),
+                            table_view(entries),
+                            table_view(limits),
+                            table_view(allowed),
+                            table_view(layout.constants),
+                            table_view(layout.image),
+                            layout.fingerprint,
+                            table_view(slots),
+                            slot_factor};
 }
 
 DictionaryRows make_rows(const Part& part) {
@@ -148,6 +191,7 @@ DictionaryRows make_rows(const Part& part) {
                                             service_of(entry)});
         }
     }
+    find_slots(rows);
     return rows;
 }
 

@@ -37,6 +37,8 @@ struct DictionaryRows {
     std::vector<EntryRow> entries;
     std::vector<LimitRow> limits;
     std::vector<std::uint32_t> allowed;
+    std::vector<std::uint16_t> slots;  ///< see object_slot()
+    std::uint32_t slot_factor{0};
     Layout layout;
 
     /// A view that lives as long as these rows do.

@@ -70,6 +70,18 @@ std::string string_rows(const std::string& type, const std::string& name, const 
     return text + "}};\n\n";
 }
 
+/// Sixteen slots a line.
+std::string slot_table(const DictionaryRows& rows) {
+    std::string text =
+        fmt::format("inline constexpr std::array<std::uint16_t, {}U> object_slots{{{{", rows.slots.size());
+    for (std::size_t i = 0; i < rows.slots.size(); ++i) {
+        const std::uint16_t slot = rows.slots[i];
+        text += i % 16 == 0 ? "\n   " : "";
+        text += slot == no_object ? " no_object," : fmt::format(" {}U,", slot);
+    }
+    return text + "\n}};\n\n";
+}
+
 bool has_field(const Entry& entry, const Placement& place) {
     return !place.constant && type_size(entry.type) > 0;
 }
@@ -141,14 +153,16 @@ std::string write_objects(const Part& part) {
     text += string_rows("EntryRow", "entry_rows", entries);
     text += string_rows("LimitRow", "limit_rows", limits);
     text += string_rows("std::uint32_t", "allowed_values", allowed);
+    text += slot_table(rows);
     text += value_pool("constant_pool", part, layout, true);
     text += value_pool("default_image", part, layout, false);
     text += fmt::format("inline constexpr std::size_t image_size = {}U;\n\n", layout.image.size());
     text += fmt::format(
         "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
         "table_view(limit_rows),\n"
-        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U}};\n\n",
-        layout.fingerprint);
+        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U,\n"
+        "    table_view(object_slots), 0x{:08X}U}};\n\n",
+        layout.fingerprint, rows.slot_factor);
     text += "namespace field {\n" + fields + "}  // namespace field\n\n";
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }
