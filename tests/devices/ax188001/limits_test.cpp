@@ -1,0 +1,418 @@
+// Limits of the channels, their status and delays; FD1 to FD3 (AX188001, 1.1, 1.4, 3.3.6, 3.4.13 to 3.4.21).
+#include "support/tcs_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Limits = TcsTest;
+using Faults = TcsTest;
+
+}  // namespace
+
+TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
+    verifies<req::TCS_LIM_001, req::TCS_LIM_011, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
+             req::TCS_OD_4020, req::TCS_OD_4030>();
+    write(0x4030, 1, 2, 0);
+    const auto status_at = [&](double celsius) {
+        heat(1, celsius);
+        settle();
+        return status(1);
+    };
+    EXPECT_EQ(status_at(124.95), 0);  // 4010h is 125.0
+    EXPECT_EQ(status_at(125.05), 0x02);
+    EXPECT_EQ(status_at(249.95), 0x02);  // 4020h is 250.0
+    EXPECT_EQ(status_at(250.05), 0x03);
+    EXPECT_EQ(status_at(20.0), 0);
+    EXPECT_EQ(status_at(-19.95), 0);  // 4000h is -20.0
+    EXPECT_EQ(status_at(-20.05), 0x04);
+}
+
+TEST_F(Limits, ClearOneDegreeInside) {
+    verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS, req::TCS_LIM_004>();
+    write(0x4030, 1, 2, 0);
+    const auto status_at = [&](double celsius) {
+        heat(1, celsius);
+        read_once();
+        return status(1);
+    };
+    EXPECT_EQ(status_at(126.0), 0x02);
+    EXPECT_EQ(status_at(124.05), 0x02);
+    EXPECT_EQ(status_at(123.95), 0x00);
+    EXPECT_EQ(status_at(251.0), 0x03);
+    EXPECT_EQ(status_at(249.05), 0x03);
+    EXPECT_EQ(status_at(248.95), 0x02);  // the warning lasts
+    EXPECT_EQ(status_at(20.0), 0x00);
+    EXPECT_EQ(status_at(-21.0), 0x04);
+    EXPECT_EQ(status_at(-19.05), 0x04);
+    EXPECT_EQ(status_at(-18.95), 0x00);
+}
+
+TEST_F(Limits, AreToldWhenTheyHaveLasted) {
+    verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
+    EXPECT_EQ(read(0x4030, 1).value, 5000U);
+    heat(1, 130.0);
+    // Seen by the reading at 165 ms, told 5000 ms later.
+    EXPECT_EQ(pass(5164), Frames{});
+    EXPECT_EQ(status(1), 0);
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
+    EXPECT_EQ(status(1), 0x02);
+}
+
+TEST_F(Limits, ABreakBeginsTheDelayAnew) {
+    verifies<req::TCS_LIM_003>();
+    heat(1, 130.0);
+    pass(3000);  // the reading at 165 showed it
+    heat(1, 124.9);
+    pass(1000);
+    heat(1, 130.0);  // at 4000; read at 4125
+    EXPECT_EQ(pass(5124), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
+}
+
+TEST_F(Limits, AreClearedWithTheReadingThatShowsIt) {
+    verifies<req::TCS_LIM_004>();
+    heat(1, 130.0);
+    pass(5165);  // now at 5165; readings at 5115, 5280
+    ASSERT_EQ(status(1), 0x02);
+    heat(1, 20.0);
+    EXPECT_EQ(pass(200), (Frames{"115:0FF#0000000000000000"}));
+    EXPECT_EQ(status(1), 0x00);
+}
+
+TEST_F(Limits, WarningAndShutdownEachHaveTheirDelay) {
+    verifies<req::TCS_LIM_009>();
+    heat(1, 130.0);  // read at 165
+    pass(2000);
+    heat(1, 260.0);  // at 2000; read at 2145
+    EXPECT_EQ(pass(3000 + 2300), (Frames{"3165:0FF#11F0010110000000", "5145:0FF#11F0010140000000"}));
+    EXPECT_EQ(status(1), 0x03);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x4001F011, 0x1001F011}));
+    heat(1, 200.0);
+    read_once();
+    EXPECT_EQ(status(1), 0x02);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
+}
+
+TEST_F(Limits, OpenCircuitIsTheGravest) {
+    verifies<req::TCS_LIM_005, req::TCS_T7, req::TCS_LIM_007>();
+    write(0x4030, 1, 2, 0);
+    heat(1, 260.0);
+    read_once();
+    EXPECT_EQ(status(1), 0x03);
+    cut(1);
+    settle();
+    EXPECT_EQ(status(1), 0x05);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0001F001, 0x4001F011, 0x1001F011}));
+    cut(1, false);
+    read_once();
+    EXPECT_EQ(status(1), 0x03);
+    heat(1, -30.0);
+    settle();
+    EXPECT_EQ(status(1), 0x04);
+    cut(1);
+    settle();
+    EXPECT_EQ(status(1), 0x05);
+}
+
+TEST_F(Limits, WaitingLimitsAreDroppedByAnOpenCircuit) {
+    verifies<req::TCS_LIM_007>();
+    heat(1, 130.0);
+    pass(4000);  // waits since 165
+    cut(1);      // at 4000; read at 4125, open at 4125 + 1320 = 5445
+    EXPECT_EQ(pass(1164), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the break is known
+    cut(1, false);
+    heat(1, 20.0);
+    pass(2000);
+    ASSERT_EQ(status(1), 0);
+    heat(1, 130.0);
+    pass(1000);
+    cut(1);
+    settle();
+    EXPECT_EQ(process_value(1), -512);
+    cut(1, false);
+    // The warning begins anew with the first reading after the break.
+    const Frames frames = pass(165 + 5000);
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].substr(frames[0].find(':')), ":0FF#11F0010110000000");
+    EXPECT_GT(std::stoi(frames[0]), 5000);
+}
+
+TEST_F(Limits, OpenCircuitIsToldAfterItsDelay) {
+    verifies<req::TCS_LIM_003, req::TCS_VAL_006, req::TCS_S_OPEN>();
+    cut(2);
+    // Read at 165, known at 165 + 1320 = 1485, told at 6485.
+    EXPECT_EQ(pass(6484), Frames{});
+    EXPECT_EQ(process_value(2), -512);
+    EXPECT_EQ(status(2), 0);
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#01F0010200000000"}));
+    EXPECT_EQ(status(2), 0x05);
+    cut(2, false);  // at 6485; readings at 6435, 6600
+    EXPECT_EQ(pass(165), (Frames{"115:0FF#0000000000000000"}));
+    EXPECT_EQ(status(2), 0);
+}
+
+TEST_F(Limits, DisablingClearsAtOnce) {
+    verifies<req::TCS_LIM_006, req::TCS_VAL_005>();
+    heat(1, 300.0);
+    heat(2, 130.0);
+    pass(5165);
+    ASSERT_EQ(status(1), 0x03);
+    EXPECT_EQ(send("67F#2F12610100000000"),
+              (Frames{"0FF#0000010000000000", "0FF#0000010000000000", "5FF#6012610100000000"}));
+    EXPECT_EQ(status(1), 0);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
+    EXPECT_EQ(status(2), 0x02);
+    write(0x6112, 1, 1, 1);  // at 5165: its delay begins with the last reading judged now
+    EXPECT_EQ(pass(4999), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
+}
+
+TEST_F(Limits, DisablingStopsWhatWaits) {
+    verifies<req::TCS_LIM_006>();
+    heat(1, 130.0);
+    pass(3000);
+    write(0x6112, 1, 1, 0);
+    EXPECT_EQ(pass(5000), Frames{});
+}
+
+TEST_F(Limits, ANewLimitIsJudgedAtOnce) {
+    verifies<req::TCS_LIM_010>();
+    heat(1, 100.0);
+    pass(1000);
+    write(0x4030, 1, 2, 0);
+    EXPECT_EQ(send("67F#2B10400184030000"), (Frames{"0FF#11F0010110000000", "5FF#6010400100000000"}));  // 90.0 degC
+    EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));  // 125.0 degC
+}
+
+TEST_F(Limits, ANewDelayCountsFromTheBeginning) {
+    verifies<req::TCS_LIM_010>();
+    heat(1, 130.0);  // read at 165
+    pass(1000);
+    write(0x4030, 1, 2, 2000);
+    EXPECT_EQ(pass(1164), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165
+}
+
+TEST_F(Limits, DelayIsAtMostAMinute) {
+    verifies<req::TCS_LIM_011, req::TCS_OD_4030>();
+    EXPECT_EQ(write(0x4030, 2, 2, 60001), too_high);
+    EXPECT_EQ(write(0x4030, 2, 2, 60000), 0U);
+    EXPECT_EQ(write(0x4030, 3, 2, 0), no_subindex);
+    heat(2, 130.0);
+    EXPECT_EQ(pass(60164), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010210000000"}));
+}
+
+TEST_F(Limits, KeepTenDegreesApart) {
+    verifies<req::TCS_LIM_008, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020>();
+    const auto word = [](int value) { return static_cast<std::uint32_t>(value) & 0xFFFFU; };
+    EXPECT_EQ(read(0x4000, 1).word(), -200);
+    EXPECT_EQ(read(0x4010, 1).word(), 1250);
+    EXPECT_EQ(read(0x4020, 1).word(), 2500);
+    EXPECT_EQ(write(0x4000, 1, 2, word(-2731)), too_low);
+    EXPECT_EQ(write(0x4000, 1, 2, word(-2730)), 0U);
+    EXPECT_EQ(write(0x4000, 1, 2, word(1151)), too_high);  // 1250 - 100
+    EXPECT_EQ(write(0x4000, 1, 2, word(1150)), 0U);
+    EXPECT_EQ(write(0x4010, 1, 2, word(1249)), too_low);  // 1150 + 100
+    EXPECT_EQ(write(0x4010, 1, 2, word(2401)), too_high);
+    EXPECT_EQ(write(0x4010, 1, 2, word(2400)), 0U);
+    EXPECT_EQ(write(0x4020, 1, 2, word(2499)), too_low);
+    EXPECT_EQ(write(0x4020, 1, 2, word(17351)), too_high);
+    EXPECT_EQ(write(0x4020, 1, 2, word(17350)), 0U);
+    EXPECT_EQ(write(0x4010, 2, 2, word(2401)), too_high);  // the other channel has its own
+    for (const int index : {0x4000, 0x4010, 0x4020}) {
+        EXPECT_EQ(read(index, 0).value, 2U);
+        EXPECT_EQ(write(index, 3, 2, 0), no_subindex);
+    }
+}
+
+TEST_F(Limits, AVoltageBeyondTheTypesRangeIsAFault) {
+    verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
+    write(0x2000, 1, 1, 0);
+    write(0x4020, 1, 2, 17350);
+    write(0x4010, 1, 2, 17000);
+    write(0x4030, 1, 2, 0);
+    const auto status_at = [&](double uv) {
+        microvolts(1, uv);
+        settle();
+        return status(1);
+    };
+    write(0x6110, 1, 2, 7);  // T: -6258 to 20872 uV
+    EXPECT_EQ(status_at(20880.0), 0);
+    EXPECT_EQ(process_value(1), 400 * 16 + 4368);
+    EXPECT_EQ(status_at(20884.0), 0x03);
+    EXPECT_EQ(process_value(1), 400 * 16 + 4368);
+    EXPECT_EQ(status_at(20000.0), 0);
+    write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
+    EXPECT_EQ(status_at(-6266.0), 0);
+    EXPECT_EQ(status_at(-6270.0), 0x04);
+    EXPECT_EQ(process_value(1), -270 * 16 + 4368);
+}
+
+TEST_F(Limits, RangesOfAllTypes) {
+    verifies<req::TCS_T1, req::TCS_CONV_006>();
+    struct Range {
+        std::uint32_t type;
+        double lowest;
+        double highest;
+    };
+    const std::vector<Range> ranges{{1, -8095, 69553}, {2, -6458, 54886}, {4, -4345, 47513}, {5, -226, 21101},
+                                    {6, -236, 18693},  {7, -6258, 20872}, {9, -9835, 76373}, {10, 0, 13820}};
+    write(0x2000, 1, 1, 0);
+    write(0x4030, 1, 2, 0);
+    write(0x4020, 1, 2, 17350);
+    write(0x4010, 1, 2, 17250);
+    write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
+    for (const Range& range : ranges) {
+        write(0x6110, 1, 2, range.type);
+        const bool hot = range.type == 5 || range.type == 6 || range.type == 10;  // these pass 1735 degC
+        microvolts(1, range.highest + 6.0);
+        settle();
+        EXPECT_EQ(status(1), hot ? 0x03 : 0) << range.type;
+        microvolts(1, range.highest + 14.0);
+        settle();
+        EXPECT_EQ(status(1), 0x03) << range.type;
+        microvolts(1, range.lowest - 6.0);
+        settle();
+        EXPECT_EQ(status(1), 0) << range.type;
+        microvolts(1, range.lowest - 14.0);
+        settle();
+        EXPECT_EQ(status(1), 0x04) << range.type;
+    }
+}
+
+TEST_F(Faults, FieldValuesAreInTenths) {
+    verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
+             req::TCS_S_SUPPLY>();
+    EXPECT_EQ(read(0x5040, 1).real(), 350.0F);
+    EXPECT_EQ(read(0x5040, 2).real(), 240.0F);
+    inputs.cpu_temperature = -12.34F;
+    inputs.supply = 13.16F;
+    set_inputs();
+    EXPECT_EQ(read(0x5040, 2).real(), 240.0F);
+    read_once();
+    EXPECT_EQ(read(0x5040, 1).real(), -123.0F);
+    EXPECT_EQ(read(0x5040, 2).real(), 132.0F);
+    inputs.supply = 60.0F;
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
+}
+
+TEST_F(Faults, BeginBeyondAndClearAtTheirThresholds) {
+    verifies<req::TCS_FD_002, req::TCS_FD_003, req::TCS_OD_5041, req::TCS_OD_5042>();
+    write(0x5051, 1, 2, 0);
+    write(0x5051, 2, 2, 0);
+    const auto with = [&](float cpu, float supply) {
+        inputs.cpu_temperature = cpu;
+        inputs.supply = supply;
+        set_inputs();
+        return read_once();
+    };
+    EXPECT_EQ(with(110.0F, 24.0F).size(), 0U);
+    EXPECT_EQ(with(110.1F, 24.0F), (Frames{"165:0FF#0042010110000000"}));
+    EXPECT_EQ(with(85.1F, 24.0F).size(), 0U);
+    EXPECT_EQ(with(85.0F, 24.0F), (Frames{"165:0FF#0000000000000000"}));
+    EXPECT_EQ(with(85.0F, 50.0F).size(), 0U);
+    EXPECT_EQ(with(85.0F, 50.1F), (Frames{"165:0FF#0031010210000000"}));
+    EXPECT_EQ(with(85.0F, 48.1F).size(), 0U);
+    EXPECT_EQ(with(85.0F, 48.0F), (Frames{"165:0FF#0000000000000000"}));
+    EXPECT_EQ(with(85.0F, 9.0F).size(), 0U);
+    EXPECT_EQ(with(85.0F, 8.9F), (Frames{"165:0FF#0031010320000000"}));
+    EXPECT_EQ(with(85.0F, 11.9F).size(), 0U);
+    EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
+}
+
+TEST_F(Faults, AnUnderVoltageOfTwelveVoltsAsShipped) {
+    verifies<req::TCS_FD_007, req::TCS_FD_004>();
+    inputs.supply = 12.0F;
+    set_inputs();
+    EXPECT_EQ(pass(1000), Frames{});
+    inputs.supply = 8.5F;
+    set_inputs();  // at 1000; read at 1155
+    EXPECT_EQ(pass(6000), (Frames{"5155:0FF#0031010320000000"}));
+    inputs.supply = 11.9F;
+    set_inputs();
+    EXPECT_EQ(pass(1000), Frames{});
+    inputs.supply = 12.0F;
+    set_inputs();
+    EXPECT_EQ(pass(1000).size(), 1U);
+}
+
+TEST_F(Faults, HaveTwoDelays) {
+    verifies<req::TCS_FD_004, req::TCS_OD_5051>();
+    EXPECT_EQ(read(0x5051, 1).value, 5000U);
+    EXPECT_EQ(read(0x5051, 2).value, 5000U);
+    EXPECT_EQ(write(0x5051, 1, 2, 10001), too_high);
+    EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
+    EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
+    inputs.cpu_temperature = 120.0F;
+    inputs.supply = 55.0F;
+    set_inputs();
+    EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
+}
+
+TEST_F(Faults, AreDroppedWhenTheyEndInTime) {
+    verifies<req::TCS_FD_004>();
+    inputs.cpu_temperature = 120.0F;
+    set_inputs();
+    pass(4000);
+    inputs.cpu_temperature = 100.0F;  // below 110, though not below 85
+    set_inputs();
+    EXPECT_EQ(pass(10000), Frames{});
+}
+
+TEST_F(Faults, CanBeSwitchedOff) {
+    verifies<req::TCS_FD_005, req::TCS_OD_5050>();
+    EXPECT_EQ(read(0x5050, 1).value, 1U);
+    EXPECT_EQ(write(0x5050, 1, 1, 2), too_high);
+    write(0x5051, 1, 2, 0);
+    write(0x5051, 2, 2, 0);
+    inputs.cpu_temperature = 120.0F;
+    inputs.supply = 8.0F;
+    set_inputs();
+    EXPECT_EQ(read_once(), (Frames{"165:0FF#0042010110000000", "165:0FF#0031010320000000"}));
+    EXPECT_EQ(send("67F#2F50500100000000"), (Frames{"0FF#0000010000000000", "5FF#6050500100000000"}));
+    EXPECT_EQ(send("67F#2F50500200000000"), (Frames{"0FF#0000000000000000", "5FF#6050500200000000"}));
+    inputs.supply = 60.0F;
+    set_inputs();
+    EXPECT_EQ(pass(1000), Frames{});
+    EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
+    write(0x5050, 2, 1, 1);
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
+}
+
+TEST_F(Faults, ThresholdsBoundEachOther) {
+    verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
+    EXPECT_EQ(read(0x5041, 0).value, 3U);
+    const std::vector<std::uint32_t> set{1100, 500, 90};
+    const std::vector<std::uint32_t> clear{850, 480, 120};
+    for (int sub = 1; sub <= 3; ++sub) {
+        EXPECT_EQ(read(0x5041, sub).value, set[static_cast<std::size_t>(sub - 1)]);
+        EXPECT_EQ(read(0x5041, sub).size, 2);
+        EXPECT_EQ(read(0x5042, sub).value, clear[static_cast<std::size_t>(sub - 1)]);
+    }
+    EXPECT_EQ(write(0x5041, 1, 2, 849), too_low);
+    EXPECT_EQ(write(0x5041, 1, 2, 1251), too_high);
+    EXPECT_EQ(write(0x5041, 1, 2, 1250), 0U);
+    EXPECT_EQ(write(0x5042, 1, 2, 499), too_low);
+    EXPECT_EQ(write(0x5042, 1, 2, 1251), too_high);
+    EXPECT_EQ(write(0x5042, 1, 2, 500), 0U);
+    EXPECT_EQ(write(0x5041, 2, 2, 479), too_low);
+    EXPECT_EQ(write(0x5041, 2, 2, 1001), too_high);
+    EXPECT_EQ(write(0x5041, 2, 2, 1000), 0U);
+    EXPECT_EQ(write(0x5042, 2, 2, 119), too_low);  // 5042h:3
+    EXPECT_EQ(write(0x5042, 2, 2, 1001), too_high);
+    EXPECT_EQ(write(0x5042, 2, 2, 120), 0U);
+    EXPECT_EQ(write(0x5042, 3, 2, 121), too_high);  // 5042h:2 is 120 now
+    EXPECT_EQ(write(0x5042, 3, 2, 89), too_low);
+    EXPECT_EQ(write(0x5042, 3, 2, 90), 0U);
+    EXPECT_EQ(write(0x5041, 3, 2, 79), too_low);
+    EXPECT_EQ(write(0x5041, 3, 2, 91), too_high);
+    EXPECT_EQ(write(0x5041, 3, 2, 80), 0U);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,393 @@
+// From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
+#include "support/tcs_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Values = TcsTest;
+
+int round_to_int(double value) {
+    return static_cast<int>(std::lround(value));
+}
+
+}  // namespace
+
+TEST_F(Values, AtBootBothChannelsShowTheTemperatureOfTheirTerminals) {
+    verifies<req::TCS_IN_001, req::TCS_VAL_002, req::TCS_OD_6100, req::TCS_OD_7130, req::TCS_S_COLD_JUNCTION>();
+    EXPECT_NEAR(field_value(1).real(), 25.0F, 0.02F);
+    EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
+    EXPECT_EQ(process_value(1), 25 * 16 + 4368);
+    EXPECT_EQ(process_value(2), 25 * 16 + 4368);
+}
+
+TEST_F(Values, ALargeVoltageIsThereWithTheBootUpMessage) {
+    verifies<req::TCS_IN_001>();
+    inputs.tc_microvolts[0] = 57000.0F;
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // J: 1.277 mV at 25 degC
+}
+
+TEST_F(Values, AreReadEvery165Milliseconds) {
+    verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
+    heat(1, 100.0);
+    pass(164);
+    EXPECT_EQ(process_value(1), 4768);
+    pass(1);
+    EXPECT_EQ(process_value(1), 5968);
+    heat(1, 50.0);
+    pass(164);
+    EXPECT_EQ(process_value(1), 5968);
+    pass(1);
+    EXPECT_EQ(process_value(1), 50 * 16 + 4368);
+}
+
+TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
+    verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
+    for (const auto& type : its90_types()) {
+        ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
+        const bool noble = type.letter == 'R' || type.letter == 'S';
+        const double from = type.letter == 'B' ? 250.0 : noble ? 0.0 : -100.0;
+        for (double celsius = from; celsius <= static_cast<double>(type.highest()); celsius += 61.7) {
+            heat(1, celsius, type.letter);
+            settle();
+            ASSERT_NEAR(static_cast<double>(field_value(1).real()), celsius, 1.0) << type.letter;
+            const int expected = std::min(32767, round_to_int(celsius * 16.0 + 4368.0));
+            ASSERT_NEAR(process_value(1), expected, 16) << type.letter << " at " << celsius;
+        }
+    }
+}
+
+TEST_F(Values, TypeJIsReadToAHundredthAtItsHighestGain) {
+    verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
+    // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
+    for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
+        heat(1, celsius);
+        settle();
+        ASSERT_NEAR(static_cast<double>(field_value(1).real()), celsius, celsius < -100.0 ? 0.014 : 0.0075) << celsius;
+    }
+}
+
+TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
+    verifies<req::TCS_CJ_003, req::TCS_IN_009, req::TCS_OD_2010>();
+    // K at 1000 degC is 41.276 mV, at 25 degC 1.000 mV; adding temperatures instead would give 25 + T(40.276 mV) =
+    // 999.3.
+    write(0x6110, 1, 2, 2);
+    microvolts(1, 41276.0 - 1000.0);
+    settle();
+    EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
+    EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
+    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now 1060 degC or so
+    set_inputs();
+    settle();
+    EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
+    EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
+}
+
+TEST_F(Values, WithoutCompensationTheTerminalVoltageAloneIsConverted) {
+    verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
+    EXPECT_EQ(read(0x2000, 1).value, 1U);
+    EXPECT_EQ(write(0x2000, 1, 1, 0), 0U);
+    microvolts(1, 27393.0);  // J at 500 degC
+    microvolts(2, 27393.0);
+    settle();
+    EXPECT_NEAR(field_value(1).real(), 500.0F, 0.05F);
+    EXPECT_NEAR(read(0x2010, 1).value, 27393, 1);
+    EXPECT_GT(field_value(2).real(), 520.0F);
+    EXPECT_EQ(write(0x2000, 1, 1, 2), too_high);
+}
+
+TEST_F(Values, TypeBHasANegativeColdJunction) {
+    verifies<req::TCS_CJ_003>();
+    inputs.cold_junction = -40.0F;
+    write(0x6110, 1, 2, 10);
+    // B at 1000 degC 4.834 mV; at -40 degC 19.4 uV, by the polynomial
+    microvolts(1, 4834.0 - 19.4);
+    settle();
+    EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
+}
+
+TEST_F(Values, MicrovoltsAreWholeAndSigned) {
+    verifies<req::TCS_IN_009, req::TCS_OD_2010>();
+    write(0x2000, 2, 1, 0);
+    microvolts(2, -1235.2);
+    read_once();
+    EXPECT_EQ(static_cast<std::int32_t>(read(0x2010, 2).value), -1235);  // 2072 steps of 0.59605 uV
+    EXPECT_EQ(read(0x2010, 2).size, 4);
+}
+
+TEST_F(Values, FahrenheitByFactorAndOffset) {
+    verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
+    heat(2, 100.0);
+    read_once();
+    EXPECT_EQ(write_real(0x6126, 2, 18.0F), 0U);
+    EXPECT_EQ(write_real(0x6127, 2, 320.0F), 0U);
+    EXPECT_EQ(process_value(2), 2120);  // at once, on the last reading
+    EXPECT_EQ(process_value(1), 4768);
+}
+
+TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
+    verifies<req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
+             req::TCS_OD_3127>();
+    struct Place {
+        int index;
+        int sub;
+    };
+    for (const Place factor : {Place{0x6126, 1}, Place{0x6126, 2}, Place{0x2126, 0}, Place{0x3126, 0}}) {
+        EXPECT_EQ(read(factor.index, factor.sub).real(), 16.0F);
+        EXPECT_EQ(write_real(factor.index, factor.sub, 1000.5F), too_high);
+        EXPECT_EQ(write_real(factor.index, factor.sub, -1000.5F), too_low);
+        EXPECT_EQ(write(factor.index, factor.sub, 4, 0x7FC00000), out_of_range);
+        EXPECT_EQ(write(factor.index, factor.sub, 4, 0x7F800000), out_of_range);
+        EXPECT_EQ(write_real(factor.index, factor.sub, -1000.0F), 0U);
+        EXPECT_EQ(write_real(factor.index, factor.sub, 1000.0F), 0U);
+    }
+    for (const Place offset : {Place{0x6127, 1}, Place{0x6127, 2}, Place{0x2127, 0}, Place{0x3127, 0}}) {
+        EXPECT_EQ(read(offset.index, offset.sub).real(), 4368.0F);
+        EXPECT_EQ(write_real(offset.index, offset.sub, 10000.5F), too_high);
+        EXPECT_EQ(write_real(offset.index, offset.sub, -10000.5F), too_low);
+        EXPECT_EQ(write_real(offset.index, offset.sub, 10000.0F), 0U);
+        EXPECT_EQ(write_real(offset.index, offset.sub, -10000.0F), 0U);
+    }
+}
+
+TEST_F(Values, ProcessValuesStayWithinSixteenBits) {
+    verifies<req::TCS_VAL_004, req::TCS_OD_2130, req::TCS_OD_3130>();
+    for (const int index : {0x6126, 0x2126, 0x3126}) {
+        write_real(index, index == 0x6126 ? 1 : 0, 1000.0F);
+        write_real(index + 1, index == 0x6126 ? 1 : 0, 10000.0F);
+    }
+    EXPECT_EQ(process_value(1), 32767);  // 25 * 1000 + 10000 = 35000
+    EXPECT_EQ(read(0x2130).word(), 32767);
+    EXPECT_EQ(read(0x3130).word(), 32767);
+    for (const int index : {0x6126, 0x2126, 0x3126}) {
+        write_real(index, index == 0x6126 ? 1 : 0, -1000.0F);
+        write_real(index + 1, index == 0x6126 ? 1 : 0, -10000.0F);
+    }
+    EXPECT_EQ(process_value(1), -32768);
+    EXPECT_EQ(read(0x2130).word(), -32768);
+    EXPECT_EQ(read(0x3130).word(), -32768);
+}
+
+TEST_F(Values, ADisabledChannelShowsSo) {
+    verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
+    EXPECT_EQ(read(0x6112, 1).value, 1U);
+    EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);
+    EXPECT_EQ(field_value(1).value, not_a_number);
+    EXPECT_EQ(read(0x7130, 1).value, 0xFFFFU);
+    heat(1, 100.0);
+    read_once();
+    EXPECT_EQ(field_value(1).value, not_a_number);
+    EXPECT_NEAR(read(0x2010, 1).value, 5269, 1);  // J at 100 degC
+    EXPECT_EQ(write(0x6112, 1, 1, 1), 0U);
+    EXPECT_EQ(process_value(1), 5968);
+    EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
+}
+
+TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
+    verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_K_OPEN_VOLTAGE,
+             req::TCS_S_OPEN>();
+    const auto before = read(0x2010, 1).value;
+    cut(1);
+    pass(8 * 165);
+    EXPECT_EQ(process_value(1), 4768);  // two gains to go down, four readings each
+    pass(165);                          // 1485 ms
+    EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
+    EXPECT_EQ(field_value(1).value, not_a_number);
+    EXPECT_EQ(read(0x2010, 1).value, before);
+    EXPECT_EQ(status(1), 0);  // 4030h has not passed
+    EXPECT_EQ(process_value(2), 4768);
+    cut(1, false);
+    read_once();
+    EXPECT_EQ(process_value(1), 4768);
+}
+
+TEST_F(Values, AnyVoltageIsReadWithin1500Milliseconds) {
+    verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_005, req::TCS_K_SETTLING, req::TCS_K_GAIN_BACK,
+             req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
+    write(0x2000, 1, 1, 0);
+    microvolts(1, 60000.0);
+    pass(4 * 165);
+    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV overdrives 19.53 mV, then 39.06 mV
+    EXPECT_EQ(read(0x2010, 1).value, 0U);
+    pass(5 * 165);
+    EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
+    EXPECT_EQ(device->outputs().tc_gain[0], 32);
+    microvolts(1, 17578.5);  // a little above 90 % of 19531.25 uV
+    read_once();
+    EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
+    EXPECT_EQ(device->outputs().tc_gain[0], 64);
+    microvolts(1, 100.0);
+    pass(3 * 165);
+    EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
+    read_once();
+    EXPECT_NEAR(read(0x2010, 1).value, 100, 1);
+    EXPECT_EQ(device->outputs().tc_gain[0], 128);
+    EXPECT_EQ(device->outputs().tc_gain[1], 128);
+}
+
+TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
+    verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
+             req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS>();
+    write(0x2000, 1, 1, 0);
+    inputs.tc_hum[0] = 1000000.0F;  // 1 V: 110 dB leave 3.16 uV
+    const auto swing = [&] {
+        settle();
+        const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
+        read_once();
+        return std::abs(static_cast<std::int32_t>(read(0x2010, 1).value) - first);
+    };
+    inputs.mains_frequency = 60;
+    set_inputs();
+    EXPECT_EQ(device->outputs().adc_filter, 60);
+    EXPECT_NEAR(swing(), 6, 1);
+    inputs.mains_frequency = 50;
+    set_inputs();
+    EXPECT_NEAR(swing(), 2 * 1330, 3);  // 57.5 dB
+    EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
+    EXPECT_EQ(device->outputs().adc_filter, 50);
+    EXPECT_NEAR(swing(), 6, 1);
+    inputs.mains_frequency = 60;
+    set_inputs();
+    EXPECT_NEAR(swing(), 2 * 590, 3);  // 64.6 dB
+    inputs.mains_frequency = 0;
+    set_inputs();
+    EXPECT_EQ(swing(), 0);
+    inputs.tc_hum[0] = 0.0F;
+}
+
+TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
+    verifies<req::TCS_IN_008, req::TCS_OD_2020>();
+    EXPECT_EQ(read(0x2020).value, 60U);
+    for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
+        EXPECT_EQ(write(0x2020, 0, 1, hz), out_of_range) << hz;
+    }
+    microvolts(1, 1000.0);
+    EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
+    pass(3 * 165);
+    EXPECT_EQ(process_value(1), 4768);  // the filter settles for four readings
+    pass(165);
+    EXPECT_NE(process_value(1), 4768);
+}
+
+TEST_F(Values, OnlyTheTypesOfTable1AreTakenAndAtOnce) {
+    verifies<req::TCS_IN_014, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
+    EXPECT_EQ(read(0x6110, 1).value, 1U);
+    for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
+        EXPECT_EQ(write(0x6110, 1, 2, type), out_of_range) << type;
+    }
+    microvolts(1, 4096.0);  // with K's 1.000 mV of the cold junction about 124 degC
+    read_once();
+    EXPECT_EQ(write(0x6110, 1, 2, 2), 0U);
+    EXPECT_NEAR(field_value(1).real(), 124.3F, 0.5F);
+    EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
+    for (const std::uint32_t type : {1U, 2U, 4U, 5U, 6U, 7U, 9U, 10U}) {
+        EXPECT_EQ(write(0x6110, 2, 2, type), 0U) << type;
+    }
+}
+
+TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
+    verifies<req::TCS_VAL_007, req::TCS_VAL_001>();
+    heat(1, 100.0);
+    read_once();
+    write_real(0x6126, 1, 0.0F);
+    write_real(0x6127, 1, -1.0F);
+    EXPECT_EQ(process_value(1), 0);
+    write_real(0x6127, 1, -512.0F);
+    EXPECT_EQ(process_value(1), -511);
+    write_real(0x6127, 1, -2.5F);
+    EXPECT_EQ(process_value(1), -3);
+    write_real(0x2126, 0, 0.0F);
+    write_real(0x2127, 0, -1.0F);
+    EXPECT_EQ(read(0x2130).word(), 0);
+    write_real(0x3126, 0, 0.0F);
+    write_real(0x3127, 0, -1.0F);
+    EXPECT_EQ(read(0x3130).word(), -1);
+}
+
+TEST_F(Values, AverageTakesTheValidChannels) {
+    verifies<req::TCS_AVG_001, req::TCS_AVG_002, req::TCS_OD_2100, req::TCS_OD_2130>();
+    heat(1, 100.0);
+    heat(2, 200.0);
+    read_once();
+    EXPECT_NEAR(read(0x2100).real(), 150.0F, 0.02F);
+    EXPECT_EQ(read(0x2130).word(), 150 * 16 + 4368);
+    write_real(0x2126, 0, 10.0F);
+    write_real(0x2127, 0, 0.0F);
+    EXPECT_EQ(read(0x2130).word(), 1500);
+    write(0x6112, 1, 1, 0);
+    EXPECT_EQ(read(0x2130).word(), 2000);
+    write(0x6112, 1, 1, 1);
+    cut(2);
+    settle();
+    EXPECT_EQ(read(0x2130).word(), 1000);
+}
+
+TEST_F(Values, AverageCanBeSwitchedOff) {
+    verifies<req::TCS_AVG_003, req::TCS_OD_2112, req::TCS_T2>();
+    EXPECT_EQ(read(0x2112).value, 1U);
+    EXPECT_EQ(read(0x2112).size, 1);
+    EXPECT_EQ(write(0x2112, 0, 1, 0), 0U);
+    EXPECT_EQ(read(0x2100).value, not_a_number);
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);
+    EXPECT_EQ(write(0x2112, 0, 1, 2), too_high);
+    cut(1);
+    cut(2);
+    settle();
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);
+    cut(1, false);
+    read_once();
+    EXPECT_EQ(write(0x2112, 0, 1, 1), 0U);
+    EXPECT_EQ(read(0x2130).word(), 4768);
+}
+
+TEST_F(Values, AverageWithoutAValidChannelSaysWhy) {
+    verifies<req::TCS_AVG_004>();
+    write(0x6112, 1, 1, 0);
+    write(0x6112, 2, 1, 0);
+    EXPECT_EQ(read(0x2100).value, not_a_number);
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);
+    cut(2);
+    settle();
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);  // the channel is disabled: its wire does not matter
+    write(0x6112, 2, 1, 1);
+    EXPECT_EQ(read(0x2100).value, not_a_number);
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);
+}
+
+TEST_F(Values, ColdJunctionHasItsOwnValues) {
+    verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION>();
+    inputs.cold_junction = -40.0F;
+    set_inputs();
+    EXPECT_EQ(read(0x3100).real(), 25.0F);
+    read_once();
+    EXPECT_EQ(read(0x3100).real(), -40.0F);
+    EXPECT_EQ(read(0x3130).word(), -40 * 16 + 4368);
+    EXPECT_EQ(read(0x3130).size, 2);
+    inputs.cold_junction = 110.0F;
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x3130).word(), 110 * 16 + 4368);
+    write_real(0x3126, 0, 10.0F);
+    write_real(0x3127, 0, -5.0F);
+    EXPECT_EQ(read(0x3130).word(), 1095);
+}
+
+TEST_F(Values, OneChannelLeavesTheOtherAlone) {
+    verifies<req::TCS_IN_011>();
+    write(0x6110, 1, 2, 2);
+    write(0x2000, 1, 1, 0);
+    write_real(0x6126, 1, 1.0F);
+    write_real(0x6127, 1, 0.0F);
+    write(0x4010, 1, 2, 200);
+    heat(1, 300.0, 'K');
+    settle();
+    EXPECT_EQ(process_value(2), 4768);
+    pass(10000);
+    EXPECT_EQ(status(2), 0);
+    write(0x6112, 2, 1, 0);
+    EXPECT_NE(field_value(1).value, not_a_number);
+}
+
+}  // namespace canproof::test

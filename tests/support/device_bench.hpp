@@ -1,0 +1,128 @@
+// One way to run a device in a test: frames as in a candump log, a fake clock, a memory that survives, SDO by name.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "host/bus/candump.hpp"
+#include "host/devices/memory.hpp"
+
+namespace canproof::test {
+
+using Frames = std::vector<std::string>;
+
+/// What an SDO access came to: the value and its length in bytes, or the abort code.
+struct SdoAnswer {
+    std::uint32_t abort{0xFFFFFFFF};  ///< 0 when done; all ones when there was no answer
+    std::uint32_t value{0};
+    int size{0};
+
+    float real() const {
+        float number = 0.0F;
+        std::memcpy(&number, &value, sizeof number);
+        return number;
+    }
+    std::int16_t word() const { return static_cast<std::int16_t>(value); }
+};
+
+/// A device of type `Device` at node-ID `node`.
+template <typename Device, typename Inputs, typename FactoryData>
+class DeviceBench {
+  public:
+    DeviceBench(std::size_t memory_size, int node_id) : node{node_id}, memory{memory_size} {}
+
+    /// Makes a device on the same memory and switches it on: what a power cycle is. Returns what it sends.
+    Frames power_on() {
+        queue = TransmitQueue{};
+        device = std::make_unique<Device>(memory, queue, factory);
+        device->power_on(inputs, now);
+        return sent();
+    }
+    Frames send(const std::string& frame) {
+        device->receive(host::parse_frame(frame, "test"), now);
+        return sent();
+    }
+    /// Lets time pass; every deadline on the way is kept. Frames as `milliseconds:frame`, counted from the call.
+    Frames pass(std::uint64_t ms) {
+        const Instant start = now;
+        const Instant end = now + milliseconds(ms);
+        Frames all;
+        while (device->next_deadline() <= end) {
+            now = device->next_deadline() < now ? now : device->next_deadline();
+            device->advance(now);
+            for (const auto& frame : sent()) {
+                all.push_back(std::to_string(elapsed(start, now).us / 1000) + ":" + frame);
+            }
+        }
+        now = end;
+        return all;
+    }
+    Frames set_inputs() {
+        device->set_inputs(inputs, now);
+        return sent();
+    }
+    Frames sent() {
+        Frames all;
+        while (!queue.empty()) {
+            all.push_back(host::format_frame(queue.pop()));
+        }
+        return all;
+    }
+
+    SdoAnswer read(int index, int sub = 0) {
+        return answer_of(
+            send(fmt::format("{:03X}#40{:02X}{:02X}{:02X}00000000", 0x600 + node, index & 0xFF, index >> 8, sub)));
+    }
+    /// Writes `size` bytes of `value`; the abort code, 0 when done.
+    std::uint32_t write(int index, int sub, int size, std::uint32_t value) {
+        const int command = 0x23 | ((4 - size) << 2);
+        return answer_of(send(fmt::format("{:03X}#{:02X}{:02X}{:02X}{:02X}{}", 0x600 + node, command, index & 0xFF,
+                                          index >> 8, sub, little_endian(value))))
+            .abort;
+    }
+    std::uint32_t write_real(int index, int sub, float value) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        return write(index, sub, 4, bits);
+    }
+
+    static std::string little_endian(std::uint32_t value) {
+        return fmt::format("{:02X}{:02X}{:02X}{:02X}", value & 0xFF, (value >> 8) & 0xFF, (value >> 16) & 0xFF,
+                           value >> 24);
+    }
+
+    int node;
+    host::Memory memory;
+    TransmitQueue queue;
+    FactoryData factory{};
+    Inputs inputs{};
+    Instant now{};
+    std::unique_ptr<Device> device;
+
+  private:
+    /// The SDO response among what was sent; other frames are passed over.
+    SdoAnswer answer_of(const Frames& frames) const {
+        SdoAnswer answer;
+        const std::string id = fmt::format("{:03X}#", 0x580 + node);
+        for (const auto& text : frames) {
+            if (text.rfind(id, 0) != 0) {
+                continue;
+            }
+            const auto frame = host::parse_frame(text, "answer");
+            answer.value = read_u32(frame.payload(), 4);
+            const int command = frame.data[0];
+            answer.abort = command == 0x80 ? answer.value : 0;
+            answer.size = (command & 0xE0) == 0x40 ? 4 - ((command >> 2) & 3) : 0;
+        }
+        return answer;
+    }
+};
+
+}  // namespace canproof::test
