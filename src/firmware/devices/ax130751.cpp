@@ -35,6 +35,8 @@ constexpr std::uint8_t cycles_to_rest = 2U;
 static_assert(implements<req::AOR_T22>);
 constexpr auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
 
+static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_PDO_006> &&
+              implements<req::AOR_ERR_003>);
 constexpr NodeProfile make_profile() noexcept {
     NodeProfile profile{};
     profile.limit_abort = LimitAbort::high_low;
@@ -53,7 +55,8 @@ constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t
 }
 
 static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
-              implements<req::AOR_DIAG_010>);
+              implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&
+              implements<req::AOR_ERR_009> && implements<req::AOR_ERR_010> && implements<req::AOR_ERR_011>);
 constexpr ErrorTable make_error_table() noexcept {
     using own::t_aor_t23::Error;
     ErrorTable table{};
@@ -78,6 +81,11 @@ constexpr ErrorTable make_error_table() noexcept {
     for (const own::t_aor_t_fault_codes::Row& row : own::t_aor_t_fault_codes::rows) {
         const bool of_supply = row.fault == own::t_aor_t_fault_codes::Fault::supply;
         table[static_cast<std::size_t>(of_supply ? supply_error : temperature_error)] =
+            ErrorRow{row.code, row.register_bits, true, true, 0U};
+    }
+    for (const own::t_aor_t_node_errors::Row& row : own::t_aor_t_node_errors::rows) {
+        const bool too_short = row.error == own::t_aor_t_node_errors::Error::rpdo_length;
+        table[static_cast<std::size_t>(too_short ? ErrorId::rpdo_length : ErrorId::stored_set_checksum)] =
             ErrorRow{row.code, row.register_bits, true, true, 0U};
     }
     return table;
