@@ -128,30 +128,21 @@ class NaiveSlave {
         return reset_communication();
     }
     std::vector<std::string> reset_communication() {
-        change_to(false);
-        forget();
+        configuring_ = false;
+        selecting_.clear();
+        identifying_.clear();
+        scanning_.clear();
         active = pending_.node_id;
         state_ = active == 255 ? Nmt::initialising : Nmt::pre_operational;
         return active == 255 ? std::vector<std::string>{}
                              : std::vector<std::string>{fmt::format("{:03X}#00", 0x700 + active)};
-    }
-    void change_to(bool configuring) {
-        if (configuring != configuring_) {
-            forget();
-        }
-        configuring_ = configuring;
-    }
-    void forget() {
-        selecting_.clear();
-        identifying_.clear();
-        scanning_.clear();
     }
 
     Bytes answer_to(const Bytes& request) {
         const std::uint8_t specifier = request[0];
         if (specifier == 0x04) {
             if (request[1] <= 1) {
-                change_to(request[1] == 1);
+                configuring_ = request[1] == 1;
             }
             return {};
         }
@@ -168,7 +159,7 @@ class NaiveSlave {
         if (request[0] >= 0x40 && request[0] <= 0x43) {
             selecting_.push_back(request);
             if (request[0] == 0x43 && is_selected()) {
-                change_to(true);
+                configuring_ = true;
                 ++selections;
                 return {0x44};
             }
@@ -271,7 +262,8 @@ class NaiveSlave {
             confirmed.insert(at);
             if (confirmed.size() == 4) {
                 ++scans;
-                change_to(true);
+                scanning_.clear();
+                configuring_ = true;
             }
         }
         return true;

@@ -66,11 +66,12 @@ constexpr std::uint8_t follow(const std::uint8_t done, const std::uint8_t step, 
 }  // namespace
 
 std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
-    std::uint32_t found{0U};
     for (std::size_t i = 0U; i < count_; ++i) {
-        found = (bit_rates_[i].index == index) ? bit_rates_[i].bit_rate : found;
+        if (bit_rates_[i].index == index) {
+            return bit_rates_[i].bit_rate;
+        }
     }
-    return found;
+    return 0U;
 }
 
 void Lss::power_on(const LssConfiguration& stored) noexcept {
@@ -93,7 +94,9 @@ void Lss::restore(const Instant now) noexcept {
 static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011>);
 std::uint8_t Lss::take_node_id() noexcept {
     state_ = LssState::waiting;
-    forget_sequences();
+    selected_ = 0U;
+    identified_ = 0U;
+    scan_.restart();
     active_.node_id = pending_.node_id;
     return active_.node_id;
 }
@@ -109,7 +112,7 @@ static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && impl
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
     const ByteView request = frame.payload();
     const requests::Row* const row = request_row(request[0]);
-    if (is_silent() || (row == nullptr) || (request.size() < row->shortest) || !is_served(row->served, nmt)) {
+    if (is_silent() || (row == nullptr) || (request.size() <= row->parameters) || !is_served(row->served, nmt)) {
         return false;
     }
     const LssState before = state_;
@@ -196,9 +199,9 @@ Lss::Said Lss::execute(const LssCommand command, const ByteView request, const I
 static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
 Lss::Said Lss::switch_globally(const std::uint8_t mode) noexcept {
     if (mode == static_cast<std::uint8_t>(LssState::waiting)) {
-        enter(LssState::waiting);
+        state_ = LssState::waiting;
     } else if (mode == static_cast<std::uint8_t>(LssState::configuration)) {
-        enter(LssState::configuration);
+        state_ = LssState::configuration;
     } else {
         return std::nullopt;
     }
@@ -209,13 +212,12 @@ static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);
 Lss::Said Lss::select(const LssNumber number, const ByteView request) noexcept {
     const bool fits = own(number) == read_u32(request, 1U);
     selected_ = follow(selected_, static_cast<std::uint8_t>(number), fits);
-    if (selected_ == 0U) {
-        return std::nullopt;
-    }
+    const bool done = selected_ != 0U;
     if (selected_ == lss_number_count) {
-        enter(LssState::configuration);
+        selected_ = 0U;
+        state_ = LssState::configuration;
     }
-    return 0U;
+    return done ? Said{0U} : std::nullopt;
 }
 
 static_assert(implements<req::CO_LSS_042> && implements<req::CO_LSS_043>);
@@ -253,15 +255,17 @@ Lss::Said Lss::scan(const ByteView request) noexcept {
                              own(LssNumber::serial_number)};
     const LssFastscan::Outcome outcome = scan_.scan(request, address);
     if (outcome == LssFastscan::Outcome::completed) {
-        enter(LssState::configuration);
+        state_ = LssState::configuration;
     }
     return (outcome == LssFastscan::Outcome::silent) ? std::nullopt : Said{0U};
 }
 
-static_assert(implements<req::CO_LSS_010> && implements<req::CO_T_LSS_NODE_ID> && implements<req::CO_E_LSS_ERROR>);
+static_assert(implements<req::CO_LSS_010> && implements<req::CO_E_LSS_ERROR> &&
+              implements<req::CO_K_LSS_LOWEST_NODE_ID> && implements<req::CO_K_LSS_HIGHEST_NODE_ID>);
 LssError Lss::configure_node_id(const std::uint8_t node_id) noexcept {
-    const auto* const row = generated::canopen::t_co_t_lss_node_id::find(node_id);
-    if ((row == nullptr) || !row->accepted) {
+    const bool is_one =
+        (node_id >= generated::canopen::lss_lowest_node_id) && (node_id <= generated::canopen::lss_highest_node_id);
+    if (!is_one && (node_id != unconfigured_node_id)) {
         return LssError::not_supported;
     }
     pending_.node_id = node_id;
@@ -306,19 +310,6 @@ void Lss::advance(const Instant now) noexcept {
         switching_ = Switching::none;
         due_ = never;
     }
-}
-
-void Lss::enter(const LssState state) noexcept {
-    if (state != state_) {
-        state_ = state;
-        forget_sequences();
-    }
-}
-
-void Lss::forget_sequences() noexcept {
-    selected_ = 0U;
-    identified_ = 0U;
-    scan_.restart();
 }
 
 bool Lss::is_configured() const noexcept {

@@ -132,8 +132,6 @@ class Lss {
     LssError store() noexcept;
     void activate(Duration delay, Instant now) noexcept;
 
-    void enter(LssState state) noexcept;
-    void forget_sequences() noexcept;
     bool is_configured() const noexcept;
     std::uint32_t own(LssNumber number) const noexcept;
 

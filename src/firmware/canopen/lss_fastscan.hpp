@@ -29,8 +29,9 @@ class LssFastscan {
     Outcome scan(ByteView request, const LssAddress& own) noexcept;
 
   private:
-    Outcome compare(ByteView request, const LssAddress& own) noexcept;
-    Outcome confirm(std::uint8_t number, std::uint8_t next) noexcept;
+    /// Bits 31 down to the bit check, which is at most 31, are those of `own`.
+    static bool matches(ByteView request, std::uint32_t own) noexcept;
+    Outcome confirm(std::uint8_t next) noexcept;
 
     std::uint8_t position_{0U};   ///< the number that the master is expected to ask for
     std::uint8_t confirmed_{0U};  ///< a bit for each number that matched in all bits
