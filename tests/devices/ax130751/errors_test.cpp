@@ -1,0 +1,216 @@
+// Errors of the AX130751 on the bus: 1001h, 1003h, 1029h, emergency messages on 0FFh, heartbeat and guarding (manual
+// 3.2.2 to 3.2.13). Node 127.
+#include "support/ax130751_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Frames = Ax130751Bench::Frames;
+
+class Ax130751Errors : public Ax130751Test {
+  protected:
+    void SetUp() override {
+        Ax130751Test::SetUp();
+        write(0x1800, 5, 0, 2);  // TPDO1 would only be in the way
+    }
+    /// Watches node `producer` with 100 ms, hears it once, and loses it.
+    void lose(int slot, int producer) {
+        EXPECT_EQ(write(0x1016, slot, (producer << 16) + 100, 4), "");
+        send(fmt::format("7{:02X}#05", producer));
+        pass(100);
+    }
+};
+
+}  // namespace
+
+// 3.2.4, Table 23
+TEST_F(Ax130751Errors, ALostHeartbeatIsListedWithItsProducer) {
+    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_HB_001, req::AOR_OD_1001,
+             req::AOR_OD_1003, req::AOR_OD_1016>();
+    EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // node 32, 100 ms
+    EXPECT_EQ(pass(500), Frames{});                  // never heard: not watched
+    send("720#05");
+    EXPECT_EQ(pass(99), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012080000000"}));
+    EXPECT_EQ(read(0x1001, 0), 1U);
+    EXPECT_EQ(read(0x1003, 0), 1U);
+    EXPECT_EQ(read(0x1003, 1), 0x80208130U);
+    EXPECT_EQ(send("720#05"), (Frames{"0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x1001, 0), 0U);
+    EXPECT_EQ(read(0x1003, 0), 0U);
+    EXPECT_EQ(refusal(0x1014, 0), "06020000");
+    EXPECT_EQ(refusal(0x1015, 0), "06020000");
+}
+
+TEST_F(Ax130751Errors, TheListHasTheErrorsThatLastNewestFirst) {
+    verifies<req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_OD_1003, req::AOR_OD_1016>();
+    lose(1, 0x21);
+    lose(2, 0x22);
+    lose(3, 0x23);
+    EXPECT_EQ(read(0x1003, 0), 3U);
+    EXPECT_EQ(read(0x1003, 1), 0x80238130U);
+    EXPECT_EQ(read(0x1003, 2), 0x80228130U);
+    EXPECT_EQ(read(0x1003, 3), 0x80218130U);
+    // the one in the middle ends: the others close up, bit 0 stays
+    EXPECT_EQ(send("722#05"), (Frames{"0FF#0000010000000000"}));
+    EXPECT_EQ(read(0x1003, 0), 2U);
+    EXPECT_EQ(read(0x1003, 1), 0x80238130U);
+    EXPECT_EQ(read(0x1003, 2), 0x80218130U);
+    EXPECT_EQ(read(0x1003, 3), 0U);
+    EXPECT_EQ(read(0x1001, 0), 1U);
+}
+
+TEST_F(Ax130751Errors, OfFiveErrorsTheOldestLeavesTheList) {
+    verifies<req::AOR_ERR_002, req::AOR_ERR_004, req::AOR_OD_1003>();
+    lose(1, 0x21);
+    lose(2, 0x22);
+    lose(3, 0x23);
+    lose(4, 0x24);
+    start();
+    send("27F#00");  // too short: 8210h
+    EXPECT_EQ(read(0x1003, 0), 4U);
+    EXPECT_EQ(read(0x1003, 1), 0x00008210U);
+    EXPECT_EQ(read(0x1003, 2), 0x80248130U);
+    EXPECT_EQ(read(0x1003, 4), 0x80228130U);
+    // the four of the list end; the one that was lost still keeps bit 0
+    send("27F#0000000000");
+    send("722#05");
+    send("723#05");
+    send("724#05");
+    EXPECT_EQ(read(0x1003, 0), 0U);
+    EXPECT_EQ(read(0x1001, 0), 1U);
+    send("721#05");
+    EXPECT_EQ(read(0x1001, 0), 0U);
+}
+
+TEST_F(Ax130751Errors, ClearingTheListEndsNoError) {
+    verifies<req::AOR_ERR_005, req::AOR_OD_1003, req::AOR_OD_1001>();
+    lose(1, 0x21);
+    for (int value = 1; value <= 5; ++value) {
+        EXPECT_EQ(write(0x1003, 0, value, 1), "06090030") << value;
+    }
+    EXPECT_EQ(read(0x1003, 0), 1U);
+    EXPECT_EQ(write(0x1003, 0, 0, 1), "");
+    EXPECT_EQ(read(0x1003, 0), 0U);
+    EXPECT_EQ(read(0x1003, 1), 0U);
+    EXPECT_EQ(read(0x1001, 0), 1U);
+    pass(1000);
+    EXPECT_EQ(read(0x1003, 0), 0U);  // it has not occurred anew
+    send("721#05");
+    EXPECT_EQ(read(0x1001, 0), 0U);
+    pass(100);
+    EXPECT_EQ(read(0x1003, 0), 1U);
+}
+
+TEST_F(Ax130751Errors, ErrorBehaviourDecidesTheState) {
+    verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
+    struct Case {
+        int behaviour;
+        NmtState operational;      ///< where an operational node goes
+        NmtState pre_operational;  ///< where a pre-operational one goes
+    };
+    const std::vector<Case> cases{
+        {0, NmtState::pre_operational, NmtState::pre_operational},
+        {1, NmtState::operational, NmtState::pre_operational},
+        {2, NmtState::stopped, NmtState::stopped},
+    };
+    int producer = 0x20;
+    for (const Case& one : cases) {
+        for (const bool started : {false, true}) {
+            send("000#807F");
+            EXPECT_EQ(write(0x1029, 1, one.behaviour, 1), "");
+            for (int sub = 2; sub <= 5; ++sub) {
+                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // never what sub-index 1 says
+            }
+            EXPECT_EQ(write(0x1016, 1, (producer << 16) + 100, 4), "");
+            send(fmt::format("7{:02X}#05", producer));
+            ++producer;
+            if (started) {
+                start();
+            }
+            pass(100);
+            EXPECT_EQ(device->state(), started ? one.operational : one.pre_operational) << one.behaviour << started;
+        }
+    }
+}
+
+TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
+    verifies<req::AOR_ERR_006>();
+    EXPECT_EQ(write(0x1029, 1, 0, 1), "");
+    EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");
+    send("720#05");
+    send("000#027F");
+    pass(200);
+    EXPECT_EQ(device->state(), NmtState::stopped);
+}
+
+// 3.2.5, 3.2.6: 100 ms times 2
+TEST_F(Ax130751Errors, LifeGuardingIsLostWithoutRequestsAndOffWithAHeartbeat) {
+    verifies<req::AOR_GUARD_001, req::AOR_OD_100C, req::AOR_OD_100D>();
+    EXPECT_EQ(write(0x100C, 0, 100, 2), "");
+    EXPECT_EQ(write(0x100D, 0, 2, 1), "");
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
+    EXPECT_EQ(pass(199), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#3081010010000000"}));
+    EXPECT_EQ(read(0x1003, 1), 0x10008130U);
+    EXPECT_EQ(send("77F#R"), (Frames{"0FF#0000000000000000", "77F#FF"}));
+
+    EXPECT_EQ(write(0x100D, 0, 0, 1), "");  // off
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
+    EXPECT_EQ(pass(1000), Frames{});
+    EXPECT_EQ(write(0x100D, 0, 2, 1), "");
+    EXPECT_EQ(write(0x100C, 0, 0, 2), "");  // off as well
+    EXPECT_EQ(send("77F#R").size(), 1U);
+    EXPECT_EQ(pass(1000), Frames{});
+
+    EXPECT_EQ(write(0x100C, 0, 100, 2), "");
+    EXPECT_EQ(write(0x1017, 0, 1000, 2), "");  // the heartbeat excludes guarding
+    EXPECT_EQ(send("77F#R"), Frames{});
+    EXPECT_EQ(pass(999), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
+}
+
+// 3.2.10
+TEST_F(Ax130751Errors, TheHeartbeatIsProducedEachTenMillisecondsAtTheFastest) {
+    verifies<req::AOR_HB_002, req::AOR_OD_1017>();
+    for (int time = 1; time <= 9; ++time) {
+        EXPECT_EQ(write(0x1017, 0, time, 2), "06090032") << time;
+    }
+    EXPECT_EQ(pass(100), Frames{});
+    EXPECT_EQ(write(0x1017, 0, 10, 2), "");
+    EXPECT_EQ(pass(30), (Frames{"10:77F#7F", "20:77F#7F", "30:77F#7F"}));
+    EXPECT_EQ(write(0x1017, 0, 0, 2), "");
+    EXPECT_EQ(pass(100), Frames{});
+}
+
+TEST_F(Ax130751Errors, ControllerErrorsAreNotTold) {
+    verifies<req::AOR_ERR_011>();
+    for (const int state : {2, 3, 0}) {  // error passive, bus-off, error active
+        inputs.can_state = static_cast<std::uint8_t>(state);
+        EXPECT_EQ(set_inputs(), Frames{});
+    }
+    inputs.can_overrun = true;
+    EXPECT_EQ(set_inputs(), Frames{});
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(pass(100), Frames{});
+    EXPECT_EQ(read(0x1003, 0), 0U);
+    EXPECT_EQ(read(0x1001, 0), 0U);
+}
+
+// 3.2.7: the set in memory is damaged behind its header
+TEST_F(Ax130751Errors, ADamagedStoredSetIsToldAndDefaultsHold) {
+    verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS>();
+    EXPECT_EQ(write(0x5032, 0, 99, 1), "");
+    store();
+    for (std::size_t at = 100; at < 110; ++at) {
+        memory.bytes()[at] = static_cast<std::uint8_t>(memory.bytes()[at] + 1);
+    }
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0063010000000000"}));
+    EXPECT_EQ(read(0x5032, 0), 85U);
+    EXPECT_EQ(read(0x1003, 1), 0x00006300U);
+    EXPECT_EQ(read(0x1001, 0), 1U);
+}
+
+}  // namespace canproof::test

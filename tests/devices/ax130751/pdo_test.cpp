@@ -1,0 +1,236 @@
+// PDOs of the AX130751 as shipped and as they can be changed (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh, 37Fh,
+// 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
+#include "support/ax130751_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Ax130751Pdo = Ax130751Test;
+using Frames = Ax130751Bench::Frames;
+
+constexpr std::int64_t no_rtr = 0x40000000;
+
+}  // namespace
+
+TEST_F(Ax130751Pdo, Rpdo1SetsBothProcessValuesAndTheRelay) {
+    verifies<req::AOR_PDO_001, req::AOR_OD_1400, req::AOR_OD_1600, req::AOR_OD_7300, req::AOR_OD_6220>();
+    start();
+    send("27F#E80318FC01");  // 1000, -1000, on
+    EXPECT_EQ(read(0x7300, 1), 1000U);
+    EXPECT_EQ(read(0x7300, 2), 0xFC18U);
+    EXPECT_EQ(read(0x6220, 3), 1U);
+    EXPECT_EQ(read(0x6220, 1), 0U);
+    send("27F#0000000000");
+    EXPECT_EQ(read(0x7300, 1), 0U);
+    EXPECT_EQ(read(0x6220, 3), 0U);
+}
+
+TEST_F(Ax130751Pdo, Rpdo4SetsTheDigitalOutputs) {
+    verifies<req::AOR_PDO_002, req::AOR_OD_1403, req::AOR_OD_1603, req::AOR_OD_6220>();
+    start();
+    send("57F#0001");
+    EXPECT_EQ(read(0x6220, 1), 0U);
+    EXPECT_EQ(read(0x6220, 2), 1U);
+    send("57F#0100");
+    EXPECT_EQ(read(0x6220, 1), 1U);
+    EXPECT_EQ(read(0x6220, 2), 0U);
+    EXPECT_EQ(read(0x6220, 3), 0U);
+}
+
+TEST_F(Ax130751Pdo, OutsideOperationalRpdosSetNothing) {
+    verifies<req::AOR_PDO_001>();
+    send("27F#E80318FC01");
+    EXPECT_EQ(read(0x7300, 1), 0U);
+    EXPECT_EQ(read(0x6220, 3), 0U);
+}
+
+TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
+    verifies<req::AOR_PDO_003, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1601, req::AOR_OD_1602,
+             req::AOR_OD_2500>();
+    start();
+    send("37F#010002000300");
+    send("47F#040005000600");
+    for (int number = 1; number <= 6; ++number) {
+        EXPECT_EQ(read(0x2500, number), 0U) << number;
+    }
+    EXPECT_EQ(write(0x1401, 1, no_rtr + 0x37F, 4), "");
+    EXPECT_EQ(write(0x1402, 1, no_rtr + 0x47F, 4), "");
+    send("37F#010002000300");
+    send("47F#040005000600");
+    for (int number = 1; number <= 6; ++number) {
+        EXPECT_EQ(read(0x2500, number), static_cast<std::uint64_t>(number));
+    }
+}
+
+TEST_F(Ax130751Pdo, Tpdo1IsSentEachTenthOfASecond) {
+    verifies<req::AOR_PDO_004, req::AOR_OD_1800, req::AOR_OD_1A00, req::AOR_OD_2370>();
+    EXPECT_EQ(pass(300), Frames{});  // pre-operational
+    EXPECT_EQ(start(), (Frames{"1FF#00000000"}));
+    EXPECT_EQ(pass(350), (Frames{"100:1FF#00000000", "200:1FF#00000000", "300:1FF#00000000"}));
+    send("000#807F");
+    EXPECT_EQ(pass(300), Frames{});
+}
+
+TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
+    verifies<req::AOR_PDO_004, req::AOR_OD_1A00, req::AOR_OD_2370>();
+    EXPECT_EQ(write(0x2330, 1, 0, 2), "");  // no ramps
+    EXPECT_EQ(write(0x2330, 2, 0, 2), "");
+    start();
+    send("27F#E803D00700");  // 1000 mV and 2000 mV
+    EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
+}
+
+TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
+    verifies<req::AOR_PDO_005, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803, req::AOR_OD_1A01, req::AOR_OD_1A02,
+             req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030>();
+    inputs.supply = 24.0F;
+    inputs.cpu_temperature = 35.0F;
+    set_inputs();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is silent
+    start();
+    EXPECT_EQ(pass(200), Frames{});
+    send("27F#E803D00700");
+    for (int number = 1; number <= 3; ++number) {
+        const auto index = static_cast<std::uint16_t>(0x1800 + number);
+        EXPECT_EQ(write(index, 5, 50, 2), "");
+        EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
+    }
+    // 1000 and 2000; nothing of TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
+    const Frames frames = pass(60);
+    ASSERT_GE(frames.size(), 2U);
+    EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");
+    EXPECT_EQ(frames[frames.size() - 1], "50:4FF#0000C04100000C42");
+    for (const auto& frame : frames) {
+        EXPECT_EQ(frame.find(":3FF#"), std::string::npos) << frame;
+    }
+}
+
+TEST_F(Ax130751Pdo, WithoutATimerAChangeOfValueSendsNothing) {
+    verifies<req::AOR_PDO_006>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // its timer is 0
+    EXPECT_EQ(write(0x2330, 1, 0, 2), "");
+    start();
+    send("27F#E803D00700");
+    EXPECT_EQ(pass(500), Frames{});
+    EXPECT_EQ(read(0x7330, 1), 1000U);  // the mapped value has changed
+}
+
+TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncMakesNoPdo) {
+    verifies<req::AOR_PDO_007, req::AOR_OD_1400, req::AOR_OD_1800>();
+    for (const int index : {0x1400, 0x1401, 0x1402, 0x1403}) {
+        EXPECT_EQ(read(static_cast<std::uint16_t>(index), 2), 255U);
+        EXPECT_EQ(write(static_cast<std::uint16_t>(index), 2, 1, 1), "06010002");
+    }
+    for (const int index : {0x1800, 0x1801, 0x1802, 0x1803}) {
+        EXPECT_EQ(read(static_cast<std::uint16_t>(index), 2), 254U);
+        EXPECT_EQ(write(static_cast<std::uint16_t>(index), 2, 1, 1), "06010002");
+    }
+    EXPECT_EQ(refusal(0x1005, 0), "06020000");
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    start();
+    pass(10);
+    EXPECT_EQ(send("080#"), Frames{});
+    EXPECT_EQ(pass(50), Frames{});
+}
+
+TEST_F(Ax130751Pdo, RemoteFramesAreNotAnsweredAsShipped) {
+    verifies<req::AOR_OD_1800>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    start();
+    EXPECT_EQ(send("1FF#R"), Frames{});
+    EXPECT_EQ(pass(20), Frames{});
+    EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
+    EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // RTR allowed
+    send("1FF#R");
+    const Frames late = pass(5);
+    EXPECT_TRUE(late.empty() || late[0] == "0:1FF#00000000");
+}
+
+// 3.2.14: destroy, disable, modify, enable, create
+TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
+    verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
+    EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists
+    EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");
+    EXPECT_EQ(write(0x1400, 1, 0xC000027F, 4), "");
+    EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");  // its mapping is still enabled
+    EXPECT_EQ(write(0x1600, 0, 0, 1), "");
+    EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "");
+    EXPECT_EQ(write(0x1600, 0, 1, 1), "");
+    EXPECT_EQ(write(0x1400, 1, 0x4000027F, 4), "");
+    start();
+    send("27F#2A00");
+    EXPECT_EQ(read(0x2500, 1), 42U);
+
+    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is destroyed and has nothing enabled
+    EXPECT_EQ(write(0x1A02, 0, 1, 1), "");
+    EXPECT_EQ(write(0x1802, 5, 20, 2), "");
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    EXPECT_EQ(write(0x1802, 1, 0x400003FF, 4), "");
+    EXPECT_EQ(write(0x1A02, 0, 0, 1), "08000022");
+    EXPECT_EQ(pass(25).back(), "20:3FF#0000");
+}
+
+TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
+    verifies<req::AOR_PDO_008, req::AOR_OD_2370, req::AOR_OD_7330, req::AOR_OD_2223, req::AOR_OD_2250>();
+    EXPECT_EQ(write(0x1601, 0, 0, 1), "");
+    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // 2223h:1, 16 bits
+    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1
+    EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // read-only
+    EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // a parameter
+    EXPECT_EQ(write(0x1601, 1, 0x25000108, 4), "06040041");  // wrong length
+    EXPECT_EQ(write(0x1601, 1, 0x25000710, 4), "06090011");
+    EXPECT_EQ(write(0x1601, 1, 0x25010010, 4), "06020000");
+    EXPECT_EQ(write(0x1A01, 0, 0, 1), "");
+    EXPECT_EQ(write(0x1A01, 1, 0x33100108, 4), "");  // 3310h:1
+    EXPECT_EQ(write(0x1A01, 2, 0x31080010, 4), "");  // 3108h
+    EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
+}
+
+// 3.2.14: a time-out is a network fault; 1029h:1 decides
+TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
+    verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_OD_1029>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    EXPECT_EQ(write(0x1029, 1, 0, 1), "");
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, whatever 3.2.14 says
+    EXPECT_EQ(write(0x1400, 5, 200, 2), "");
+    start();
+    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not watched
+    send("27F#0000000000");
+    EXPECT_EQ(pass(199), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#0081010000000000"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(read(0x1003, 0), 1U);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U);
+    EXPECT_EQ(read(0x1001, 0), 1U);
+    start();
+    const Frames cured = send("27F#0000000000");
+    ASSERT_FALSE(cured.empty());
+    EXPECT_EQ(cured[0], "0FF#0000000000000000");
+    EXPECT_EQ(read(0x1003, 0), 0U);
+}
+
+TEST_F(Ax130751Pdo, AnRpdoTooShortChangesNothingAndIsTold) {
+    verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    start();
+    EXPECT_EQ(send("27F#E8030000"), (Frames{"0FF#1082010000000000"}));  // 8210h
+    EXPECT_EQ(read(0x7300, 1), 0U);
+    EXPECT_EQ(read(0x1003, 1), 0x00008210U);
+    EXPECT_EQ(send("27F#E803000000"), (Frames{"0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x7300, 1), 1000U);
+    EXPECT_EQ(read(0x1003, 0), 0U);
+}
+
+TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
+    verifies<req::AOR_OD_6220>();
+    start();
+    send("27F#E803E80302");  // the relay knows 0 and 1
+    EXPECT_EQ(read(0x7300, 1), 0U);
+    EXPECT_EQ(read(0x7300, 2), 0U);
+    EXPECT_EQ(read(0x6220, 3), 0U);
+}
+
+}  // namespace canproof::test

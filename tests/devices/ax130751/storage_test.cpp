@@ -1,0 +1,262 @@
+// What the AX130751 keeps: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7, 3.2.8, 3.2.11,
+// 3.2.12, 3.4.86 to 3.4.88).
+#include "support/ax130751_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Frames = Ax130751Bench::Frames;
+
+class Ax130751Storage : public Ax130751Test {
+  protected:
+    /// LSS as in 3.1.2: configuration, node-ID, store, waiting.
+    Frames give_node_id(unsigned wanted) {
+        send("7E5#0401");
+        EXPECT_EQ(send(fmt::format("7E5#11{:02X}", wanted)), (Frames{"7E4#110000"}));
+        EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+        const Frames frames = send("7E5#0400");
+        node = wanted;
+        return frames;
+    }
+    void silence_tpdo1() { EXPECT_EQ(write(0x1800, 5, 0, 2), ""); }
+};
+
+}  // namespace
+
+// 3.1
+TEST_F(Ax130751Storage, ShipsAsNode127At125Kilobit) {
+    verifies<req::AOR_NODE_001, req::AOR_K_NODE_ID, req::AOR_K_BIT_RATE>();
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_EQ(device->node_id(), 127);
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+// 3.1.2
+TEST_F(Ax130751Storage, LssGivesANodeIdThatHolds) {
+    verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
+    start();
+    send("000#807F");
+    EXPECT_EQ(give_node_id(0x20), (Frames{"720#00"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(read(0x5B51, 0), 0x20U);
+    EXPECT_EQ(power_on(), (Frames{"720#00"}));
+    EXPECT_EQ(read(0x5B51, 0), 0x20U);
+    EXPECT_EQ(read(0x1400, 1), 0x40000220U);
+}
+
+TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysBootsUp) {
+    verifies<req::AOR_LSS_001>();
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
+    EXPECT_EQ(send("7E5#0400"), Frames{});  // it was waiting already
+}
+
+// Table 22, by the index of configure bit timing
+TEST_F(Ax130751Storage, LssKnowsTheBitRatesOfTable22) {
+    verifies<req::AOR_T22, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B50>();
+    const std::vector<std::pair<int, std::uint32_t>> rates{{0, 1000000}, {1, 666667}, {2, 500000}, {3, 250000},
+                                                           {4, 125000},  {6, 50000},  {7, 20000},  {8, 10000}};
+    for (const auto& [index, rate] : rates) {
+        send("7E5#0401");
+        EXPECT_EQ(send(fmt::format("7E5#1300{:02X}", index)), (Frames{"7E4#130000"})) << index;
+        send("7E5#150A00");  // two delays of 10 ms
+        pass(25);
+        EXPECT_EQ(device->bit_rate(), rate) << index;
+        EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"})) << index;
+        send("7E5#0400");
+        EXPECT_EQ(read(0x5B50, 0), static_cast<std::uint64_t>(index));
+        power_on();
+        EXPECT_EQ(device->bit_rate(), rate) << index;
+        EXPECT_EQ(read(0x5B50, 0), static_cast<std::uint64_t>(index));
+    }
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // reserved
+    EXPECT_EQ(send("7E5#130009"), (Frames{"7E4#130100"}));
+    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table
+}
+
+// The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
+TEST_F(Ax130751Storage, TheCapturedSessionRuns) {
+    verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
+    give_node_id(80);
+    EXPECT_EQ(send("7E5#0401"), Frames{});
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
+    EXPECT_EQ(send("7E5#158813"), Frames{});
+    EXPECT_EQ(pass(4999), Frames{});
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    EXPECT_EQ(pass(1), Frames{});
+    EXPECT_EQ(device->bit_rate(), 250000U);
+    pass(5000);
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
+}
+
+// 3.2.14, 3.2.15
+TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
+    verifies<req::AOR_LSS_002, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800,
+             req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
+    // RPDO2 gets an identifier of its own, all is stored, then the node-ID changes
+    EXPECT_EQ(write(0x1401, 1, 0x80000345, 4), "");
+    store();
+    give_node_id(0x20);
+    const std::vector<std::pair<std::uint16_t, std::uint64_t>> expected{
+        {0x1400, 0x40000220}, {0x1401, 0x80000345}, {0x1402, 0xC0000420}, {0x1403, 0x40000520},
+        {0x1800, 0x400001A0}, {0x1801, 0xC00002A0}, {0x1802, 0xC00003A0}, {0x1803, 0xC00004A0}};
+    for (const auto& [index, cob_id] : expected) {
+        EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
+    }
+    // another group is stored by the new node: what was kept still follows, and again after the next change
+    EXPECT_EQ(write(0x5032, 0, 99, 1), "");
+    store(4);
+    power_on();
+    for (const auto& [index, cob_id] : expected) {
+        EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
+    }
+    give_node_id(0x21);
+    EXPECT_EQ(read(0x1400, 1), 0x40000221U);
+    EXPECT_EQ(read(0x1401, 1), 0x80000345U);
+    EXPECT_EQ(read(0x1803, 1), 0xC00004A1U);
+    EXPECT_EQ(read(0x5032, 0), 99U);
+}
+
+// 3.4.87, 3.4.88
+TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoHoldFromTheNextPowerOn) {
+    verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");
+    EXPECT_EQ(read(0x5B51, 0), 0x30U);
+    EXPECT_EQ(read(0x5B50, 0), 2U);
+    EXPECT_EQ(device->node_id(), 127);
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    EXPECT_EQ(read(0x1400, 1), 0x4000027FU);
+    EXPECT_EQ(power_on(), (Frames{"730#00"}));
+    EXPECT_EQ(device->bit_rate(), 500000U);
+    node = 0x30;
+    EXPECT_EQ(read(0x5B51, 0), 0x30U);
+    EXPECT_EQ(read(0x5B50, 0), 2U);
+    EXPECT_EQ(write(0x5B51, 0, 0, 1), "06090032");
+    EXPECT_EQ(write(0x5B51, 0, 128, 1), "06090031");
+    EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
+}
+
+TEST_F(Ax130751Storage, RestoringTouchesNeitherNodeIdNorBitRate) {
+    verifies<req::AOR_NODE_004, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    give_node_id(0x20);
+    EXPECT_EQ(write(0x5B50, 0, 3, 1), "");
+    for (const int group : {1, 2, 3, 4}) {
+        restore(group);
+        EXPECT_EQ(power_on(), (Frames{"720#00"})) << group;
+        EXPECT_EQ(device->bit_rate(), 250000U) << group;
+    }
+}
+
+// 3.2.7
+TEST_F(Ax130751Storage, SavesOnCommandInEveryStateThatAnswersSdo) {
+    verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011>();
+    silence_tpdo1();
+    for (int sub = 1; sub <= 4; ++sub) {
+        EXPECT_EQ(read(0x1010, sub), 1U);
+        EXPECT_EQ(read(0x1011, sub), 1U);
+        EXPECT_EQ(write(0x1010, sub, 0x65766174, 4), "08000020");
+        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other word
+    }
+    EXPECT_EQ(write(0x5032, 0, 90, 1), "");
+    power_on();
+    EXPECT_EQ(read(0x5032, 0), 85U);  // not stored: lost
+    EXPECT_EQ(write(0x5032, 0, 90, 1), "");
+    EXPECT_EQ(store(), (Frames{"5FF#6010100100000000"}));
+    power_on();
+    EXPECT_EQ(read(0x5032, 0), 90U);
+    silence_tpdo1();
+    start();
+    EXPECT_EQ(write(0x5032, 0, 91, 1), "");
+    EXPECT_EQ(store(), (Frames{"5FF#6010100100000000"}));
+    power_on();
+    EXPECT_EQ(read(0x5032, 0), 91U);
+}
+
+TEST_F(Ax130751Storage, GroupsAreStoredApart) {
+    verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
+    EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // communication
+    EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // application
+    EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // manufacturer
+    store(3);
+    power_on();
+    EXPECT_EQ(read(0x1017, 0), 0U);
+    EXPECT_EQ(read(0x6340, 1), 0U);
+    EXPECT_EQ(read(0x5033, 0), 25U);
+}
+
+TEST_F(Ax130751Storage, CommandsThatCameThroughCanAreNotKept) {
+    verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
+    for (int sub = 1; sub <= 3; ++sub) {
+        EXPECT_EQ(write(0x6220, sub, 1, 1), "");
+    }
+    EXPECT_EQ(write(0x7300, 1, 1234, 2), "");
+    EXPECT_EQ(write(0x2500, 6, 77, 2), "");
+    EXPECT_EQ(write(0x2260, 1, 0, 1), "");
+    store();
+    power_on();
+    for (int sub = 1; sub <= 3; ++sub) {
+        EXPECT_EQ(read(0x6220, sub), 0U);
+    }
+    EXPECT_EQ(read(0x7300, 1), 0U);
+    EXPECT_EQ(read(0x2500, 6), 0U);
+    EXPECT_EQ(read(0x2260, 1), 0U);  // stored like every parameter
+}
+
+// 3.2.8
+TEST_F(Ax130751Storage, DefaultsHoldFromTheNextReset) {
+    verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
+    EXPECT_EQ(write(0x5032, 0, 90, 1), "");
+    EXPECT_EQ(write(0x6340, 2, 0, 1), "");
+    store();
+    EXPECT_EQ(restore(4), (Frames{"5FF#6011100400000000"}));
+    EXPECT_EQ(read(0x5032, 0), 90U);
+    EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
+    EXPECT_EQ(read(0x5032, 0), 85U);
+    EXPECT_EQ(read(0x6340, 2), 0U);  // another group
+}
+
+// 3.4.86
+TEST_F(Ax130751Storage, StartsByItselfWhenThatIsStored) {
+    verifies<req::AOR_START_001, req::AOR_START_002, req::AOR_OD_5555>();
+    silence_tpdo1();
+    EXPECT_EQ(write(0x5555, 0, 1, 1), "");
+    EXPECT_EQ(pass(1000), Frames{});
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    store();
+    EXPECT_EQ(power_on().at(0), "77F#00");
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+    send("000#807F");
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // a master is obeyed
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(write(0x5555, 0, 0, 1), "");
+    store();
+    power_on();
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+// 3.2.11, 3.2.12
+TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
+    verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
+    EXPECT_EQ(read(0x1018, 1), 0x55U);
+    EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
+    EXPECT_EQ(read(0x1018, 3), 0x00010000U);
+    EXPECT_EQ(read(0x1020, 1), 0x28072023U);  // 28 July 2023
+    EXPECT_EQ(read(0x1020, 2), 0U);
+    factory.revision = 0x00010203;
+    factory.serial_number = 4711;
+    power_on();
+    EXPECT_EQ(read(0x1018, 3), 0x00010203U);
+    EXPECT_EQ(read(0x1018, 4), 4711U);
+    EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
+}
+
+}  // namespace canproof::test
