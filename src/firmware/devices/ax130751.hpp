@@ -41,6 +41,7 @@ class Device final : private Application {
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
