@@ -27,6 +27,11 @@ void Emcy::reset() noexcept {
 
 void Emcy::refresh() noexcept {
     objects_.write(error_register_index, 0U, active_register());
+    for (std::size_t error = 0U; (list_ == ErrorList::active) && (error < max_errors); ++error) {
+        if (active_[error] && errors_[error].listed) {
+            enter_into_list(list_entry(error));
+        }
+    }
 }
 
 bool Emcy::is_active(const ErrorId error) const noexcept {

@@ -1,0 +1,120 @@
+// A ramp through all limits, with a wire that breaks, replayed from stimuli: each emergency message at its due time.
+#include "host/replay/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "host/devices/simulated_device.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+std::string replayed(const std::string& log, const std::string& stimuli, double until, std::string* outputs = nullptr) {
+    const auto device = host::make_device("ax188001");
+    std::istringstream log_in{log};
+    std::istringstream stimuli_in{stimuli};
+    host::ReplayInput input;
+    input.frames = host::read_candump_log(log_in, "log");
+    input.stimuli = host::read_stimuli(stimuli_in, "stimuli");
+    input.until = Instant{static_cast<std::uint64_t>(until * 1e6)};
+    std::ostringstream frames;
+    std::ostringstream changes;
+    host::replay(*device, input, frames, &changes);
+    if (outputs != nullptr) {
+        *outputs = changes.str();
+    }
+    return frames.str();
+}
+
+/// From -32 degC by 10 degC a second, up from second 11 to 42 and down from second 58 to 88.
+std::string ramp() {
+    std::ostringstream csv;
+    csv << "0,tc1_celsius,-32\n";
+    for (int second = 11; second <= 42; ++second) {
+        csv << second << ",tc1_celsius," << -32 + 10 * (second - 10) << '\n';
+    }
+    csv << "46,tc1_open,1\n55,tc1_open,0\n";
+    for (int second = 58; second <= 88; ++second) {
+        csv << second << ",tc1_celsius," << 288 - 10 * (second - 57) << '\n';
+    }
+    return csv.str();
+}
+
+}  // namespace
+
+// Readings fall on multiples of 165 ms; a fault is told 5000 ms after the reading that first shows it:
+//   0.000  -32 degC at power-on, below -20                       told at  5.000
+//  12      -12 degC, first above -19; read at 73 * 165 = 12.045  clears at 12.045
+//  26      128 degC, first above 125; read at 158 * 165 = 26.070 told at 31.070
+//  39      258 degC, first above 250; read at 237 * 165 = 39.105 told at 44.105
+//  46      wire breaks; read at 279 * 165 = 46.035, two gains of 660 ms each: open at 47.355, told at 52.355
+//  55      mended; read at 334 * 165 = 55.110
+//  61      248 degC, first below 249; read at 370 * 165 = 61.050
+//  74      118 degC, first below 124; read at 449 * 165 = 74.085
+//  88      -22 degC, first below -20; read at 534 * 165 = 88.110 told at 93.110
+TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWire) {
+    verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
+             req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
+    EXPECT_EQ(replayed("", ramp(), 95.0),
+              "(0.000000) can0 77F#00\n"
+              "(5.000000) can0 0FF#11F0010120000000\n"
+              "(12.045000) can0 0FF#0000000000000000\n"
+              "(31.070000) can0 0FF#11F0010110000000\n"
+              "(44.105000) can0 0FF#11F0010140000000\n"
+              "(52.355000) can0 0FF#01F0010100000000\n"
+              "(55.110000) can0 0FF#0000010000000000\n"
+              "(61.050000) can0 0FF#0000010000000000\n"
+              "(74.085000) can0 0FF#0000000000000000\n"
+              "(93.110000) can0 0FF#11F0010120000000\n");
+}
+
+TEST(Ax188001Replay, TheSameEveryTime) {
+    verifies<req::TCS_IN_001>();
+    std::string outputs[2];
+    const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";
+    EXPECT_EQ(replayed(log, ramp(), 95.0, &outputs[0]), replayed(log, ramp(), 95.0, &outputs[1]));
+    EXPECT_EQ(outputs[0], outputs[1]);
+}
+
+// 100 degC is 5968 = 1750h; 25 degC 4768 = 12A0h. Each value is that of the last reading before the TPDO.
+TEST(Ax188001Replay, ProcessValuesEachSecond) {
+    verifies<req::TCS_PDO_001, req::TCS_S_CELSIUS>();
+    EXPECT_EQ(replayed("(0.500000) can0 000#0100\n", "2.4,tc1_celsius,100\n", 3.6),
+              "(0.000000) can0 77F#00\n"
+              "(0.500000) can0 1FF#A012A012\n"
+              "(1.500000) can0 1FF#A012A012\n"
+              "(2.500000) can0 1FF#5017A012\n"
+              "(3.500000) can0 1FF#5017A012\n");
+}
+
+// The wire is of the type that 6110h is set to, until tc1_wire names another: K's 4.096 mV at 100 degC are 78 degC in
+// J.
+TEST(Ax188001Replay, WiresFollowTheTypeOrTheirOwn) {
+    verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
+    const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
+    const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
+    // Without tc1_wire a K wire at 100 degC, then at 1 V of hum-free microvolts: 0 uV is the cold junction's 25 degC.
+    EXPECT_EQ(replayed(to_k + read_pv, "0.5,tc1_celsius,100\n2,tc1_microvolts,0\n", 3.1),
+              "(0.000000) can0 77F#00\n"
+              "(0.200000) can0 5FF#6010610100000000\n"
+              "(1.000000) can0 5FF#4B30710150170000\n"
+              "(3.000000) can0 5FF#4B307101A0120000\n");
+    // A J wire at 100 degC on a channel set to K: 5.269 - 1.277 + 1.000 = 4.992 mV, in K 121.76 degC (4.920 mV at
+    // 120, 40.8 uV/K).
+    const std::string mixed = replayed(to_k + read_pv, "0,tc1_wire,1\n0.5,tc1_celsius,100\n", 3.1);
+    EXPECT_NE(mixed.find("5FF#4B307101AC18"), std::string::npos) << mixed;  // 121.76 * 16 + 4368 = 6316 = 18ACh
+}
+
+TEST(Ax188001Replay, OutputsAreGainAndFilter) {
+    verifies<req::TCS_S_ADC_FILTER, req::TCS_S_ADC_GAIN>();
+    std::string outputs;
+    replayed("(1.000000) can0 67F#2F20200032000000\n", "2,tc2_microvolts,30000\n", 4.0, &outputs);
+    EXPECT_NE(outputs.find("0.000000,adc_filter,60\n"), std::string::npos) << outputs;
+    EXPECT_NE(outputs.find("1.000000,adc_filter,50\n"), std::string::npos) << outputs;
+    EXPECT_NE(outputs.find("2.145000,tc2_gain,64\n"), std::string::npos) << outputs;
+}
+
+}  // namespace canproof::test
