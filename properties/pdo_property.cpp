@@ -1,0 +1,301 @@
+// Laws of PDOs, held against a model that knows nothing but bits in a row (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
+// the times of transmission, a clock that ticks in milliseconds.
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <fmt/format.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "support/sdo_text.hpp"
+#include "support/slave_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// What may stand in a mapping: an object of the conformance slave, or a gap.
+struct Mappable {
+    unsigned index;
+    unsigned subindex;
+    unsigned bits;
+};
+using Mapping = std::vector<Mappable>;
+using Bits = std::vector<bool>;
+using Values = std::map<std::pair<unsigned, unsigned>, std::uint64_t>;
+
+bool is_gap(const Mappable& line) {
+    return line.index < 0x1000;
+}
+
+/// Objects 2000h, 2002h, 2100h (RPDO) or 2001h, 2003h, 2101h (TPDO), those of both, and for an RPDO the dummies.
+std::vector<Mappable> catalogue(bool receives) {
+    const unsigned odd = receives ? 0U : 1U;
+    std::vector<Mappable> all;
+    for (unsigned sub = 1; sub <= 8; ++sub) {
+        all.push_back({0x2000 + odd, sub, 8});
+        all.push_back({0x2002 + odd, sub, 1});
+    }
+    for (unsigned sub = 1; sub <= 4; ++sub) {
+        all.push_back({0x2100 + odd, sub, 16});
+    }
+    all.push_back({0x2200, 0, 16});
+    all.push_back({0x2206, 0, 64});
+    all.push_back({0x2207, 0, 32});
+    if (receives) {
+        for (const Mappable& dummy : {Mappable{1, 0, 1}, Mappable{2, 0, 8}, Mappable{3, 0, 16}, Mappable{4, 0, 32},
+                                      Mappable{5, 0, 8}, Mappable{6, 0, 16}, Mappable{7, 0, 32}}) {
+            all.push_back(dummy);
+        }
+    }
+    return all;
+}
+
+unsigned total_bits(const Mapping& mapping) {
+    unsigned bits = 0;
+    for (const Mappable& line : mapping) {
+        bits += line.bits;
+    }
+    return bits;
+}
+
+/// Zero to eight lines, mostly such that fit into a PDO.
+rc::Gen<Mapping> mappings(bool receives) {
+    return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
+        lines.resize(std::min<std::size_t>(lines.size(), 8));
+        while (total_bits(lines) > 64) {
+            lines.pop_back();
+        }
+        return lines;
+    });
+}
+
+Frames answers_to_mapping(SlaveBench& bench, const std::string& number, bool receives, const Mapping& mapping) {
+    const std::string parameters = (receives ? "14" : "18");
+    const std::string lines = (receives ? "16" : "1A");
+    const std::string id = receives ? "05040080" : "85030080";  // 405h, 385h, not valid
+    Frames answers = bench.send("605#23" + number + parameters + "01" + id);
+    bench.send("605#2F" + number + lines + "0000000000");
+    unsigned sub = 0;
+    for (const Mappable& line : mapping) {
+        const std::string entry = hex_le(line.index << 16U | line.subindex << 8U | line.bits, 4);
+        answers.push_back(bench.send("605#23" + number + lines + hex_le(++sub, 1) + entry).at(0));
+    }
+    answers.push_back(bench.send("605#2F" + number + lines + "00" + hex_le(sub, 1) + "000000").at(0));
+    answers.push_back(bench.send("605#23" + number + parameters + "01" + id.substr(0, 6) + "00").at(0));
+    return answers;
+}
+
+void map_pdo3(SlaveBench& bench, bool receives, const Mapping& mapping) {
+    for (const auto& answer : answers_to_mapping(bench, "02", receives, mapping)) {
+        RC_ASSERT(answer.substr(0, 6) == "585#60");
+    }
+}
+
+/// Bit 0 is the least significant one of the first byte.
+Bits bits_of(const Bytes& bytes) {
+    Bits bits;
+    for (const std::uint8_t byte : bytes) {
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            bits.push_back(((byte >> bit) & 1U) != 0);
+        }
+    }
+    return bits;
+}
+
+Bytes bytes_of(const Bits& bits) {
+    Bytes bytes((bits.size() + 7) / 8);
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (bits[i] ? 1U << (i % 8) : 0U));
+    }
+    return bytes;
+}
+
+std::string frame_text(const std::string& id, const Bytes& bytes) {
+    return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
+}
+
+/// 2200h takes -100 … 100 (slave_register.hpp); all else takes what its bits can hold.
+bool fits(const Mappable& line, std::uint64_t value) {
+    const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
+    return line.index != 0x2200 || (number >= -100 && number <= 100);
+}
+
+/// The values after a frame: all that are mapped, or none.
+Values after(Values values, const Mapping& mapping, const Bytes& frame) {
+    const Bits bits = bits_of(frame);
+    if (frame.size() < (total_bits(mapping) + 7) / 8) {
+        return values;
+    }
+    Values next = values;
+    std::size_t at = 0;
+    for (const Mappable& line : mapping) {
+        std::uint64_t value = 0;
+        for (unsigned bit = 0; bit < line.bits; ++bit, ++at) {
+            value |= static_cast<std::uint64_t>(bits[at]) << bit;
+        }
+        if (is_gap(line)) {
+            continue;
+        }
+        if (!fits(line, value)) {
+            return values;
+        }
+        next[{line.index, line.subindex}] = value;
+    }
+    return next;
+}
+
+std::uint64_t value_in(SlaveBench& bench, unsigned index, unsigned subindex) {
+    auto& objects = bench.slave->objects();
+    const auto entry = objects.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex));
+    const ByteView bytes = objects.value(entry.value());
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        value |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+    }
+    return value;
+}
+
+Values all_values(SlaveBench& bench) {
+    Values values;
+    for (const Mappable& line : catalogue(true)) {
+        if (!is_gap(line)) {
+            values[{line.index, line.subindex}] = value_in(bench, line.index, line.subindex);
+        }
+    }
+    return values;
+}
+
+/// Sets any mappable object through the dictionary, within its limits.
+std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
+    const std::uint64_t mask = line.bits == 64 ? UINT64_MAX : (std::uint64_t{1} << line.bits) - 1;
+    std::uint64_t value = *rc::gen::arbitrary<std::uint64_t>() & mask;
+    if (line.index == 0x2200) {
+        value = static_cast<std::uint16_t>(*rc::gen::inRange(-100, 101));
+    }
+    Bytes bytes;
+    for (unsigned i = 0; i < (line.bits + 7) / 8; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    }
+    auto& objects = bench.slave->objects();
+    const auto entry = objects.find(static_cast<std::uint16_t>(line.index), static_cast<std::uint8_t>(line.subindex));
+    objects.put(entry.value(), ByteView{bytes.data(), bytes.size()});
+    return value;
+}
+
+}  // namespace
+
+// Any mapping, any frames of any length: the mapped part sets its objects, all of them or none, and nothing else moves.
+RC_GTEST_PROP(PdoLaw, AReceivedPdoSetsWhatItsBitsSay, ()) {
+    verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_005, req::CO_PDO_012>("property");
+    SlaveBench bench;
+    const auto mapping = *mappings(true);
+    map_pdo3(bench, true, mapping);
+    bench.send("000#0105");
+    Values model = all_values(bench);
+    const auto frames = *rc::gen::container<std::vector<Bytes>>(rc::gen::arbitrary<Bytes>());
+    for (Bytes frame : frames) {
+        frame.resize(std::min<std::size_t>(frame.size(), 8));
+        model = after(model, mapping, frame);
+        bench.send(frame_text("405", frame));
+        RC_ASSERT(all_values(bench) == model);
+    }
+}
+
+RC_GTEST_PROP(PdoLaw, ASentPdoIsItsValuesBitByBit, ()) {
+    verifies<req::CO_PDO_028>("property");
+    SlaveBench bench;
+    const auto mapping = *mappings(false);
+    map_pdo3(bench, false, mapping);
+    bench.send("605#2300180185010080");  // TPDO1 off
+    std::map<std::pair<unsigned, unsigned>, std::uint64_t> put;
+    for (const Mappable& line : mapping) {
+        put[{line.index, line.subindex}] = put_random(bench, line);
+    }
+    Bits expected;
+    for (const Mappable& line : mapping) {
+        for (unsigned bit = 0; bit < line.bits; ++bit) {
+            expected.push_back(((put[{line.index, line.subindex}] >> bit) & 1U) != 0);
+        }
+    }
+    const Frames sent = mapping.empty() ? Frames{} : Frames{frame_text("385", bytes_of(expected))};
+    RC_ASSERT(bench.send("000#0105") == sent);
+}
+
+// What one node sends, another with the same mapping understands.
+RC_GTEST_PROP(PdoLaw, WhatIsSentIsReceived, ()) {
+    verifies<req::CO_PDO_001, req::CO_PDO_028>("property");
+    const auto words = *rc::gen::container<std::array<std::int16_t, 4>>(rc::gen::arbitrary<std::int16_t>());
+    SlaveBench sender;
+    SlaveBench receiver;
+    for (unsigned i = 0; i < 4; ++i) {
+        sender.send("605#2B0121" + hex_le(i + 1, 1) + hex_le(static_cast<std::uint16_t>(words[i]), 2) + "0000");
+    }
+    sender.send("000#0105");
+    receiver.send("000#0105");
+    const Frames sent = sender.send("080#");  // TPDO2, type 1: 2101h:1…4
+    RC_ASSERT(sent.size() == 1U);
+    receiver.send("305" + sent[0].substr(3));  // RPDO2: 2100h:1…4
+    for (unsigned i = 0; i < 4; ++i) {
+        RC_ASSERT(value_in(receiver, 0x2100, i + 1) == static_cast<std::uint16_t>(words[i]));
+    }
+}
+
+// Any number of any entries: what is more than 64 bits cannot be counted, and what was refused leaves the old mapping.
+RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
+    verifies<req::CO_PDO_011>("property");
+    SlaveBench bench;
+    Mapping mapping = *rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(true)));
+    mapping.resize(std::min<std::size_t>(mapping.size(), 8));
+    const Frames answers = answers_to_mapping(bench, "02", true, mapping);
+    const std::string counted = answers.at(answers.size() - 2);
+    RC_ASSERT(counted == (total_bits(mapping) > 64 ? "585#8002160042000406" : "585#6002160000000000"));
+    RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
+}
+
+// Any changes at any times: transmissions are as far apart as the inhibit time, as near as the event timer, and the
+// last value always gets out.
+RC_GTEST_PROP(PdoLaw, TransmissionsKeepInhibitTimeAndEventTimer, ()) {
+    verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_018>("property");
+    SlaveBench bench;
+    const auto inhibit = static_cast<std::uint64_t>(*rc::gen::inRange(0, 20));  // ms
+    const auto event = static_cast<std::uint64_t>(*rc::gen::inRange(0, 30));    // ms
+    bench.send("605#2300180185010080");
+    bench.send("605#2B001803" + hex_le(inhibit * 10, 2) + "0000");
+    bench.send("605#2B001805" + hex_le(event, 2) + "0000");
+    bench.send("605#2300180185010000");
+    bench.send("605#2301180185020080");  // TPDO2 off
+    const auto changes =
+        *rc::gen::container<std::vector<bool>>(200, rc::gen::weightedElement<bool>({{4, false}, {1, true}}));
+    std::uint8_t value = 0;
+    std::uint64_t last = 0;
+    bool pending = false;
+    RC_ASSERT(bench.send("000#0105") == (Frames{"185#0000"}));
+    for (std::uint64_t tick = 1; tick <= changes.size(); ++tick) {
+        const auto frame = [&value] { return "185#" + hex_le(value, 1) + "00"; };
+        const bool by_timer = event != 0 && tick - last >= event;
+        Frames expected;
+        if ((pending || by_timer) && tick - last >= inhibit) {
+            expected = {"1:" + frame()};
+            last = tick;
+            pending = false;
+        }
+        RC_ASSERT(bench.pass(1) == expected);
+        if (!changes[tick - 1]) {
+            continue;
+        }
+        ++value;
+        const bool at_once = tick - last >= inhibit;
+        expected = Frames{};
+        if (at_once) {
+            expected.push_back(frame());
+            last = tick;
+        }
+        pending = !at_once;
+        expected.push_back("585#6001200100000000");
+        RC_ASSERT(bench.send("605#2F012001" + hex_le(value, 1) + "000000") == expected);
+    }
+}
+
+}  // namespace canproof::test
