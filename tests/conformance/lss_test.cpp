@@ -451,6 +451,20 @@ TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // 8110h, register 11h
 }
 
+// CiA 301, 7.2.8.2.2: node 31h, 100 ms, falls silent while the bit rate is switched
+TEST_F(Lss, HeartbeatsAreMonitoredDuringTheDelays) {
+    verifies<req::CO_LSS_015>();
+    talk({{"605#2316100164003100", {"585#6016100100000000"}},
+          {"731#05", {}},
+          {"7E5#0401000000000000", {}},
+          {"7E5#1596000000000000", {}},  // 150 ms
+          {"731#05", {}}});              // not heard any more
+    EXPECT_EQ(pass(299), Frames{});
+    const Frames told = pass(1);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // 8130h, register 11h
+}
+
 TEST_F(Lss, TheEndOfBusOffDoesNotEndTheSilence) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2B17100003000000", {"585#6017100000000000"}}, {"7E5#0401000000000000", {}}});
