@@ -27,8 +27,8 @@ class Ax130751Errors : public Ax130751Test {
 
 // 3.2.4, Table 23
 TEST_F(Ax130751Errors, ALostHeartbeatIsListedWithItsProducer) {
-    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_HB_001, req::AOR_OD_1001,
-             req::AOR_OD_1003, req::AOR_OD_1016>();
+    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
+             req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // node 32, 100 ms
     EXPECT_EQ(pass(500), Frames{});                  // never heard: not watched
     send("720#05");
@@ -148,7 +148,7 @@ TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
 
 // 3.2.5, 3.2.6: 100 ms times 2
 TEST_F(Ax130751Errors, LifeGuardingIsLostWithoutRequestsAndOffWithAHeartbeat) {
-    verifies<req::AOR_GUARD_001, req::AOR_OD_100C, req::AOR_OD_100D>();
+    verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D>();
     EXPECT_EQ(write(0x100C, 0, 100, 2), "");
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
@@ -186,7 +186,7 @@ TEST_F(Ax130751Errors, TheHeartbeatIsProducedEachTenMillisecondsAtTheFastest) {
 }
 
 TEST_F(Ax130751Errors, ControllerErrorsAreNotTold) {
-    verifies<req::AOR_ERR_011>();
+    verifies<req::AOR_ERR_011, req::AOR_S_CAN_STATE, req::AOR_S_CAN_OVERRUN>();
     for (const int state : {2, 3, 0}) {  // error passive, bus-off, error active
         inputs.can_state = static_cast<std::uint8_t>(state);
         EXPECT_EQ(set_inputs(), Frames{});

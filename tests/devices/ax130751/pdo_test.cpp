@@ -191,7 +191,7 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
 
 // 3.2.14: a time-out is a network fault; 1029h:1 decides
 TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
-    verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_OD_1029>();
+    verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, whatever 3.2.14 says

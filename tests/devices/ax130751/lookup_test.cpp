@@ -1,0 +1,266 @@
+// The lookup tables of the AX130751 over SDO (1.5).
+#include "support/ax130751_blocks.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+class Ax130751Lookup : public Ax130751Blocks {
+  protected:
+    static std::uint16_t index(int table, int offset) {
+        return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
+    }
+    /// A table over 2500h:n, which is 0 to 100 without digits.
+    void connect(int table, int extra_number) {
+        extra_as_percent(extra_number);
+        set8(index(table, 0), 0, canopen);
+        set8(index(table, 1), 0, 3 + extra_number);
+    }
+    int output(int table) { return get16(index(table, 8), 0); }
+    std::string write_x(int table, int point, std::int64_t x) { return write(index(table, 6), point, x, 4); }
+};
+
+TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
+    verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_SRC_001>();
+    for (int table = 1; table <= 10; ++table) {
+        SCOPED_TRACE(table);
+        connect(table, 1);
+        set16(index(table, 7), 4, -70);  // (30, 30) becomes (30, -70)
+        extra(1, 20);
+        EXPECT_EQ(output(table), 20);
+        extra(1, 25);
+        EXPECT_EQ(output(table), -25);  // half way from 20 to -70
+        extra(1, 30);
+        EXPECT_EQ(output(table), -70);
+        extra(1, 120);
+        EXPECT_EQ(output(table), 100);
+        set8(index(table, 0), 0, not_used);
+    }
+}
+
+TEST_F(Ax130751Lookup, JumpsAndIgnoredPoints) {
+    verifies<req::AOR_LT_003, req::AOR_LT_004, req::AOR_T14>();
+    connect(1, 1);
+    set8(0x3015, 3, 2);  // jump to (20, 20)
+    set8(0x3015, 5, 0);  // ignore from (40, 40) on
+    extra(1, 10);
+    EXPECT_EQ(output(1), 10);
+    extra(1, 11);
+    EXPECT_EQ(output(1), 20);
+    extra(1, 25);
+    EXPECT_EQ(output(1), 25);
+    extra(1, 31);
+    EXPECT_EQ(output(1), 30);
+    extra(1, 99);
+    EXPECT_EQ(output(1), 30);
+    EXPECT_EQ(write(0x3015, 1, 2, 1), "06090031") << "2 is no type of the X axis";
+}
+
+TEST_F(Ax130751Lookup, PointsOfEqualX) {
+    verifies<req::AOR_LT_005>();
+    connect(1, 1);
+    set32(0x3016, 3, 30);
+    set16(0x3017, 3, 5);
+    set16(0x3017, 4, 80);
+    extra(1, 30);
+    EXPECT_EQ(output(1), 5);
+    extra(1, 31);
+    EXPECT_EQ(output(1), 76);  // 80 on the way to 40 at 40
+}
+
+TEST_F(Ax130751Lookup, DigitsOfBothAxes) {
+    verifies<req::AOR_LT_008, req::AOR_SRC_009>();
+    extra_as_percent(1);
+    set8(0x2502, 1, 2);  // 2500h:1 is now 0.00…1.00
+    set16(0x2522, 1, 10000);
+    set8(0x3010, 0, canopen);
+    set8(0x3011, 0, 4);
+    set8(0x3014, 0, 1);  // Y in tenths: 0…10.0
+    extra(1, 2525);      // 25.25
+    EXPECT_EQ(output(1), 25);
+    EXPECT_EQ(get16(0x3018, 0), 25);
+    set8(0x3013, 0, 1);  // X points are 0…10.0
+    extra(1, 525);       // 5.25 of 10.0: 52.5 tenths, rounded away from zero
+    EXPECT_EQ(output(1), 53);
+}
+
+TEST_F(Ax130751Lookup, LimitsForOtherBlocks) {
+    verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
+    // Seen through logic block 1, whose output is a percentage of the limits of table 1.
+    connect(1, 1);
+    set8(0x3300, 1, 1);
+    set8(0x3015, 3, 0);  // only (0, 0) and (10, 10) count
+    extra(1, 5);
+    EXPECT_EQ(get16(0x3320, 1), 50) << "5.0 % of 0 to 100";
+    set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
+    pass(1);
+    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 %
+    set16(0x3017, 11, 1000);
+    pass(1);
+    EXPECT_EQ(get16(0x3320, 1), 5);  // 0.5 %
+    set16(0x3017, 10, -1000);
+    pass(1);
+    EXPECT_EQ(get16(0x3320, 1), 503);  // 1005 of 2000
+    set16(0x3017, 11, 100);
+    set16(0x3017, 10, -300);
+    pass(1);
+    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the greatest is 100, for the least is below 0
+}
+
+TEST_F(Ax130751Lookup, PointsStayInOrder) {
+    verifies<req::AOR_LT_009>();
+    EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
+    EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
+    EXPECT_EQ(write_x(1, 5, 30), "");
+    EXPECT_EQ(write_x(1, 5, 50), "");
+    EXPECT_EQ(write_x(1, 1, -32768), "");
+    EXPECT_EQ(write_x(1, 1, -32769), "06090032");
+    EXPECT_EQ(write_x(1, 11, 32767), "");
+    EXPECT_EQ(write_x(1, 11, 32768), "06090031") << "no 16-bit number";
+    EXPECT_EQ(write_x(10, 1, 11), "06090031");
+    EXPECT_EQ(write_x(10, 11, 89), "06090032");
+    EXPECT_EQ(write_x(9, 11, 500), "");
+}
+
+TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
+    verifies<req::AOR_LT_009, req::AOR_LT_017>();
+    set8(0x3020, 0, supply_source);  // 8 to 35 V
+    for (int point = 1; point <= 11; ++point) {
+        EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "a new source changes nothing";
+    }
+    EXPECT_EQ(write_x(2, 1, 7), "06090032");
+    EXPECT_EQ(write_x(2, 1, 8), "");
+    EXPECT_EQ(write_x(2, 11, 99), "06090031");
+    EXPECT_EQ(write_x(2, 4, 35), "");
+    EXPECT_EQ(write_x(2, 4, 36), "06090031");
+    set8(0x3023, 0, 1);  // tenths of a volt
+    EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
+}
+
+TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
+    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012>();
+    connect(3, 1);
+    set8(0x3035, 1, 1);
+    set32(0x3036, 2, 100);
+    set16(0x3037, 2, 50);
+    set32(0x3036, 3, 20);
+    set16(0x3037, 3, 90);
+    set8(0x3035, 3, 2);  // jump
+    set8(0x3035, 4, 0);
+    pass(5);
+    EXPECT_EQ(output(3), 0);
+    extra(1, 100);  // starts in the cycle that just ran
+    EXPECT_EQ(output(3), 0);
+    pass(50);
+    EXPECT_EQ(output(3), 25);
+    extra(1, 40);  // still ON: between the limits 0 and 100
+    pass(49);
+    EXPECT_EQ(output(3), 50) << "point 2 after 100 ms";
+    pass(1);
+    EXPECT_EQ(output(3), 90) << "jump";
+    pass(1000);
+    EXPECT_EQ(output(3), 90) << "stays at its end";
+    extra(1, 0);
+    EXPECT_EQ(output(3), 0);
+    extra(1, 100);
+    pass(10);
+    EXPECT_EQ(output(3), 5) << "from the beginning";
+}
+
+TEST_F(Ax130751Lookup, AutoRepeat) {
+    verifies<req::AOR_LT_013>();
+    connect(3, 1);
+    set8(0x3035, 1, 1);
+    set8(0x3032, 0, 1);
+    set32(0x3036, 2, 100);
+    set16(0x3037, 2, 50);
+    set8(0x3035, 3, 0);
+    extra(1, 100);
+    pass(100);
+    EXPECT_EQ(output(3), 50);
+    pass(20);
+    EXPECT_EQ(output(3), 10);
+    pass(1000);
+    EXPECT_EQ(output(3), 10);
+    extra(1, 0);
+    EXPECT_EQ(output(3), 0);
+}
+
+TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
+    verifies<req::AOR_LT_014, req::AOR_K_SHORTEST_INTERVAL, req::AOR_K_LONGEST_INTERVAL>();
+    set8(0x3103, 0, 2);
+    set32(0x3106, 1, -5);
+    set16(0x3107, 1, 77);
+    set8(0x3105, 1, 1);
+    EXPECT_EQ(read(0x3106, 1), 0U);
+    EXPECT_EQ(get16(0x3107, 1), 0);
+    EXPECT_EQ(get8(0x3103, 0), 0);
+    EXPECT_EQ(write_x(10, 1, 1), "06090031");
+    EXPECT_EQ(write_x(10, 1, -1), "06090032");
+    EXPECT_EQ(write_x(10, 1, 0), "");
+    EXPECT_EQ(write_x(10, 2, 0), "06090032");
+    EXPECT_EQ(write_x(10, 2, 1), "");
+    EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
+    EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
+    // Point 1 counts as (0, 0 ms) also with another Y, and X as milliseconds also with other digits.
+    connect(10, 1);
+    set16(0x3107, 1, 60);
+    set8(0x3103, 0, 3);
+    set32(0x3106, 2, 100);
+    extra(1, 100);
+    EXPECT_EQ(output(10), 0);
+    pass(50);
+    EXPECT_EQ(output(10), 5);
+}
+
+TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
+    verifies<req::AOR_LT_015>();
+    connect(1, 1);
+    extra(1, 60);
+    EXPECT_EQ(output(1), 60);
+    no_ramps(1);
+    set8(0x2340, 1, lookup_source);
+    set8(0x2341, 1, 1);
+    set8(0x6302, 1, 0);
+    set16(0x7322, 1, 100);
+    set16(0x7321, 1, 1000);
+    set8(0x2342, 1, 0);
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 3.4F);  // 1 V + 60 % of 4 V
+    set8(0x3010, 0, not_used);
+    pass(1);
+    EXPECT_EQ(output(1), 0);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no control: OFF, not the 1 V of scaling 1";
+}
+
+TEST_F(Ax130751Lookup, AnErrorOfItsInputIsHandedOn) {
+    verifies<req::AOR_LT_016, req::AOR_SRC_004>();
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    connect(1, 1);
+    no_ramps(1);
+    set8(0x2340, 1, lookup_source);
+    set8(0x2341, 1, 1);
+    set16(0x7341, 1, 2000);
+    start();
+    send("37F#280000000000");
+    pass(5);
+    EXPECT_EQ(output(1), 40);
+    pass(60);
+    EXPECT_EQ(output(1), 40) << "keeps its value";
+    EXPECT_FLOAT_EQ(volts(1), 2.0F) << "but the output takes its fault value";
+    // In time response it stops.
+    send("37F#640000000000");
+    set8(0x3015, 1, 1);
+    set32(0x3016, 2, 20);
+    set8(0x3015, 3, 0);
+    set16(0x3017, 2, 80);
+    pass(30);
+    EXPECT_EQ(output(1), 80);
+    pass(40);
+    EXPECT_EQ(output(1), 0);
+    send("37F#640000000000");
+    pass(11);
+    EXPECT_EQ(output(1), 40) << "anew, 10 ms after it began";
+}
+
+}  // namespace canproof::test

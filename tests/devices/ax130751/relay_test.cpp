@@ -1,0 +1,287 @@
+// The relay of the AX130751 over SDO (1.4).
+#include "support/ax130751_blocks.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+class Ax130751Relay : public Ax130751Blocks {
+  protected:
+    void SetUp() override {
+        Ax130751Blocks::SetUp();
+        for (int number = 1; number <= 3; ++number) {
+            extra_as_percent(number);
+        }
+    }
+    /// 2500h:number as an input of the relay.
+    void connect(std::uint16_t source_index, int number) {
+        set8(source_index, 1, canopen);
+        set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
+        pass(1);
+    }
+    /// The relay after 6220h:3 took a value, and a cycle.
+    bool control(int state) {
+        set8(0x6220, 3, state);
+        pass(1);
+        return relay_on();
+    }
+};
+
+TEST_F(Ax130751Relay, OnIsTheContactNcAndOffIsNo) {
+    verifies<req::AOR_RELAY_001, req::AOR_T_CONTACT, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
+    EXPECT_FALSE(device->outputs().relay_nc) << "OFF as shipped";
+    EXPECT_TRUE(device->outputs().relay_no);
+    control(1);
+    EXPECT_TRUE(device->outputs().relay_nc);
+    EXPECT_FALSE(device->outputs().relay_no);
+}
+
+TEST_F(Ax130751Relay, PolaritiesOfTable10) {
+    verifies<req::AOR_RELAY_002, req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_T10, req::AOR_SRC_003>();
+    const auto answers = [this](int polarity) {
+        control(0);
+        set8(0x2242, 1, polarity);
+        pass(1);
+        std::string seen{relay_on() ? '#' : '.'};
+        for (const int state : {1, 0, 1, 0}) {
+            seen += control(state) ? '#' : '.';
+        }
+        return seen;
+    };
+    EXPECT_EQ(answers(0), ".....");
+    EXPECT_EQ(answers(1), ".#.#.");
+    EXPECT_EQ(answers(2), "#.#.#");
+    EXPECT_EQ(answers(3), ".##..");
+    EXPECT_EQ(answers(4), "##..#");
+    EXPECT_EQ(answers(5), ".#.#.");
+    EXPECT_EQ(get8(0x6220, 3), 0) << "the device does not write the command";
+}
+
+TEST_F(Ax130751Relay, TogglesAtItsBlinkRate) {
+    verifies<req::AOR_RELAY_008>();
+    set8(0x2242, 1, 5);
+    EXPECT_TRUE(control(1));
+    pass(499);
+    EXPECT_TRUE(relay_on());
+    pass(1);
+    EXPECT_FALSE(relay_on()) << "500 ms as shipped: the time in one state";
+    pass(500);
+    EXPECT_TRUE(relay_on());
+    set16(0x2250, 1, 0);
+    pass(700);
+    EXPECT_TRUE(relay_on());
+    EXPECT_FALSE(control(0));
+}
+
+TEST_F(Ax130751Relay, UnlatchingAsAStateMachine) {
+    verifies<req::AOR_RELAY_005, req::AOR_RELAY_007>();
+    set8(0x2242, 1, 3);
+    connect(0x2270, 1);
+    EXPECT_TRUE(control(1));
+    extra(1, 100);
+    EXPECT_FALSE(relay_on());
+    extra(1, 0);
+    EXPECT_FALSE(relay_on()) << "the control is still ON";
+    EXPECT_FALSE(control(0));
+    EXPECT_TRUE(control(1)) << "works as before";
+    extra(1, 100);
+    control(0);
+    EXPECT_FALSE(control(1)) << "deaf while unlatched";
+    extra(1, 0);
+    EXPECT_FALSE(relay_on());
+    set8(0x2242, 1, 1);
+    extra(1, 100);
+    EXPECT_TRUE(relay_on()) << "no effect on normal logic";
+}
+
+TEST_F(Ax130751Relay, UnlatchingTheInverseLatch) {
+    verifies<req::AOR_RELAY_006>();
+    control(1);
+    set8(0x2242, 1, 4);
+    connect(0x2270, 1);
+    EXPECT_TRUE(relay_on());
+    EXPECT_FALSE(control(0));
+    extra(1, 100);
+    EXPECT_TRUE(relay_on());
+    extra(1, 0);
+    EXPECT_TRUE(relay_on());
+    EXPECT_TRUE(control(1));
+    EXPECT_FALSE(control(0));
+}
+
+TEST_F(Ax130751Relay, EnableResponsesOfTable11) {
+    verifies<req::AOR_RELAY_009, req::AOR_T11>();
+    connect(0x2280, 1);
+    // With the control ON: what the relay is while enable is OFF and while it is ON, and whether OFF keeps.
+    const auto answers = [this](int response, bool on_first) {
+        set8(0x2280, 1, not_used);
+        set8(0x2282, 1, response);
+        EXPECT_TRUE(control(1)) << "an enable that is not used is ignored";
+        set16(0x2500, 1, on_first ? 100 : 0);
+        set8(0x2280, 1, canopen);
+        pass(1);
+        const bool first = relay_on();
+        extra(1, on_first ? 0 : 100);
+        return std::pair{first, relay_on()};
+    };
+    using Pair = std::pair<bool, bool>;
+    EXPECT_EQ(answers(0, true), (Pair{true, false}));
+    EXPECT_EQ(answers(1, true), (Pair{false, true}));
+    EXPECT_EQ(answers(2, true), (Pair{false, true}));
+    EXPECT_EQ(answers(3, true), (Pair{true, false}));
+    // 4: enabled when ON, else kept
+    EXPECT_EQ(answers(4, true), (Pair{true, true}));
+    control(0);
+    EXPECT_TRUE(relay_on()) << "kept";
+    extra(1, 100);
+    EXPECT_FALSE(relay_on());
+    // 5: enabled when OFF, else kept
+    EXPECT_EQ(answers(5, false), (Pair{true, true}));
+    control(0);
+    EXPECT_TRUE(relay_on()) << "kept";
+    extra(1, 0);
+    EXPECT_FALSE(relay_on());
+}
+
+TEST_F(Ax130751Relay, DisabledIsOffAlsoWithInverseLogic) {
+    verifies<req::AOR_RELAY_009>();
+    set8(0x2242, 1, 2);
+    connect(0x2280, 1);
+    extra(1, 100);
+    EXPECT_TRUE(relay_on());
+    extra(1, 0);
+    EXPECT_FALSE(relay_on());
+}
+
+TEST_F(Ax130751Relay, OverrideResponsesOfTable12WithBothStates) {
+    verifies<req::AOR_RELAY_010, req::AOR_T12, req::AOR_T11B>();
+    connect(0x2290, 2);
+    const auto answer = [this](int response, int state, int signal, int command) {
+        set8(0x2292, 1, response);
+        set8(0x2293, 1, state);
+        set16(0x2500, 2, signal);
+        return control(command);
+    };
+    for (const int command : {0, 1}) {
+        for (const int state : {0, 1}) {
+            EXPECT_EQ(answer(0, state, 100, command), state == 1);
+            EXPECT_EQ(answer(0, state, 0, command), command == 1);
+            EXPECT_EQ(answer(1, state, 0, command), state == 1);
+            EXPECT_EQ(answer(1, state, 100, command), command == 1);
+        }
+    }
+}
+
+TEST_F(Ax130751Relay, OverrideComesBeforeEnable) {
+    verifies<req::AOR_RELAY_010, req::AOR_OUT_007>();
+    connect(0x2280, 1);  // response 0, OFF: disabled
+    connect(0x2290, 2);
+    set8(0x2293, 1, 1);
+    extra(2, 100);
+    EXPECT_TRUE(relay_on());
+}
+
+TEST_F(Ax130751Relay, AnInputInErrorPutsItOff) {
+    verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
+    set16(0x1400, 5, 50);  // RPDO1 maps 6220h:3
+    start();
+    send("27F#0000000001");
+    pass(5);
+    EXPECT_TRUE(relay_on());
+    pass(60);
+    EXPECT_FALSE(relay_on());
+    send("27F#0000000001");
+    pass(5);
+    EXPECT_TRUE(relay_on());
+}
+
+TEST_F(Ax130751Relay, DelaysOfOnAndOff) {
+    verifies<req::AOR_RELAY_012, req::AOR_RELAY_013>();
+    set32(0x22A1, 1, 30);
+    set32(0x22A2, 1, 20);
+    EXPECT_TRUE(control(1)) << "delays are off as shipped";
+    control(0);
+    set8(0x22A0, 1, 1);
+    EXPECT_FALSE(control(1));  // asked for in the cycle that just ran
+    pass(29);
+    EXPECT_FALSE(relay_on());
+    pass(1);
+    EXPECT_TRUE(relay_on());
+    EXPECT_TRUE(control(0));
+    pass(10);
+    control(1);  // cancelled
+    pass(50);
+    EXPECT_TRUE(relay_on());
+    control(0);
+    pass(19);
+    EXPECT_TRUE(relay_on()) << "the whole delay again";
+    pass(1);
+    EXPECT_FALSE(relay_on());
+}
+
+TEST_F(Ax130751Relay, ADelayOfADay) {
+    verifies<req::AOR_RELAY_012>();
+    set32(0x22A1, 1, 86'400'000);
+    set8(0x22A0, 1, 1);
+    control(1);
+    now = now + milliseconds(86'399'999);
+    device->advance(now);
+    EXPECT_FALSE(relay_on());
+    pass(1);
+    EXPECT_TRUE(relay_on());
+}
+
+TEST_F(Ax130751Relay, OverrideAndErrorsAreNotDelayed) {
+    verifies<req::AOR_RELAY_014>();
+    connect(0x2290, 2);
+    set8(0x2293, 1, 1);
+    set32(0x22A1, 1, 30);
+    set32(0x22A2, 1, 20);
+    set8(0x22A0, 1, 1);
+    extra(2, 100);
+    EXPECT_TRUE(relay_on());
+    extra(2, 0);
+    EXPECT_TRUE(relay_on());
+    pass(20);
+    EXPECT_FALSE(relay_on()) << "the way back is delayed";
+    extra(2, 100);
+    inputs.cpu_temperature = 90.0F;
+    set_inputs();
+    pass(1);
+    EXPECT_FALSE(relay_on()) << "shutdown";
+}
+
+TEST_F(Ax130751Relay, DelaysPutOffTogglingAsAWhole) {
+    verifies<req::AOR_RELAY_015>();
+    set8(0x2242, 1, 5);
+    set16(0x2250, 1, 10);
+    set32(0x22A1, 1, 30);
+    set32(0x22A2, 1, 25);
+    set8(0x22A0, 1, 1);
+    control(1);
+    pass(29);
+    EXPECT_FALSE(relay_on());
+    pass(1);
+    EXPECT_TRUE(relay_on());
+    pass(10);
+    EXPECT_FALSE(relay_on());
+    control(0);
+    pass(9);
+    EXPECT_TRUE(relay_on()) << "goes on toggling";
+    pass(16);
+    EXPECT_FALSE(relay_on());
+    pass(20);
+    EXPECT_FALSE(relay_on());
+}
+
+TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
+    verifies<req::AOR_RELAY_016>();
+    EXPECT_TRUE(control(1));
+    set8(0x2260, 1, not_used);
+    pass(1);
+    EXPECT_FALSE(relay_on());
+    set8(0x2242, 1, 2);
+    pass(1);
+    EXPECT_TRUE(relay_on()) << "inverse of OFF";
+}
+
+}  // namespace canproof::test
