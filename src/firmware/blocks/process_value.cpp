@@ -2,8 +2,12 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
+static_assert(implements<req::TCS_VAL_004>);
 std::int16_t process_value(const double field_value, const Scaling& scaling) noexcept {
     constexpr double highest = 32767.0;
     constexpr double lowest = -32768.0;

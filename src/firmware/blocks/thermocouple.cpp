@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -49,6 +52,7 @@ double clamped(const double value, const double low, const double high) noexcept
 
 }  // namespace
 
+static_assert(implements<req::TCS_CONV_008>);
 double decay(const double x) noexcept {
     constexpr double negligible = -40.0;  // e^-40 is 4e-18
     if (x < negligible) {
@@ -69,6 +73,7 @@ double decay(const double x) noexcept {
     return sum;
 }
 
+static_assert(implements<req::TCS_CONV_005> && implements<req::TCS_CONV_010>);
 double reference_mv(const ThermocoupleCurve& curve, const double celsius) noexcept {
     const ReferencePiece& piece = reference_piece(curve, celsius);
     return polynomial(piece.coefficients, celsius) + exponential_mv(piece.exponential, celsius);
@@ -81,6 +86,7 @@ double reference_slope(const ThermocoupleCurve& curve, const double celsius) noe
     return derivative(piece.coefficients, celsius) + (inner_slope * exponential_mv(term, celsius));
 }
 
+static_assert(implements<req::TCS_CONV_009>);
 double approximate_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
     std::size_t at{0U};
     while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].to_mv)) {
@@ -90,6 +96,7 @@ double approximate_celsius(const ThermocoupleCurve& curve, const double mv) noex
     return polynomial(piece.coefficients, clamped(mv, piece.from_mv, piece.to_mv));
 }
 
+static_assert(implements<req::TCS_CONV_002> && implements<req::TCS_CONV_003> && implements<req::TCS_CONV_004>);
 double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
     double low = curve.lowest_c;
     double high = curve.highest_c;

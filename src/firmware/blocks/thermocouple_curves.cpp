@@ -64,6 +64,7 @@ constexpr ThermocoupleCurve type_b = make_curve(SensorType::b);
 
 }  // namespace
 
+static_assert(implements<req::TCS_E_SENSOR_TYPE>);
 const ThermocoupleCurve& thermocouple_curve(const SensorType type) noexcept {
     switch (type) {
         case SensorType::k:

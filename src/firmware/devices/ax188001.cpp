@@ -19,6 +19,7 @@ constexpr std::uint16_t filter_index = 0x2020U;
 constexpr std::uint8_t tc_input_reaction = 2U;
 constexpr std::uint8_t fault_detection_reaction = 3U;
 constexpr std::uint8_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
+static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 constexpr LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 constexpr Duration scan_period = milliseconds(own::update_period_ms);
@@ -28,11 +29,20 @@ constexpr std::size_t most_late_scans = 8U;
 static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003>);
 constexpr auto bit_rates = lss_bit_rates(own::t_tcs_t4::rows);
 
+static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> &&
+              implements<req::TCS_ERR_006> && implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> &&
+              implements<req::TCS_T_BEHAVIOUR> && implements<req::TCS_LSS_005> && implements<req::TCS_PDO_001> &&
+              implements<req::TCS_PDO_002> && implements<req::TCS_PDO_003> && implements<req::TCS_PDO_004> &&
+              implements<req::TCS_PDO_005> && implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> &&
+              implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
+              implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
+/// What the node does for this device, beside its objects.
 constexpr NodeProfile make_profile() noexcept {
     NodeProfile profile{};
     profile.limit_abort = LimitAbort::high_low;
     profile.error_list = ErrorList::active;
     profile.emcy_content = EmcyContent::detail;
+    profile.stored_node_id = StoredNodeId::follows;
     profile.lss = LssProfile{bit_rates, true};
     profile.tpdo_trigger = TpdoTrigger::event_timer;
     return profile;

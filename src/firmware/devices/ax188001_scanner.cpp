@@ -23,6 +23,8 @@ constexpr std::uint16_t average_field_value_index = 0x2100U;
 constexpr std::uint8_t filter_50_hz = 50U;
 constexpr std::uint8_t filter_60_hz = 60U;
 
+static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
+              implements<req::TCS_K_FV_DISABLED>);
 constexpr ReservedValues reserved{own::process_value_disabled, own::process_value_open};
 
 static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
@@ -172,7 +174,8 @@ void Scanner::evaluate(const Instant now) noexcept {
     put_status();
 }
 
-static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_005> && implements<req::TCS_VAL_006> &&
+static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002> && implements<req::TCS_VAL_003> &&
+              implements<req::TCS_IN_012> && implements<req::TCS_VAL_005> && implements<req::TCS_VAL_006> &&
               implements<req::TCS_VAL_007> && implements<req::TCS_IN_013>);
 Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
     const std::uint8_t sub = subindex(channel);
@@ -269,8 +272,9 @@ void Scanner::evaluate_cold_junction() noexcept {
     objects_.set(field::o3130_cj_input_process_value, process_value(static_cast<double>(field_value), scaling));
 }
 
-static_assert(implements<req::TCS_FD_001> && implements<req::TCS_FD_002> && implements<req::TCS_FD_003> &&
-              implements<req::TCS_FD_004> && implements<req::TCS_FD_005> && implements<req::TCS_K_FD_RESOLUTION>);
+static_assert(implements<req::TCS_FD_007> && implements<req::TCS_FD_001> && implements<req::TCS_FD_002> &&
+              implements<req::TCS_FD_003> && implements<req::TCS_FD_004> && implements<req::TCS_FD_005> &&
+              implements<req::TCS_K_FD_RESOLUTION>);
 void Scanner::evaluate_unit(const Instant now) noexcept {
     constexpr double steps = static_cast<double>(own::fault_steps_per_unit);
     const double temperature = std::round(cpu_temperature_c_ * steps);

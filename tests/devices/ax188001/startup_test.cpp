@@ -191,6 +191,20 @@ TEST_F(LssSession, SetsTheNodeIdAsIn3_1_1_1) {
     EXPECT_EQ(read_once(), (Frames{"165:0D0#11F0010110000000"}));
 }
 
+TEST_F(LssSession, StoredCobIdsFollowUnlessTheyWereChosen) {
+    verifies<req::TCS_LSS_005>();
+    EXPECT_EQ(write(0x1801, 1, 4, 0xC0000333), 0U);
+    EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
+    talk({{"7E5#0401", {}}, {"7E5#1120", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"720#00"}}});
+    node = 0x20;
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_EQ(read(0x1800, 1).value, 0x400001A0U);
+        EXPECT_EQ(read(0x1801, 1).value, 0xC0000333U);
+        EXPECT_EQ(read(0x1402, 1).value, 0xC0000420U);
+        power_on();
+    }
+}
+
 TEST_F(LssSession, ChangesTheBitRateAsInTheCapture) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4>();
     // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
