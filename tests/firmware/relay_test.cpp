@@ -174,16 +174,20 @@ TEST_F(RelayTest, DelaysPutOffTogglingAsAWhole) {
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 
-TEST_F(RelayTest, WaitsWhileSomethingIsPending) {
+TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
     verifies<req::AOR_RELAY_012>();
-    EXPECT_FALSE(relay.is_waiting());
-    times.on_delay = milliseconds(2);
+    EXPECT_EQ(relay.next_change(), never);
+    times.on_delay = milliseconds(5);
     run("#", normal);
-    EXPECT_TRUE(relay.is_waiting());
-    run("##", normal);
-    EXPECT_FALSE(relay.is_waiting());
-    run("###", toggle);
-    EXPECT_TRUE(relay.is_waiting());
+    EXPECT_EQ(relay.next_change().us, 5000U);
+    run("######", normal);  // to 7 ms
+    EXPECT_EQ(relay.next_change(), never);
+    times.on_delay = Duration{};
+    run(".", normal);
+    run("#", toggle);  // ON at 8 ms, half period 2 ms
+    EXPECT_EQ(relay.next_change().us, 10000U);
+    run("#", normal, "", OutputDrive::override_value);
+    EXPECT_EQ(relay.next_change(), never);
 }
 
 }  // namespace canproof::test

@@ -10,4 +10,11 @@ constexpr bool blinks_on(const Instant since, const Duration half_period, const 
     return (half_period.us == 0U) || (((elapsed(since, now).us / half_period.us) % 2U) == 0U);
 }
 
+/// The next change after `now`.
+constexpr Instant next_blink(const Instant since, const Duration half_period, const Instant now) noexcept {
+    return (half_period.us == 0U)
+               ? never
+               : (since + Duration{((elapsed(since, now).us / half_period.us) + 1U) * half_period.us});
+}
+
 }  // namespace canproof

@@ -17,8 +17,8 @@ class DelayedState {
             pending_ = true;
             since_ = now;
         }
-        const Duration delay = wanted ? on_delay : off_delay;
-        if (elapsed(since_, now).us >= delay.us) {
+        due_ = since_ + (wanted ? on_delay : off_delay);
+        if (due_ <= now) {
             set(wanted);
         }
         return state_;
@@ -30,11 +30,14 @@ class DelayedState {
     }
     bool state() const noexcept { return state_; }
     bool is_pending() const noexcept { return pending_; }
+    /// When what is pending will be done.
+    Instant due() const noexcept { return pending_ ? due_ : never; }
 
   private:
     bool state_{false};
     bool pending_{false};
     Instant since_{};
+    Instant due_{never};
 };
 
 }  // namespace canproof

@@ -30,6 +30,9 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             state_ = DigitalOutputState{};
             break;
     }
+    if (drive != OutputDrive::control) {
+        next_blink_ = never;
+    }
     control_before_ = demand.control;  // an edge that comes while something else drives the output is past by then
     return state_;
 }
@@ -41,6 +44,7 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
         blinking_since_ = now;
     }
     blinking_ = blinks;
+    next_blink_ = blinks ? next_blink(blinking_since_, blink, now) : never;
     switch (drive) {
         case SwitchDrive::on:
             memory_ = true;

@@ -25,7 +25,8 @@ class DigitalOutput {
                                Duration blink, Instant now) noexcept;
     /// OFF, at once, and nothing remembered.
     void reset() noexcept { *this = DigitalOutput{}; }
-    bool is_blinking() const noexcept { return blinking_; }
+    /// When it will change by itself, its inputs staying as they are.
+    Instant next_change() const noexcept { return next_blink_; }
 
   private:
     bool follow_control(SwitchDrive drive, Duration blink, Instant now) noexcept;
@@ -35,6 +36,7 @@ class DigitalOutput {
     bool memory_{false};  ///< of latched logic: kept while something else drives the output
     bool blinking_{false};
     Instant blinking_since_{};
+    Instant next_blink_{never};
 };
 
 }  // namespace canproof

@@ -89,12 +89,14 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
         blinking_since_ = now;
     }
     blinking_ = blinks;
+    next_blink_ = blinks ? next_blink(blinking_since_, times.blink, now) : never;
     return blinks ? blinks_on(blinking_since_, times.blink, now) : on;
 }
 
 bool Relay::force(const bool state) noexcept {
     delayed_.set(state);
     blinking_ = false;
+    next_blink_ = never;
     return state;
 }
 

@@ -35,8 +35,8 @@ class Relay {
                  Instant now) noexcept;
     /// OFF, at once, and nothing remembered.
     void reset() noexcept { *this = Relay{}; }
-    /// Whether it will change by itself.
-    bool is_waiting() const noexcept { return delayed_.is_pending() || blinking_; }
+    /// When it will change by itself, its inputs staying as they are.
+    Instant next_change() const noexcept { return earliest(delayed_.due(), next_blink_); }
 
   private:
     /// Of a latch, as 1.4 describes unlatching.
@@ -56,6 +56,7 @@ class Relay {
     Latch latch_{Latch::latching};
     UnlatchEffect effect_{UnlatchEffect::ignored};
     Instant blinking_since_{};
+    Instant next_blink_{never};
     bool memory_{false};
     bool control_before_{false};
     bool blinking_{false};

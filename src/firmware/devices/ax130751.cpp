@@ -189,7 +189,14 @@ void Device::run_cycle(const Instant now) noexcept {
     const bool changes = run_blocks(now);
     tell_errors(now);
     quiet_cycles_ = changes ? std::uint8_t{0U} : static_cast<std::uint8_t>(quiet_cycles_ + 1U);
-    next_cycle_ = (quiet_cycles_ >= cycles_to_rest) ? never : (now + cycle_time);
+    const bool rests = quiet_cycles_ >= cycles_to_rest;
+    quiet_cycles_ = rests ? cycles_to_rest : quiet_cycles_;
+    next_cycle_ = rests ? next_change() : (now + cycle_time);
+}
+
+/// When blocks at rest move by themselves. What they wait for began with a cycle and lasts whole milliseconds.
+Instant Device::next_change() const noexcept {
+    return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }
 
 /// One evaluation of all blocks. True when the next one may differ.

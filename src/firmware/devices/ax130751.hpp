@@ -62,6 +62,7 @@ class Device final : private Application {
     void watch_network() noexcept;
     void tell_errors(Instant now) noexcept;
     void wake(Instant now) noexcept;
+    Instant next_change() const noexcept;
     AbortCode keep_configuration(const LssConfiguration& configuration) noexcept;
     void show_configuration() noexcept;
 

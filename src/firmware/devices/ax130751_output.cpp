@@ -99,9 +99,12 @@ bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Ou
     changed_ = false;
     const InputSignals signals = read_inputs();
     clear(outputs);
-    const bool moves = is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
-                                                     : advance_analogue(signals, cycle, inputs, outputs);
-    return moves || changed_;
+    next_change_ = never;
+    if (is_digital(objects_, number_)) {
+        advance_digital(signals, cycle, outputs);
+        return changed_;
+    }
+    return advance_analogue(signals, cycle, inputs, outputs) || changed_;
 }
 
 UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
@@ -241,7 +244,7 @@ SwitchPolarity UniversalOutput::polarity() const noexcept {
 }
 
 static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
-bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
+void UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
                                objects_.get(field::o6260_do_fault_state_1_output_line[number_]) != 0U};
@@ -253,7 +256,7 @@ bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputC
     outputs.out_on[at] = state.drive;
     outputs.out_level[at] = static_cast<float>(level());
     outputs.out_voltage[at] = state.drive ? outputs.out_level[at] : 0.0F;
-    return digital_.is_blinking();
+    next_change_ = digital_.next_change();
 }
 
 void UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {

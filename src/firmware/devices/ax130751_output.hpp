@@ -26,8 +26,10 @@ class UniversalOutput {
         : objects_{objects}, sources_{sources}, number_{number} {}
 
     void reset() noexcept;
-    /// Drives the output, 7330h and 2370h. True while they go on changing.
+    /// Drives the output, 7330h and 2370h. True when they changed or a ramp is under way.
     bool advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept;
+    /// When it will change by itself, its inputs staying as they are.
+    Instant next_change() const noexcept { return next_change_; }
 
     /// Writes what belongs to the type in 6310h (5550h).
     void take_type_defaults() noexcept;
@@ -52,7 +54,7 @@ class UniversalOutput {
     double field_value(Field<std::int16_t> entry) const noexcept;
     bool advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                           Outputs& outputs) noexcept;
-    bool advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
+    void advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
     void drive_analogue(Kind kind, double value, double measured, Outputs& outputs) const noexcept;
     void clear(Outputs& outputs) const noexcept;
     double level() const noexcept;
@@ -70,6 +72,7 @@ class UniversalOutput {
     std::uint16_t type_{0U};
     std::int16_t shown_target_{0};
     std::int16_t shown_feedback_{0};
+    Instant next_change_{never};
     bool changed_{false};
 };
 

@@ -88,7 +88,7 @@ bool RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
                              override_state(objects_.get(field::o2293_relay_override_state[1U]))};
     const bool before = shown_;
     show(relay_.advance(drive, demand, wanted, times(), cycle.now), outputs);
-    return relay_.is_waiting() || (shown_ != before);
+    return shown_ != before;
 }
 
 OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {

@@ -13,8 +13,10 @@ class RelayOutput {
         : objects_{objects}, sources_{sources} {}
 
     void reset(Outputs& outputs) noexcept;
-    /// Drives the contact. True while it goes on changing.
+    /// Drives the contact. True when it changed.
     bool advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
+    /// When it will change by itself, its inputs staying as they are.
+    Instant next_change() const noexcept { return relay_.next_change(); }
 
   private:
     RelayPolarity polarity() const noexcept;
