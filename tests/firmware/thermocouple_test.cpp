@@ -37,6 +37,23 @@ TEST(Thermocouple, ReferenceFunctionsAreThoseOfTheIts90) {
     }
 }
 
+TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
+    for (const auto& type : its90_types()) {
+        const ThermocoupleCurve& curve = curve_of(type);
+        ASSERT_EQ(curve.reference_count, type.reference.size()) << type.letter;
+        for (std::size_t i = 0; i < curve.reference_count; ++i) {
+            EXPECT_DOUBLE_EQ(curve.reference[i].from_c, static_cast<double>(type.reference[i].from)) << type.letter;
+            EXPECT_DOUBLE_EQ(curve.reference[i].to_c, static_cast<double>(type.reference[i].to)) << type.letter;
+        }
+        ASSERT_EQ(curve.inverse_count, type.inverse.size()) << type.letter;
+        for (std::size_t i = 0; i < curve.inverse_count; ++i) {
+            EXPECT_DOUBLE_EQ(curve.inverse[i].from_mv, static_cast<double>(type.inverse[i].from)) << type.letter;
+            EXPECT_DOUBLE_EQ(curve.inverse[i].to_mv, static_cast<double>(type.inverse[i].to)) << type.letter;
+        }
+    }
+}
+
 TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
     verifies<req::TCS_CONV_001>();
     for (const auto& type : its90_types()) {
