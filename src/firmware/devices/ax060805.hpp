@@ -52,6 +52,7 @@ class Device final : private Application {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
     AbortCode check_access(const EntryRef& entry) override;

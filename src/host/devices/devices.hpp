@@ -7,6 +7,7 @@
 
 namespace canproof::host {
 
+std::unique_ptr<SimulatedDevice> make_ax060805();
 std::unique_ptr<SimulatedDevice> make_ax130751();
 std::unique_ptr<SimulatedDevice> make_ax188001();
 std::unique_ptr<SimulatedDevice> make_cbx_ao412();

@@ -1,0 +1,412 @@
+// Angles, frames, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read in
+// hundredths of a degree, accelerations in thousandths of g.
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Angles : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        switch_filter_off();
+        angle_digits(100);
+        acceleration_digits(1000);
+    }
+    /// Pitch, roll and gravity angle after the next sample.
+    std::vector<int> angles_at(double x, double y, double z) {
+        feel(x, y, z);
+        pass(5);
+        return angles();
+    }
+    std::vector<int> angles_of(double pitch, double roll) {
+        turn(pitch, roll);
+        pass(5);
+        return angles();
+    }
+    void use_euler_angles() { write(0x2100, 0, 0, 1); }
+};
+
+using Row = std::vector<int>;
+
+}  // namespace
+
+TEST_F(Angles, ALevelUnitReadsZeroAndFeelsMinus1gOnZ) {
+    verifies<req::INC_ANGLE_001, req::INC_ANGLE_006, req::INC_INSTALL_002, req::INC_S_ACCELERATION_X,
+             req::INC_S_ACCELERATION_Y, req::INC_S_ACCELERATION_Z>();
+    verifies<req::INC_OD_4000, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050>();
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
+    use_euler_angles();
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+}
+
+TEST_F(Angles, AccelerationsArePositiveAlongTheirAxes) {
+    verifies<req::INC_ANGLE_001, req::INC_S_ACCELERATION_X, req::INC_S_ACCELERATION_Y, req::INC_S_ACCELERATION_Z>();
+    feel(0.25, -0.5, 0.75);
+    pass(5);
+    EXPECT_EQ(accelerations(), (Row{250, -500, 750}));
+}
+
+TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
+    verifies<req::INC_ANGLE_002, req::INC_ANGLE_003, req::INC_ANGLE_004>();
+    // gx = -0.5: pitch atan2(0.5, 0.866) = 30
+    EXPECT_EQ(angles_at(0.5, 0.0, -0.8660254), (Row{3000, 0, 3000}));
+    // gy = 0.5: roll atan2(0.5, 0.866) = 30
+    EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
+}
+
+TEST_F(Angles, TiltAsShippedAndEulerBy2100hAtOnce) {
+    verifies<req::INC_ANGLE_009, req::INC_ANGLE_005, req::INC_OD_2100>();
+    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
+    write(0x2100, 0, 0, 1);
+    EXPECT_EQ(angles(), (Row{-3000, 3526, 4500}));
+    write(0x2100, 0, 1, 1);
+    EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
+    EXPECT_EQ(refusal(0x2100, 0, 2, 1), "06090031");
+}
+
+TEST_F(Angles, ReachTheWholeTurn) {
+    verifies<req::INC_ANGLE_013, req::INC_ANGLE_003, req::INC_ANGLE_005>();
+    EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{15000, 18000, 15000}));
+    EXPECT_EQ(angles_at(-0.5, 0.0, 0.8660254), (Row{-15000, 18000, 15000}));
+    EXPECT_EQ(angles_at(0.0, 0.5, 0.8660254), (Row{18000, -15000, 15000}));
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0), (Row{18000, 18000, 18000}));
+    use_euler_angles();
+    EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{3000, 18000, 15000}));
+    EXPECT_EQ(angles_at(1.0, 0.0, 0.0)[0], 9000);
+    EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], -9000);
+}
+
+TEST_F(Angles, TiltJumpsWhereGzChangesItsSign) {
+    verifies<req::INC_ANGLE_007>();
+    EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));
+    EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0001), (Row{15000, 12000, 9001}));
+    EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));  // no hysteresis
+}
+
+TEST_F(Angles, TurningAboutTheVerticalChangesNothing) {
+    verifies<req::INC_ANGLE_010>();
+    const Row straight = angles_of(20.0, -50.0);
+    // The same attitude with yaw 90: what the unit feels is R(roll) R(pitch) R(yaw) of the vertical, and the turn about
+    // the vertical leaves the vertical as it is: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
+}
+
+TEST_F(Angles, EulerRollKeepsItsLastValueInGimbalLock) {
+    verifies<req::INC_ANGLE_008, req::INC_K_GIMBAL_LOCK>();
+    use_euler_angles();
+    EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
+    EXPECT_EQ(angles_of(89.2, -120.0)[1], 4000);                // 0.8 degree from the vertical
+    EXPECT_EQ(angles_of(89.2, -120.0)[0], 8920);
+    EXPECT_EQ(angles_of(90.0, 0.0), (Row{9000, 4000, 9000}));
+    EXPECT_EQ(angles_of(88.8, -120.0)[1], -12000);  // 1.2 degrees
+    EXPECT_EQ(angles_of(-90.0, 0.0), (Row{-9000, -12000, 9000}));
+}
+
+TEST_F(Angles, EulerRollIsZeroWhenTheDeviceStartsInGimbalLock) {
+    verifies<req::INC_ANGLE_008>();
+    write(0x2100, 0, 0, 1);
+    write(0x1010, 1, 0x65766173, 4);
+    feel(0.99995, 0.01, 0.0);
+    power_on();
+    EXPECT_EQ(roll(), 0);
+}
+
+TEST_F(Angles, TiltRollGoesOnInGimbalLock) {
+    verifies<req::INC_ANGLE_008>();
+    angles_of(0.0, 40.0);
+    EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
+}
+
+TEST_F(Angles, WithoutGravityTheyKeepTheirLastValue) {
+    verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5>();
+    const Row before = angles_of(30.0, 0.0);
+    EXPECT_EQ(angles_at(0.0, 0.0, 0.0), before);
+    EXPECT_EQ(read(0x4020), 1U);
+    EXPECT_EQ(accelerations(), (Row{0, 0, 0}));
+    EXPECT_EQ(angles_at(0.0, 0.099, 0.0), before);
+    EXPECT_EQ(read(0x4020), 1U);
+    EXPECT_EQ(angles_at(0.0, -0.101, 0.0), (Row{0, 9000, 9000}));
+    EXPECT_EQ(read(0x4020), 0U);
+}
+
+TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
+    verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
+    // A level machine whose unit has pitch 30 and roll 90: gravity (-0.5, 0.866, 0) in the unit.
+    EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
+    write_real(0x2200, 0, 30.0F);
+    write_real(0x2210, 0, 90.0F);
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
+    // The unit's X axis points where the machine's forward axis would after the pitch: 1 g along it is felt as
+    // (cos 30, 0, -sin 30) by the machine.
+    feel(1.0, 0.0, 0.0);
+    pass(5);
+    EXPECT_EQ(accelerations(), (Row{866, 0, -500}));
+}
+
+TEST_F(Angles, InitialAnglesHaveTheirRanges) {
+    verifies<req::INC_OD_2200, req::INC_OD_2210>();
+    const auto bits = [](float value) { return bits_of(value); };
+    EXPECT_EQ(refusal(0x2200, 0, bits(90.0F), 4), "");
+    EXPECT_EQ(refusal(0x2200, 0, bits(90.001F), 4), "06090031");
+    EXPECT_EQ(refusal(0x2200, 0, bits(-90.001F), 4), "06090032");
+    EXPECT_EQ(refusal(0x2210, 0, bits(-180.0F), 4), "");
+    EXPECT_EQ(refusal(0x2210, 0, bits(180.1F), 4), "06090031");
+    EXPECT_EQ(refusal(0x2210, 0, bits(-180.1F), 4), "06090032");
+}
+
+TEST_F(Angles, AutoNullTakesThePresentPositionAsLevel) {
+    verifies<req::INC_INSTALL_003, req::INC_INSTALL_004, req::INC_OD_2300>();
+    angles_of(20.0, -135.0);
+    write(0x2300, 0, 1, 1);
+    EXPECT_EQ(read(0x2300), 0U);
+    EXPECT_NEAR(real(0x2200), 20.0F, 1e-4F);
+    EXPECT_NEAR(real(0x2210), -135.0F, 1e-4F);
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    pass(5);
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    EXPECT_EQ(refusal(0x2300, 0, 2, 1), "06090031");
+}
+
+TEST_F(Angles, AutoNullMeasuresTheUnitNotTheMachine) {
+    verifies<req::INC_INSTALL_003, req::INC_INSTALL_004>();
+    angles_of(20.0, 10.0);
+    write(0x2300, 0, 1, 1);
+    angles_of(-35.0, 70.0);
+    write(0x2300, 0, 1, 1);
+    EXPECT_NEAR(real(0x2200), -35.0F, 1e-4F);
+    EXPECT_NEAR(real(0x2210), 70.0F, 1e-4F);
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+}
+
+TEST_F(Angles, Writing0To2300hDoesNothing) {
+    verifies<req::INC_INSTALL_003, req::INC_OD_2300>();
+    angles_of(20.0, 10.0);
+    write(0x2300, 0, 0, 1);
+    EXPECT_EQ(real(0x2200), 0.0F);
+    EXPECT_EQ(real(0x2210), 0.0F);
+    EXPECT_EQ(pitch(), 2000);
+}
+
+TEST_F(Angles, AutoNullWorksBehindTheInputFilter) {
+    verifies<req::INC_INSTALL_003>();
+    write(0x2002, 0, 1, 1);
+    write(0x2003, 0, 1, 1);
+    turn(10.0, 0.0);
+    pass(5);  // one sample of 1 Hz has covered 3 % of the way
+    write(0x2300, 0, 1, 1);
+    EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
+}
+
+TEST_F(Angles, AutoNullIsRefusedWhereThereIsNoRollOrNoDirection) {
+    verifies<req::INC_INSTALL_005>();
+    const auto expect_refused = [this](const char* why) {
+        EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
+        EXPECT_EQ(real(0x2200), 7.0F) << why;
+        EXPECT_EQ(real(0x2210), 8.0F) << why;
+        EXPECT_EQ(read(0x2300), 0U) << why;
+        EXPECT_EQ(refusal(0x2300, 0, 0, 1), "") << why;
+    };
+    write_real(0x2200, 0, 7.0F);
+    write_real(0x2210, 0, 8.0F);
+    angles_of(89.5, 30.0);
+    expect_refused("gimbal lock");
+    angles_at(0.0, 0.0, 0.05);
+    expect_refused("weightless");
+    inputs.accelerometer_fault = true;
+    angles_of(10.0, 10.0);
+    expect_refused("accelerometer error");
+}
+
+TEST_F(Angles, AutoNullIsLostWithAResetUnlessStored) {
+    verifies<req::INC_INSTALL_006, req::INC_OD_2300>();
+    angles_of(20.0, 10.0);
+    write(0x2300, 0, 1, 1);
+    send("000#8100");
+    EXPECT_EQ(real(0x2200), 0.0F);
+    write(0x2300, 0, 1, 1);
+    write(0x1010, 1, 0x65766173, 4);
+    send("000#8100");
+    EXPECT_NEAR(real(0x2200), 20.0F, 0.01F);
+    EXPECT_NEAR(real(0x2210), 10.0F, 0.01F);
+    EXPECT_EQ(read(0x2300), 0U);
+}
+
+TEST_F(Angles, CalibrationUndoesThePositionOfTheSensorFirst) {
+    verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401>();
+    factory.calibration = {30.0F, 90.0F};
+    power_on();
+    switch_filter_off();
+    angle_digits(100);
+    EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{0, 0, 0}));
+    EXPECT_EQ(real(0x2400), 30.0F);
+    EXPECT_EQ(real(0x2401), 90.0F);
+    EXPECT_EQ(refusal(0x2400, 0, 0, 4), "06010002");
+    EXPECT_EQ(refusal(0x2401, 0, 0, 4), "06010002");
+    // The initial angles act on what the calibration gives: the unit is level, so roll 10 reads as -10.
+    write_real(0x2210, 0, 10.0F);
+    EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
+}
+
+TEST_F(Angles, ANewFrameRestartsTheAdditionalFilters) {
+    verifies<req::INC_INSTALL_008>();
+    write(0x2050, 1, 1, 1);
+    write(0x2051, 1, 100, 2);
+    angles_of(20.0, 0.0);
+    pass(2000);
+    EXPECT_EQ(pitch(), 2000);
+    write_real(0x2200, 0, 5.0F);
+    EXPECT_EQ(pitch(), 1500);
+    write_real(0x2210, 0, 180.0F);
+    EXPECT_EQ(pitch(), 15500);  // upside down: the supplement of 25
+    write_real(0x2210, 0, 0.0F);
+    write(0x2300, 0, 1, 1);
+    EXPECT_EQ(pitch(), 0);
+    write_real(0x2200, 0, 0.0F);
+    angles_of(20.0, 180.0);
+    pass(2000);
+    EXPECT_EQ(pitch(), 16000);
+    write(0x2100, 0, 0, 1);
+    EXPECT_EQ(pitch(), 2000);
+}
+
+TEST_F(Angles, AreInvertedBy2031hAndAccelerationsBy2011h) {
+    verifies<req::INC_FV_004, req::INC_OD_2011, req::INC_OD_2031>();
+    EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
+    EXPECT_EQ(accelerations(), (Row{-500, -500, -707}));
+    write(0x2031, 1, 1, 1);
+    EXPECT_EQ(angles(), (Row{3000, 3000, 4500}));
+    write(0x2031, 2, 1, 1);
+    EXPECT_EQ(angles(), (Row{3000, -3000, 4500}));
+    write(0x2031, 3, 1, 1);
+    EXPECT_EQ(angles(), (Row{3000, -3000, -4500}));
+    EXPECT_EQ(accelerations(), (Row{-500, -500, -707}));
+    write(0x2011, 1, 1, 1);
+    EXPECT_EQ(accelerations(), (Row{500, -500, -707}));
+    write(0x2011, 2, 1, 1);
+    EXPECT_EQ(accelerations(), (Row{500, 500, -707}));
+    write(0x2011, 3, 1, 1);
+    EXPECT_EQ(accelerations(), (Row{500, 500, 707}));
+    EXPECT_EQ(angles(), (Row{3000, -3000, -4500}));
+    EXPECT_EQ(refusal(0x2031, 1, 2, 1), "06090031");
+    EXPECT_EQ(refusal(0x2011, 1, 2, 1), "06090031");
+}
+
+TEST_F(Angles, CountOneUnitByDecimalDigits) {
+    verifies<req::INC_FV_003, req::INC_OD_2010, req::INC_OD_2030>();
+    angle_digits(1);
+    acceleration_digits(1);
+    angles_of(20.6, 0.0);
+    EXPECT_EQ(pitch(), 21);
+    EXPECT_EQ(accelerations(), (Row{0, 0, -1}));  // sin 20.6 = 0.352, cos 20.6 = 0.936
+    write(0x2030, 1, 10, 2);
+    EXPECT_EQ(pitch(), 206);
+    write(0x2030, 1, 1000, 2);
+    EXPECT_EQ(pitch(), 20600);
+    write(0x2010, 1, 1000, 2);
+    EXPECT_EQ(accelerations(), (Row{352, 0, -1}));
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x2010, 0x2030}) {
+        EXPECT_EQ(refusal(index, 2, 0, 2), "06090032");
+        EXPECT_EQ(refusal(index, 2, 1001, 2), "06090031");
+    }
+}
+
+TEST_F(Angles, FieldValuesAreScaledOffsetRoundedAndSaturated) {
+    verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
+    angle_digits(10);
+    angles_of(20.04, 0.0);
+    EXPECT_EQ(pitch(), 200);  // 200.4
+    write_real(0x2040, 1, 0.3F);
+    EXPECT_EQ(pitch(), 201);  // 200.7: the offset is in counts
+    write(0x2031, 1, 1, 1);
+    EXPECT_EQ(pitch(), -200);  // -200.4 + 0.3
+    write(0x2031, 1, 0, 1);
+    write(0x2030, 1, 1000, 2);
+    write_real(0x2040, 1, 20000.0F);
+    EXPECT_EQ(pitch(), 32767);
+    write_real(0x2040, 1, -4294967295.0F);
+    EXPECT_EQ(pitch(), -32768);
+    write_real(0x2040, 2, -7.0F);
+    write_real(0x2040, 3, 7.0F);
+    EXPECT_EQ(roll(), -7);
+    EXPECT_EQ(gravity_angle(), 207);
+    write_real(0x2020, 1, 10.0F);
+    write_real(0x2020, 2, 20.0F);
+    write_real(0x2020, 3, 30.0F);
+    EXPECT_EQ(accelerations(), (Row{353, 20, -909}));  // sin 20.04 = 0.3427, cos 20.04 = 0.9395
+}
+
+TEST_F(Angles, OffsetsTakeFloatsAndNothingElse) {
+    verifies<req::INC_OD_2020, req::INC_OD_2040>();
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x2020, 0x2040}) {
+        EXPECT_EQ(refusal(index, 1, bits_of(4294967295.0F), 4), "");
+        EXPECT_EQ(refusal(index, 1, bits_of(-4294967295.0F), 4), "");
+        EXPECT_EQ(refusal(index, 1, bits_of(4.3e9F), 4), "06090031");
+        EXPECT_EQ(refusal(index, 1, bits_of(-4.3e9F), 4), "06090032");
+        EXPECT_NE(refusal(index, 1, 0x7F800000U, 4), "");  // infinity
+        EXPECT_NE(refusal(index, 1, 0x7FC00000U, 4), "");  // no number
+        EXPECT_NE(refusal(index, 1, 0xFFC00000U, 4), "");
+    }
+}
+
+namespace {
+
+class RangedAngles : public Angles {
+  protected:
+    void start_with(ax060805::AngleConfiguration range) {
+        factory.range = range;
+        power_on();
+        switch_filter_off();
+        angle_digits(10);
+    }
+};
+
+}  // namespace
+
+TEST_F(RangedAngles, FullTurnHas360DegreesOnPitchAndRoll) {
+    verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
+    start_with(ax060805::AngleConfiguration::full_turn);
+    EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, 2700, 900}));
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{3300, 0, 300}));
+    EXPECT_EQ(angles_of(30.0, 0.0), (Row{300, 0, 300}));
+    write(0x2031, 1, 1, 1);
+    EXPECT_EQ(angles(), (Row{-300, 0, 300}));
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after it was brought into its range
+}
+
+TEST_F(RangedAngles, RightAngleHasTheDistanceFromTheLevel) {
+    verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
+    start_with(ax060805::AngleConfiguration::right_angle);
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{300, 0, 300}));
+    EXPECT_EQ(angles_of(0.0, 150.0), (Row{0, 300, 1500}));
+    EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
+}
+
+TEST_F(RangedAngles, HalfTurnsAreAsShippedAndNoObjectShowsTheRange) {
+    verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
+    angle_digits(10);
+    EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-300, 0, 300}));
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x2101, 0x2110, 0x2220}) {
+        EXPECT_EQ(refusal(index, 0, 0, 1), "06020000");
+    }
+}
+
+TEST_F(RangedAngles, AVerticalMountReadsItsRollRoundTheWholeTurn) {
+    verifies<req::INC_RANGE_003>();
+    start_with(ax060805::AngleConfiguration::full_turn);
+    use_euler_angles();
+    write_real(0x2210, 0, 90.0F);  // mounted on its side
+    for (int roll_of_machine = 0; roll_of_machine < 360; roll_of_machine += 5) {
+        const Row read_angles = angles_of(0.0, 90.0 + roll_of_machine);
+        EXPECT_EQ(read_angles[0], 0);
+        EXPECT_EQ(read_angles[1], roll_of_machine * 10);
+    }
+}
+
+}  // namespace canproof::test

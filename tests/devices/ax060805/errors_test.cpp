@@ -1,0 +1,324 @@
+// Errors of the AX060805 (4.2.2, 4.2.4, 4.2.13, Tables 5 and 22), node 127: emergency messages on 0FFh.
+#include <algorithm>
+#include <cmath>
+
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Errors : public InclinometerTest {
+  protected:
+    Frames fail_accelerometer(bool fails = true) {
+        inputs.accelerometer_fault = fails;
+        set_inputs();
+        return pass(5);
+    }
+    Frames heat(float celsius) {
+        inputs.sensor_temperature = celsius;
+        set_inputs();
+        return pass(5);
+    }
+    /// What 1003h lists, the latest first.
+    std::vector<std::uint32_t> listed() {
+        std::vector<std::uint32_t> all;
+        const std::uint32_t count = read(0x1003);
+        for (std::uint8_t sub = 1; sub <= count; ++sub) {
+            all.push_back(read(0x1003, sub));
+        }
+        return all;
+    }
+};
+
+using List = std::vector<std::uint32_t>;
+
+}  // namespace
+
+TEST_F(Errors, AnAccelerometerFaultIsFF00h) {
+    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
+             req::INC_S_ACCELEROMETER_FAULT>();
+    EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
+    EXPECT_EQ(read(0x1001), 1U);
+    EXPECT_EQ(listed(), (List{0x0000FF00}));
+    EXPECT_EQ(fail_accelerometer(), (Frames{}));
+    EXPECT_EQ(fail_accelerometer(false), (Frames{"5:0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x1001), 0U);
+    EXPECT_EQ(listed(), (List{}));
+}
+
+TEST_F(Errors, WhatIsNoAccelerationIsAFaultToo) {
+    verifies<req::INC_ERR_006, req::INC_K_SENSOR_RANGE, req::INC_S_ACCELERATION_X, req::INC_S_ACCELERATION_Y,
+             req::INC_S_ACCELERATION_Z>();
+    struct Row {
+        float x, y, z;
+        std::uint32_t merit;
+    };
+    const std::vector<Row> rows{{NAN, 0.0F, -1.0F, 2},     {0.0F, NAN, -1.0F, 2},      {0.0F, 0.0F, NAN, 2},
+                                {16.001F, 0.0F, -1.0F, 2}, {0.0F, -16.1F, 0.0F, 2},    {0.0F, 0.0F, 17.0F, 2},
+                                {INFINITY, 0.0F, 0.0F, 2}, {0.0F, 0.0F, -INFINITY, 2}, {16.0F, -16.0F, 16.0F, 0}};
+    for (const auto& row : rows) {
+        inputs.acceleration_x = row.x;
+        inputs.acceleration_y = row.y;
+        inputs.acceleration_z = row.z;
+        set_inputs();
+        pass(5);
+        EXPECT_EQ(read(0x4020), row.merit) << row.x << " " << row.y << " " << row.z;
+        EXPECT_EQ(listed(), row.merit == 2 ? (List{0x0000FF00}) : (List{}));
+    }
+}
+
+TEST_F(Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
+    verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
+             req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
+    EXPECT_EQ(read(0x4020), 0U);
+    EXPECT_EQ(heat(125.0F), (Frames{}));
+    EXPECT_EQ(heat(125.1F), (Frames{"5:0FF#0042010000000000"}));
+    EXPECT_EQ(read(0x4020), 1U);
+    EXPECT_EQ(listed(), (List{0x00004200}));
+    EXPECT_EQ(heat(-40.0F), (Frames{"5:0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x4020), 0U);
+    EXPECT_EQ(heat(-40.1F), (Frames{"5:0FF#0042010000000000"}));
+    EXPECT_EQ(read(0x4020), 1U);
+    EXPECT_EQ(heat(NAN), (Frames{}));
+    EXPECT_EQ(read(0x4020), 1U);
+    EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
+}
+
+TEST_F(Errors, TheGraverConditionIsTheFigureOfMerit) {
+    verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
+    heat(130.0F);
+    fail_accelerometer();
+    EXPECT_EQ(read(0x4020), 2U);
+    fail_accelerometer(false);
+    EXPECT_EQ(read(0x4020), 1U);
+    feel(0.0, 0.0, 0.0);
+    pass(100);  // the input filter needs its time to lose 1 g
+    pass(400);
+    EXPECT_EQ(read(0x4020), 1U);
+    heat(30.0F);
+    EXPECT_EQ(read(0x4020), 1U);
+    fail_accelerometer();
+    EXPECT_EQ(read(0x4020), 2U);
+    feel(0.0, 0.0, -1.0);
+    fail_accelerometer(false);
+    EXPECT_EQ(read(0x4020), 0U);
+}
+
+TEST_F(Errors, AFailedSensorsValuesStay) {
+    verifies<req::INC_FV_007>();
+    turn(30.0, 0.0);
+    pass(1000);
+    fail_accelerometer();
+    turn(-60.0, 10.0);
+    pass(1000);
+    EXPECT_EQ(angles(), (std::vector<int>{30, 0, 30}));
+    acceleration_digits(1000);
+    EXPECT_EQ(accelerations(), (std::vector<int>{500, 0, -866}));
+    fail_accelerometer(false);
+    EXPECT_EQ(pitch(), -60);
+}
+
+TEST_F(Errors, SensorErrorsChangeTheStateBy1029hSub2) {
+    verifies<req::INC_ERR_011, req::INC_OD_1029>();
+    const auto state_after = [this](std::uint32_t reaction, bool by_heat) {
+        send("000#8000");
+        write(0x1029, 1, 1, 1);
+        write(0x1029, 2, reaction, 1);
+        send("000#0100");
+        if (by_heat) {
+            heat(126.0F);
+        } else {
+            fail_accelerometer();
+        }
+        const NmtState state = device->state();
+        heat(25.0F);
+        fail_accelerometer(false);
+        return state;
+    };
+    for (const bool by_heat : {false, true}) {
+        EXPECT_EQ(state_after(0, by_heat), NmtState::pre_operational);
+        EXPECT_EQ(state_after(1, by_heat), NmtState::operational);
+        EXPECT_EQ(state_after(2, by_heat), NmtState::stopped);
+    }
+    send("000#8000");
+    EXPECT_EQ(refusal(0x1029, 1, 3, 1), "06090031");
+    EXPECT_EQ(refusal(0x1029, 2, 3, 1), "06090031");
+}
+
+TEST_F(Errors, OneThatLastsThroughAResetIsToldAgain) {
+    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
+    fail_accelerometer();
+    EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));
+    EXPECT_EQ(listed(), (List{0x0000FF00}));
+    EXPECT_EQ(read(0x4020), 2U);
+    EXPECT_EQ(send("000#8200"), (Frames{"77F#00"}));
+    EXPECT_EQ(read(0x1001), 1U);
+}
+
+TEST_F(Errors, TheListHoldsFourActiveErrors) {
+    verifies<req::INC_ERR_002, req::INC_OD_1003>();
+    write(0x1029, 1, 1, 1);
+    write(0x1029, 2, 1, 1);
+    write(0x1400, 5, 50, 2);
+    write(0x1016, 1, 0x00310064, 4);
+    send("000#0100");
+    fail_accelerometer();
+    heat(130.0F);
+    inputs.can_overrun = true;
+    set_inputs();
+    send("27F#000000000000");
+    send("731#05");
+    pass(60);  // RPDO timeout
+    EXPECT_EQ(listed(), (List{0x00008250, 0x00008110, 0x00004200, 0x0000FF00}));
+    pass(50);  // heartbeat of node 31h
+    EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
+    heat(25.0F);
+    EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
+    fail_accelerometer(false);  // its entry was pushed out
+    EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
+    EXPECT_EQ(read(0x1003, 4), 0U);
+}
+
+TEST_F(Errors, TheListCanBeClearedWhileErrorsLast) {
+    verifies<req::INC_ERR_003, req::INC_OD_1003>();
+    fail_accelerometer();
+    EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
+    EXPECT_EQ(refusal(0x1003, 0, 15, 1), "06090030");
+    EXPECT_EQ(listed(), (List{0x0000FF00}));
+    write(0x1003, 0, 0, 1);
+    EXPECT_EQ(listed(), (List{}));
+    EXPECT_EQ(read(0x1003, 1), 0U);
+    EXPECT_EQ(read(0x1001), 1U);
+    EXPECT_EQ(read(0x4020), 2U);
+    EXPECT_EQ(fail_accelerometer(false), (Frames{"5:0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x1001), 0U);
+}
+
+TEST_F(Errors, TheErrorRegisterIs1WhileAnyErrorLasts) {
+    verifies<req::INC_ERR_001, req::INC_OD_1001>();
+    heat(130.0F);
+    inputs.can_overrun = true;
+    set_inputs();
+    EXPECT_EQ(read(0x1001), 1U);
+    heat(25.0F);
+    EXPECT_EQ(read(0x1001), 1U);
+    inputs.can_overrun = false;
+    set_inputs();
+    EXPECT_EQ(read(0x1001), 0U);
+}
+
+TEST_F(Errors, LostFramesAre8110h) {
+    verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_OVERRUN>();
+    inputs.can_overrun = true;
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
+    EXPECT_EQ(listed(), (List{0x00008110}));
+    inputs.can_overrun = false;
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
+}
+
+TEST_F(Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
+    verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE>();
+    inputs.can_state = 2;
+    EXPECT_EQ(set_inputs(), (Frames{}));
+    EXPECT_EQ(read(0x1001), 0U);
+    inputs.can_state = 3;
+    EXPECT_EQ(set_inputs(), (Frames{}));
+    inputs.can_state = 0;
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"}));
+    EXPECT_EQ(listed(), (List{0x00008140}));
+}
+
+TEST_F(Errors, AMissingHeartbeatNamesItsNode) {
+    verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
+    write(0x1016, 1, 0x002200C8, 4);  // node 22h, 200 ms
+    pass(1000);                       // nothing is expected before the first heartbeat
+    EXPECT_EQ(read(0x1001), 0U);
+    send("000#0100");
+    send("722#05");
+    const Frames told = pass(300);
+    EXPECT_EQ(read(0x1001), 1U);
+    EXPECT_EQ(listed(), (List{0x80228130}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_NE(std::find(told.begin(), told.end(), "200:0FF#3081012280000000"), told.end());
+    EXPECT_EQ(send("722#05"), (Frames{"0FF#0000000000000000"}));
+    EXPECT_EQ(listed(), (List{}));
+}
+
+TEST_F(Errors, AMissingGuardingRequestIs1000h) {
+    verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
+    write(0x100C, 0, 100, 2);
+    write(0x100D, 0, 3, 1);
+    write(0x1029, 1, 2, 1);
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
+    EXPECT_EQ(pass(299), (Frames{}));
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::stopped);
+    send("000#8000");
+    EXPECT_EQ(listed(), (List{0x10008130}));
+    send("77F#R");
+    EXPECT_EQ(listed(), (List{}));
+}
+
+TEST_F(Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
+    verifies<req::INC_ERR_009, req::INC_ERR_010, req::INC_T22, req::INC_OD_1400>();
+    write(0x1400, 5, 100, 2);
+    pass(1000);
+    EXPECT_EQ(read(0x1001), 0U);
+    send("000#0100");
+    send("27F#000000000000");
+    pass(99);
+    EXPECT_EQ(read(0x1001), 0U);
+    pass(1);
+    EXPECT_EQ(listed(), (List{0x00008250}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    send("000#0100");
+    send("27F#000000000000");
+    EXPECT_EQ(listed(), (List{}));
+}
+
+TEST_F(Errors, AnRpdoTooShortIs8210h) {
+    verifies<req::INC_ERR_009, req::INC_T22>();
+    send("000#0100");
+    EXPECT_EQ(send("27F#0000000000"), (Frames{"0FF#1082010000000000"}));
+    EXPECT_EQ(listed(), (List{0x00008210}));
+    EXPECT_EQ(send("27F#010000000000"), (Frames{"0FF#0000000000000000"}));
+}
+
+TEST_F(Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
+    verifies<req::INC_ERR_010, req::INC_OD_1029>();
+    const auto state_after_bus_off = [this](std::uint32_t reaction) {
+        send("000#8000");
+        write(0x1029, 1, reaction, 1);
+        write(0x1029, 2, 1, 1);
+        send("000#0100");
+        inputs.can_state = 3;
+        set_inputs();
+        const NmtState state = device->state();
+        inputs.can_state = 0;
+        set_inputs();
+        return state;
+    };
+    EXPECT_EQ(state_after_bus_off(0), NmtState::pre_operational);
+    EXPECT_EQ(state_after_bus_off(1), NmtState::operational);
+    EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
+}
+
+TEST_F(Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
+    verifies<req::INC_ERR_012, req::INC_T22>();
+    write_real(0x2200, 0, 12.0F);
+    write(0x1010, 1, 0x65766173, 4);
+    std::array<std::uint8_t, 1> byte{};
+    const std::size_t inside = 200;
+    ASSERT_TRUE(memory.read(inside, MutableBytes{byte}));
+    byte[0] = static_cast<std::uint8_t>(~byte[0]);
+    ASSERT_TRUE(memory.write(inside, ByteView{byte}));
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0063010000000000"}));
+    EXPECT_EQ(real(0x2200), 0.0F);
+    EXPECT_EQ(listed(), (List{0x00006300}));
+    pass(1000);
+    EXPECT_EQ(read(0x1001), 1U);
+}
+
+}  // namespace canproof::test

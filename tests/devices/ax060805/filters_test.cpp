@@ -1,0 +1,270 @@
+// Sampling, input filter, additional filters and latency of the AX060805 (3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10 to
+// 4.3.12, 4.3.34), node 127.
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Row = std::vector<int>;
+
+class Filters : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        angle_digits(100);
+        acceleration_digits(1000);
+    }
+    void set_filter(std::uint8_t angle, std::uint32_t type, std::uint32_t constant) {
+        write(0x2050, angle, type, 1);
+        write(0x2051, angle, constant, 2);
+    }
+    /// Pitch in hundredths after it stood at each of these angles for one period of the filter.
+    Row pitches(const std::vector<double>& stands, std::uint64_t period) {
+        Row all;
+        for (const double angle : stands) {
+            turn(angle, 0.0);
+            pass(period);
+            all.push_back(pitch());
+        }
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_F(Filters, TheSensorIsSampledEach5ms) {
+    verifies<req::INC_FILTER_001, req::INC_K_SAMPLE_PERIOD>();
+    switch_filter_off();
+    EXPECT_EQ(device->next_deadline().us, 5000U);
+    pass(5);
+    turn(10.0, 0.0);
+    pass(4);
+    EXPECT_EQ(pitch(), 0);
+    pass(1);
+    EXPECT_EQ(pitch(), 1000);
+    turn(20.0, 0.0);
+    pass(4);
+    EXPECT_EQ(pitch(), 1000);
+    pass(1);
+    EXPECT_EQ(pitch(), 2000);
+}
+
+TEST_F(Filters, TheFirstSampleIsTakenAtStartAsItIs) {
+    verifies<req::INC_FILTER_001, req::INC_FILTER_005>();
+    turn(30.0, 0.0);
+    power_on();
+    EXPECT_EQ(pitch(), 30);
+}
+
+TEST_F(Filters, ASampleCoversItsShareOfAStep) {
+    verifies<req::INC_FILTER_002, req::INC_OD_2002, req::INC_OD_2003>();
+    feel(1.0, 0.0, -1.0);
+    pass(5);
+    EXPECT_EQ(value(0x4000, 1), 145);  // 1 - exp(-2 pi 5 0.005) = 0.1454
+    pass(5);
+    EXPECT_EQ(value(0x4000, 1), 270);  // 1 - 0.85464^2 = 0.2696
+    write(0x2003, 0, 50, 1);           // goes on from there
+    EXPECT_EQ(value(0x4000, 1), 270);
+    pass(5);
+    EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
+}
+
+TEST_F(Filters, At1HzIsTheSlowestAnd50HzTheFastest) {
+    verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
+    EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
+    EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
+    write(0x2003, 0, 1, 1);
+    feel(1.0, 0.0, -1.0);
+    pass(5);
+    EXPECT_EQ(value(0x4000, 1), 31);  // 0.030928
+}
+
+TEST_F(Filters, SettlesTo95PercentWithin200msWithoutOvershoot) {
+    verifies<req::INC_FILTER_003>();
+    turn(30.0, 0.0);
+    int last = 0;
+    for (int ms = 5; ms <= 1000; ms += 5) {
+        pass(5);
+        const int now_at = pitch();
+        EXPECT_GE(now_at, last);
+        EXPECT_LE(now_at, 3000);
+        EXPECT_TRUE(ms < 200 || now_at >= 2850) << ms;
+        last = now_at;
+    }
+    EXPECT_EQ(last, 3000);
+}
+
+TEST_F(Filters, SwitchedOffEverySamplePasses) {
+    verifies<req::INC_FILTER_004, req::INC_OD_2002>();
+    write(0x2003, 0, 1, 1);
+    switch_filter_off();
+    feel(1.0, 0.0, -1.0);
+    pass(5);
+    EXPECT_EQ(value(0x4000, 1), 1000);
+    EXPECT_EQ(refusal(0x2002, 0, 2, 1), "06090031");
+}
+
+TEST_F(Filters, StartsAnewAfterAnAccelerometerError) {
+    verifies<req::INC_FILTER_005>();
+    inputs.accelerometer_fault = true;
+    set_inputs();
+    pass(20);
+    inputs.accelerometer_fault = false;
+    turn(30.0, 0.0);
+    pass(5);
+    EXPECT_EQ(pitch(), 3000);
+}
+
+TEST_F(Filters, MovingAverageOfFourSamples) {
+    verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
+    switch_filter_off();
+    set_filter(1, 1, 4);
+    pass(2);  // changes fall between samples and filter periods
+    // The first sample, 0, was taken when the filter started.
+    EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
+}
+
+TEST_F(Filters, RepeatingFilterGivesOneMeanABlock) {
+    verifies<req::INC_AVG_003, req::INC_T4, req::INC_OD_2050>();
+    switch_filter_off();
+    set_filter(1, 2, 3);
+    pass(2);
+    EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));  // 0 3 6 · 9 12 15
+}
+
+TEST_F(Filters, TakeASampleAtTheCommonRate) {
+    verifies<req::INC_AVG_004, req::INC_OD_2052>();
+    switch_filter_off();
+    set_filter(1, 1, 2);
+    set_filter(2, 1, 2);
+    write(0x2052, 0, 40, 2);
+    pass(2);
+    turn(20.0, 0.0);
+    pass(37);
+    EXPECT_EQ(pitch(), 0);
+    pass(1);  // 40 ms after the rate was set
+    EXPECT_EQ(pitch(), 1000);
+    pass(39);
+    EXPECT_EQ(pitch(), 1000);
+    pass(1);
+    EXPECT_EQ(pitch(), 2000);
+    write(0x2052, 0, 1, 2);
+    turn(0.0, 20.0);
+    pass(7);
+    EXPECT_EQ(roll(), 2000);
+    EXPECT_EQ(refusal(0x2052, 0, 0, 2), "06090032");
+    EXPECT_EQ(refusal(0x2052, 0, 60001, 2), "06090031");
+    EXPECT_EQ(refusal(0x2052, 0, 60000, 2), "");
+}
+
+TEST_F(Filters, AFilterRateOf1msRepeatsSamplesOfTheSensor) {
+    verifies<req::INC_AVG_004>();
+    switch_filter_off();
+    set_filter(1, 1, 10);
+    write(0x2052, 0, 1, 2);
+    pass(5);
+    turn(10.0, 0.0);
+    pass(9);  // the sensor gives it after 5 ms; five filter samples of it are in by now
+    EXPECT_EQ(pitch(), 500);
+}
+
+TEST_F(Filters, EachAngleHasItsOwnTypeAndConstant) {
+    verifies<req::INC_AVG_005, req::INC_OD_2050, req::INC_OD_2051>();
+    switch_filter_off();
+    set_filter(1, 1, 2);
+    set_filter(2, 2, 4);
+    pass(2);
+    turn(20.0, 0.0);
+    pass(10);
+    EXPECT_EQ(angles(), (Row{1000, 0, 2000}));
+    set_filter(3, 1, 4);
+    turn(0.0, 40.0);
+    pass(10);
+    EXPECT_EQ(angles(), (Row{1000, 1333, 3000}));  // pitch (20 + 0) / 2, roll (0 + 0 + 40) / 3, gravity (20 + 40) / 2
+    for (std::uint8_t sub = 1; sub <= 3; ++sub) {
+        EXPECT_EQ(refusal(0x2050, sub, 3, 1), "06090031");
+        EXPECT_EQ(refusal(0x2051, sub, 0, 2), "06090032");
+        EXPECT_EQ(refusal(0x2051, sub, 60001, 2), "06090031");
+        EXPECT_EQ(refusal(0x2051, sub, 60000, 2), "");
+    }
+}
+
+TEST_F(Filters, AverageTheShortWayRound) {
+    verifies<req::INC_AVG_006>();
+    switch_filter_off();
+    turn(0.0, 179.0);
+    pass(5);
+    set_filter(2, 1, 2);
+    pass(2);
+    turn(0.0, -179.0);
+    pass(10);
+    EXPECT_EQ(roll(), 18000);
+    turn(0.0, -177.0);
+    pass(10);
+    EXPECT_EQ(roll(), -17800);
+}
+
+TEST_F(Filters, ANewTypeConstantOrRateRestarts) {
+    verifies<req::INC_AVG_007>();
+    switch_filter_off();
+    set_filter(1, 1, 100);
+    pass(500);
+    turn(30.0, 0.0);
+    pass(10);
+    EXPECT_LT(pitch(), 200);
+    write(0x2051, 1, 100, 2);
+    EXPECT_EQ(pitch(), 3000);
+    turn(60.0, 0.0);
+    pass(10);
+    EXPECT_EQ(pitch(), 4500);
+    write(0x2052, 0, 20, 2);
+    EXPECT_EQ(pitch(), 6000);
+    turn(0.0, 0.0);
+    pass(20);
+    EXPECT_EQ(pitch(), 3000);
+    write(0x2050, 1, 0, 1);
+    EXPECT_EQ(pitch(), 0);
+    turn(45.0, 0.0);
+    pass(5);
+    EXPECT_EQ(pitch(), 4500);  // at the rate of the sensor
+}
+
+TEST_F(Filters, AWindowOf60000NeedsNoMoreTimeOrMemory) {
+    verifies<req::INC_AVG_002>();
+    switch_filter_off();
+    set_filter(1, 1, 60000);
+    write(0x2052, 0, 1, 2);
+    turn(10.0, 0.0);
+    pass(60000);
+    EXPECT_NEAR(pitch(), 1000, 1);
+    turn(20.0, 0.0);
+    pass(30000);
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; a run is 938 of 60000 samples
+}
+
+TEST_F(Filters, LatencyIsThatOfTheSlowestAngle) {
+    verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
+    EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
+    write(0x2003, 0, 50, 1);
+    EXPECT_EQ(read(0x4010), 3U);  // 3.18
+    write(0x2003, 0, 5, 1);
+    set_filter(1, 1, 10);
+    EXPECT_EQ(read(0x4010), 77U);  // 31.83 + 9 / 2 * 10
+    set_filter(2, 2, 10);
+    EXPECT_EQ(read(0x4010), 127U);  // 31.83 + 19 / 2 * 10
+    switch_filter_off();
+    EXPECT_EQ(read(0x4010), 95U);
+    write(0x2052, 0, 30, 2);
+    EXPECT_EQ(read(0x4010), 285U);
+    set_filter(3, 2, 60000);
+    write(0x2052, 0, 60000, 2);
+    EXPECT_EQ(read(0x4010), 65535U);
+    set_filter(3, 0, 1);
+    set_filter(2, 0, 1);
+    set_filter(1, 0, 1);
+    EXPECT_EQ(read(0x4010), 0U);
+}
+
+}  // namespace canproof::test

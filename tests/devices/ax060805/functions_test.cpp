@@ -1,0 +1,393 @@
+// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 3.10.1, 4.3.19 to 4.3.32), node 127. Their
+// arithmetic is tested in tests/firmware/binary_function_test.cpp.
+#include <cmath>
+
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Functions : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        switch_filter_off();
+    }
+    static std::uint16_t at(int function, int parameter) {
+        return static_cast<std::uint16_t>(0x3000 + 0x10 * function + parameter);
+    }
+    void connect(int function, std::uint8_t input, std::uint32_t source) { write(at(function, 0), input, source, 1); }
+    void give_default(int function, std::uint8_t input, float value) {
+        write(at(function, 1), input, 1, 1);
+        write_real(at(function, 2), input, value);
+    }
+    void operate(int function, std::uint32_t operation) {
+        write(0x300A, static_cast<std::uint8_t>(function), operation, 1);
+    }
+    void scale_output(int function, float scale) { write_real(0x300B, static_cast<std::uint8_t>(function), scale); }
+    /// Function 1 passes what `source` gives, times `scale`; -9999 while it is undefined.
+    int taken_from(std::uint32_t source, float scale) {
+        operate(1, 1);
+        connect(1, 1, source);
+        give_default(1, 1, -9999.0F / scale);
+        give_default(1, 2, 0.0F);
+        scale_output(1, scale);
+        pass(5);
+        return output(1);
+    }
+    int output(int function) { return value(0x3000, static_cast<std::uint8_t>(function)); }
+};
+
+constexpr int undefined = -9999;
+
+}  // namespace
+
+TEST_F(Functions, EverySourceOfTable1) {
+    verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_005, req::INC_OD_3010, req::INC_GLOBAL_003>();
+    inputs.sensor_temperature = -12.75F;
+    inputs.processor_temperature = 41.5F;
+    inputs.supply_voltage = 11.25F;
+    set_inputs();
+    write_real(0x4070, 0, -2.5F);
+    write(0x4080, 0, 77, 4);
+    write(0x2500, 1, 1500, 2);
+    write(0x2500, 2, 2500, 2);
+    write(0x2500, 3, 3500, 2);
+    turn(20.25, 0.0);
+    pass(5);
+    struct Row {
+        std::uint32_t source;
+        float scale;
+        int expected;
+    };
+    const std::vector<Row> rows{
+        {0, 1.0F, undefined}, {1, 1000.0F, 346},  // sin 20.25 = 0.34612
+        {2, 1000.0F, 0},                          //
+        {3, 1000.0F, -938},                       // -cos 20.25 = -0.93819
+        {4, 100.0F, -1275},                       // unrounded
+        {5, 100.0F, 2025},                        //
+        {6, 100.0F, 0},                           //
+        {7, 100.0F, 2025},                        //
+        {8, 1.0F, 0},                             // no filter: no delay
+        {9, 1.0F, 0},                             //
+        {20, 100.0F, 150},                        // 1500 / 1000
+        {21, 100.0F, 250},                        //
+        {22, 100.0F, 350},                        //
+        {23, 1.0F, 77},                           //
+        {24, 100.0F, -250},                       //
+        {25, 1.0F, 0},                            //
+        {26, 1.0F, 1},                            //
+        {27, 100.0F, 1125},                       //
+        {28, 100.0F, 4150},                       //
+    };
+    for (const auto& row : rows) {
+        EXPECT_EQ(taken_from(row.source, row.scale), row.expected) << row.source;
+    }
+    turn(0.0, 30.0);
+    EXPECT_EQ(taken_from(2, 1000.0F), -500);
+    EXPECT_EQ(taken_from(6, 100.0F), 3000);
+    write(0x2002, 0, 1, 1);
+    EXPECT_EQ(taken_from(8, 100.0F), 3183);  // 31.83 ms
+    inputs.sensor_temperature = 130.0F;
+    set_inputs();
+    EXPECT_EQ(taken_from(9, 1.0F), 1);
+    EXPECT_EQ(refusal(at(1, 0), 1, 29, 1), "06090031");
+}
+
+TEST_F(Functions, EachOfTheTenIsASource) {
+    verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
+    verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
+             req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
+    for (int function = 2; function <= 10; ++function) {
+        operate(function, 1);
+        connect(function, 1, 26);  // 1.0
+        connect(function, 2, 26);
+        scale_output(function, static_cast<float>(function));
+        write_real(0x300C, static_cast<std::uint8_t>(function), 100.0F);
+    }
+    pass(5);
+    for (int function = 2; function <= 10; ++function) {
+        EXPECT_EQ(output(function), 100 + 2 * function);
+        EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
+    }
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the last pass
+}
+
+TEST_F(Functions, EveryParameterOfEachTakesPart) {
+    verifies<req::INC_BIN_001, req::INC_BIN_011>();
+    verifies<req::INC_OD_3011, req::INC_OD_3021, req::INC_OD_3031, req::INC_OD_3041, req::INC_OD_3051, req::INC_OD_3061,
+             req::INC_OD_3071, req::INC_OD_3081, req::INC_OD_3091, req::INC_OD_30A1>();
+    verifies<req::INC_OD_3012, req::INC_OD_3022, req::INC_OD_3032, req::INC_OD_3042, req::INC_OD_3052, req::INC_OD_3062,
+             req::INC_OD_3072, req::INC_OD_3082, req::INC_OD_3092, req::INC_OD_30A2>();
+    verifies<req::INC_OD_3013, req::INC_OD_3023, req::INC_OD_3033, req::INC_OD_3043, req::INC_OD_3053, req::INC_OD_3063,
+             req::INC_OD_3073, req::INC_OD_3083, req::INC_OD_3093, req::INC_OD_30A3>();
+    verifies<req::INC_OD_3014, req::INC_OD_3024, req::INC_OD_3034, req::INC_OD_3044, req::INC_OD_3054, req::INC_OD_3064,
+             req::INC_OD_3074, req::INC_OD_3084, req::INC_OD_3094, req::INC_OD_30A4>();
+    verifies<req::INC_OD_3015, req::INC_OD_3025, req::INC_OD_3035, req::INC_OD_3045, req::INC_OD_3055, req::INC_OD_3065,
+             req::INC_OD_3075, req::INC_OD_3085, req::INC_OD_3095, req::INC_OD_30A5>();
+    for (int function = 1; function <= 10; ++function) {
+        const auto sub = static_cast<std::uint8_t>(function);
+        operate(function, 2);
+        give_default(function, 1, -30.0F);
+        write(at(function, 3), 1, 3, 1);       // |-30| = 30
+        write_real(at(function, 4), 1, 2.0F);  // 60
+        write_real(at(function, 5), 1, 1.0F);  // 61
+        give_default(function, 2, 4.0F);
+        write(at(function, 3), 2, 1, 1);        // !4 = 0
+        write_real(at(function, 4), 2, 3.0F);   // 0
+        write_real(at(function, 5), 2, -9.0F);  // -9
+        write_real(0x300B, sub, 10.0F);         // (61 + 9) * 10 = 700
+        write_real(0x300C, sub, static_cast<float>(function));
+        pass(5);
+        EXPECT_EQ(output(function), 700 + function);
+        write(at(function, 3), 2, 0, 1);  // 4 * 3 - 9 = 3: (61 - 3) * 10 = 580
+        pass(5);
+        EXPECT_EQ(output(function), 580 + function);
+        write(at(function, 1), 2, 0, 1);
+        pass(5);
+        EXPECT_EQ(output(function), 0);  // undefined
+        write(at(function, 1), 2, 1, 1);
+        write(at(function, 1), 1, 0, 1);
+        pass(5);
+        EXPECT_EQ(output(function), 0);
+    }
+}
+
+TEST_F(Functions, ParametersHaveTheirRanges) {
+    verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013,
+             req::INC_OD_3014, req::INC_OD_3015>();
+    EXPECT_EQ(refusal(0x300A, 1, 20, 1), "");
+    EXPECT_EQ(refusal(0x300A, 1, 21, 1), "06090031");
+    for (int function = 1; function <= 10; ++function) {
+        for (std::uint8_t input = 1; input <= 2; ++input) {
+            EXPECT_EQ(refusal(at(function, 0), input, 28, 1), "");
+            EXPECT_EQ(refusal(at(function, 0), input, 29, 1), "06090031");
+            EXPECT_EQ(refusal(at(function, 1), input, 1, 1), "");
+            EXPECT_EQ(refusal(at(function, 1), input, 2, 1), "06090031");
+            EXPECT_EQ(refusal(at(function, 3), input, 3, 1), "");
+            EXPECT_EQ(refusal(at(function, 3), input, 4, 1), "06090031");
+            for (const int real : {2, 4, 5}) {
+                EXPECT_EQ(refusal(at(function, real), input, bits_of(-4294967295.0F), 4), "");
+                EXPECT_EQ(refusal(at(function, real), input, bits_of(4294967295.0F), 4), "");
+                EXPECT_EQ(refusal(at(function, real), input, bits_of(1.0e10F), 4), "06090031");
+                EXPECT_EQ(refusal(at(function, real), input, bits_of(-1.0e10F), 4), "06090032");
+            }
+        }
+    }
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x300B, 0x300C}) {
+        EXPECT_EQ(refusal(index, 10, bits_of(4294967295.0F), 4), "");
+        EXPECT_EQ(refusal(index, 10, bits_of(1.0e10F), 4), "06090031");
+        EXPECT_EQ(refusal(index, 10, bits_of(-1.0e10F), 4), "06090032");
+    }
+}
+
+TEST_F(Functions, AsShippedNothingIsConnected) {
+    verifies<req::INC_BIN_010, req::INC_GLOBAL_003>();
+    turn(30.0, 30.0);
+    pass(10);
+    for (int function = 1; function <= 10; ++function) {
+        EXPECT_EQ(output(function), 0);
+        for (std::uint8_t input = 1; input <= 2; ++input) {
+            EXPECT_EQ(read(at(function, 0), input), 0U);
+            EXPECT_EQ(read(at(function, 1), input), 0U);
+            EXPECT_EQ(real(at(function, 2), input), 0.0F);
+            EXPECT_EQ(read(at(function, 3), input), 0U);
+            EXPECT_EQ(real(at(function, 4), input), 1.0F);
+            EXPECT_EQ(real(at(function, 5), input), 0.0F);
+        }
+        EXPECT_EQ(read(0x300A, static_cast<std::uint8_t>(function)), 0U);
+        EXPECT_EQ(real(0x300B, static_cast<std::uint8_t>(function)), 1.0F);
+        EXPECT_EQ(real(0x300C, static_cast<std::uint8_t>(function)), 0.0F);
+    }
+    // Operation alone connects nothing either.
+    operate(1, 1);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+}
+
+TEST_F(Functions, AnUndefinedInputTakesItsDefaultOrNothing) {
+    verifies<req::INC_BIN_002, req::INC_SIG_002>();
+    operate(1, 1);
+    connect(1, 1, 26);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    give_default(1, 2, 41.0F);
+    pass(5);
+    EXPECT_EQ(output(1), 42);
+    operate(2, 1);
+    connect(2, 1, 12);  // function 3 is undefined
+    give_default(2, 1, 5.0F);
+    connect(2, 2, 26);
+    pass(5);
+    EXPECT_EQ(output(2), 6);
+    operate(3, 1);
+    connect(3, 1, 26);
+    connect(3, 2, 26);
+    pass(10);
+    EXPECT_EQ(output(2), 3);
+}
+
+TEST_F(Functions, AnUndefinedResultUndoesThoseThatUseIt) {
+    verifies<req::INC_SIG_002, req::INC_BIN_002, req::INC_BIN_007>();
+    operate(1, 0);
+    connect(1, 1, 26);
+    connect(1, 2, 26);
+    operate(2, 1);
+    connect(2, 1, 10);
+    connect(2, 2, 26);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    EXPECT_EQ(output(2), 0);
+    operate(1, 4);
+    pass(5);
+    EXPECT_EQ(output(2), 2);
+}
+
+TEST_F(Functions, OutputsAreRoundedAndSaturatedButPassOnUnrounded) {
+    verifies<req::INC_BIN_008, req::INC_OD_3000>();
+    operate(1, 1);
+    give_default(1, 1, 2.5F);
+    give_default(1, 2, 0.0F);
+    pass(5);
+    EXPECT_EQ(output(1), 3);
+    operate(2, 3);
+    connect(2, 1, 10);
+    give_default(2, 2, 100.0F);
+    pass(5);
+    EXPECT_EQ(output(2), 250);
+    scale_output(1, 20000.0F);
+    pass(5);
+    EXPECT_EQ(output(1), 32767);
+    scale_output(1, -20000.0F);
+    pass(5);
+    EXPECT_EQ(output(1), -32768);
+    write_real(at(2, 2), 2, 0.0001F);
+    pass(5);
+    EXPECT_EQ(output(2), -5);  // -50000 * 0.0001
+    EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
+}
+
+TEST_F(Functions, RunFrom1To10AtEachSample) {
+    verifies<req::INC_BIN_009>();
+    for (const int function : {1, 2, 3}) {
+        operate(function, 1);
+        give_default(function, 2, 1.0F);
+    }
+    connect(2, 1, 10);
+    connect(3, 1, 11);
+    connect(1, 1, 12);  // a ring: 1 takes what 3 gave in the last pass
+    give_default(1, 1, 0.0F);
+    EXPECT_EQ(output(3), 0);  // not before the next sample
+    pass(5);
+    EXPECT_EQ(output(1), 1);
+    EXPECT_EQ(output(2), 2);
+    EXPECT_EQ(output(3), 3);
+    pass(5);
+    EXPECT_EQ(output(1), 4);
+    EXPECT_EQ(output(3), 6);
+}
+
+TEST_F(Functions, CompareAnAngleWithALimitFromTheBus) {
+    verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
+             req::INC_OD_2502>();
+    operate(1, 10);  // pitch > limit
+    connect(1, 1, 5);
+    connect(1, 2, 20);
+    write(0x2501, 1, 10, 2);        // tenths of a degree
+    write_real(0x2502, 1, 5.0F);    // half a degree more
+    write_real(0x2040, 1, 100.0F);  // moves the field value only
+    write(0x2500, 1, 200, 2);       // limit 20.5
+    turn(20.4, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    EXPECT_EQ(pitch(), 120);
+    turn(20.6, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 1);
+    write(0x2031, 1, 1, 1);
+    pass(5);
+    EXPECT_EQ(output(1), 0);  // -20.6
+    EXPECT_EQ(refusal(0x2501, 1, 9, 2), "06090032");
+    EXPECT_EQ(refusal(0x2501, 1, 1001, 2), "06090031");
+    EXPECT_EQ(refusal(0x2502, 1, bits_of(1.0e10F), 4), "06090031");
+    EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
+}
+
+TEST_F(Functions, AReceivedValueIsUndefinedUntilItComes) {
+    verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    send("000#0100");
+    send("27F#0000D0070000");  // 2000 for the second: 2.0
+    EXPECT_EQ(taken_from(21, 1.0F), 2);
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
+    send("000#8100");
+    EXPECT_EQ(value(0x2500, 2), 0);
+    switch_filter_off();
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    write(0x2500, 2, 3000, 2);
+    EXPECT_EQ(taken_from(21, 1.0F), 3);
+}
+
+TEST_F(Functions, AReceivedValueIsUndefinedAgainAfterATimeout) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1029, 1, 1, 1);  // stays operational
+    send("000#0100");
+    send("27F#E80300000000");  // 1.0
+    EXPECT_EQ(taken_from(20, 1.0F), 1);
+    pass(100);
+    EXPECT_EQ(taken_from(20, 1.0F), undefined);
+    EXPECT_EQ(value(0x2500, 1), 1000);
+    write(0x2500, 1, 4000, 2);
+    EXPECT_EQ(taken_from(20, 1.0F), 4);
+    send("27F#D00700000000");
+    EXPECT_EQ(taken_from(20, 1.0F), 2);
+}
+
+TEST_F(Functions, AFailedSensorHasNoSignals) {
+    verifies<req::INC_SIG_002, req::INC_FV_007>();
+    inputs.accelerometer_fault = true;
+    set_inputs();
+    for (const std::uint32_t source : {1U, 2U, 3U, 5U, 6U, 7U}) {
+        EXPECT_EQ(taken_from(source, 1.0F), undefined) << source;
+    }
+    EXPECT_EQ(taken_from(4, 1.0F), 25);
+    EXPECT_EQ(taken_from(9, 1.0F), 2);
+    inputs.sensor_temperature = NAN;
+    set_inputs();
+    EXPECT_EQ(taken_from(4, 1.0F), undefined);
+}
+
+TEST_F(Functions, OneSourceServesManyInputs) {
+    verifies<req::INC_SIG_001>();
+    for (int function = 1; function <= 10; ++function) {
+        operate(function, 1);
+        connect(function, 1, 5);
+        connect(function, 2, 5);
+    }
+    turn(15.0, 0.0);
+    pass(5);
+    for (int function = 1; function <= 10; ++function) {
+        EXPECT_EQ(output(function), 30);
+    }
+}
+
+TEST_F(Functions, BitsOfADiscreteConstant) {
+    verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
+    write(0x4080, 0, 0xF0, 4);
+    write_real(0x4070, 0, 60.9F);  // 60 = 3Ch
+    operate(1, 17);
+    connect(1, 1, 23);
+    connect(1, 2, 24);
+    pass(5);
+    EXPECT_EQ(output(1), 0x30);
+    write(0x4080, 0, 0xFFFFFFFF, 4);
+    pass(5);
+    EXPECT_EQ(output(1), 0x3C);
+    EXPECT_EQ(refusal(0x4070, 0, bits_of(1.0e10F), 4), "06090031");
+    EXPECT_EQ(refusal(0x4070, 0, bits_of(-1.0e10F), 4), "06090032");
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,434 @@
+// The AX060805 on its network: PDOs, LSS, storing, identity, heartbeat, self-start, slew rate (3.9, 3.10, 4.1, 4.2,
+// 4.3.1), node 127.
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Network : public InclinometerTest {
+  protected:
+    void store_all() { write(0x1010, 1, 0x65766173, 4); }
+    void configure_lss() { send("7E5#0401"); }
+};
+
+}  // namespace
+
+TEST_F(Network, Tpdo1ComesEach250msWithAnglesAndFigureOfMerit) {
+    verifies<req::INC_PDO_002, req::INC_OD_1800, req::INC_OD_1A00>();
+    turn(0.0, -20.0);
+    pass(1000);
+    EXPECT_EQ(send("000#0100"), (Frames{"1FF#0000ECFF140000"}));  // 0, -20, 20, good
+    EXPECT_EQ(pass(700), (Frames{"250:1FF#0000ECFF140000", "500:1FF#0000ECFF140000"}));
+    inputs.sensor_temperature = 130.0F;
+    write(0x1029, 2, 1, 1);
+    set_inputs();
+    const Frames later = pass(100);
+    ASSERT_EQ(later.size(), 2U);
+    EXPECT_EQ(later[1], "50:1FF#0000ECFF140001");
+    send("000#8000");
+    EXPECT_EQ(pass(1000), (Frames{}));
+}
+
+TEST_F(Network, Tpdo2And3AreSilentUntilTheirTimersAreSet) {
+    verifies<req::INC_PDO_003, req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1A01, req::INC_OD_1A02>();
+    acceleration_digits(1000);
+    inputs.sensor_temperature = 21.0F;
+    inputs.supply_voltage = 12.0F;
+    inputs.processor_temperature = -2.5F;
+    feel(0.1, -0.2, -1.0);
+    pass(1000);
+    write(0x1800, 5, 0, 2);
+    EXPECT_EQ(send("000#0100"), (Frames{}));
+    EXPECT_EQ(pass(1000), (Frames{}));
+    write(0x1801, 5, 100, 2);
+    // 100 = 0064h, -200 = FF38h, -1000 = FC18h, 21 = 0015h
+    EXPECT_EQ(pass(100), (Frames{"100:2FF#640038FF18FC1500"}));
+    write(0x1801, 5, 0, 2);
+    write(0x1802, 5, 100, 2);
+    // 12.0 = 41400000h, -2.5 = C0200000h
+    EXPECT_EQ(pass(100), (Frames{"100:3FF#00004041000020C0"}));
+}
+
+TEST_F(Network, Tpdo4IsNotValidAndEmpty) {
+    verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
+    EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
+    EXPECT_EQ(read(0x1A03, 0), 0U);
+    write(0x1803, 5, 50, 2);
+    write(0x1800, 5, 0, 2);
+    send("000#0100");
+    EXPECT_EQ(pass(200), (Frames{}));
+}
+
+TEST_F(Network, NoTpdoAnswersARemoteFrame) {
+    verifies<req::INC_OD_1800, req::INC_OD_1801, req::INC_PDO_002>();
+    send("000#0100");
+    EXPECT_EQ(send("1FF#R"), (Frames{}));
+    EXPECT_EQ(send("2FF#R"), (Frames{}));
+}
+
+TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
+    verifies<req::INC_PDO_001, req::INC_OD_1400, req::INC_OD_1600, req::INC_OD_2500>();
+    send("000#0100");
+    send("27F#0102FEFF0080");
+    EXPECT_EQ(value(0x2500, 1), 0x0201);
+    EXPECT_EQ(value(0x2500, 2), -2);
+    EXPECT_EQ(value(0x2500, 3), -32768);
+    for (const char* other : {"37F#0909090909090909", "47F#0909090909090909", "57F#0909090909090909"}) {
+        send(other);
+    }
+    EXPECT_EQ(value(0x2500, 1), 0x0201);
+}
+
+TEST_F(Network, Rpdo2To4AreNotValidAndEmpty) {
+    verifies<req::INC_PDO_001, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602,
+             req::INC_OD_1603>();
+    const std::vector<std::uint32_t> cob_ids{0xC000037FU, 0xC000047FU, 0xC000057FU};
+    for (std::uint16_t pdo = 0; pdo < 3; ++pdo) {
+        EXPECT_EQ(read(static_cast<std::uint16_t>(0x1401 + pdo), 1), cob_ids[pdo]);
+        EXPECT_EQ(read(static_cast<std::uint16_t>(0x1601 + pdo), 0), 0U);
+        EXPECT_EQ(read(static_cast<std::uint16_t>(0x1601 + pdo), 1), 0U);
+    }
+}
+
+TEST_F(Network, TransmissionTypesCannotBeWritten) {
+    verifies<req::INC_PDO_005, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800,
+             req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1803>();
+    for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
+        const auto receive = static_cast<std::uint16_t>(0x1400 + pdo);
+        const auto transmit = static_cast<std::uint16_t>(0x1800 + pdo);
+        EXPECT_EQ(read(receive, 2), 255U);
+        EXPECT_EQ(read(transmit, 2), 254U);
+        EXPECT_EQ(refusal(receive, 2, 1, 1), "06010002");
+        EXPECT_EQ(refusal(transmit, 2, 1, 1), "06010002");
+    }
+}
+
+TEST_F(Network, APdoIsMappedAnewInFiveSteps) {
+    verifies<req::INC_PDO_006, req::INC_OD_1601, req::INC_OD_1A03>();
+    EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // while it is valid
+    write(0x1803, 1, 0xC00004FF, 4);
+    write(0x1A03, 0, 0, 1);
+    write(0x1A03, 1, 0x40100010, 4);
+    write(0x1A03, 2, 0x30000110, 4);
+    write(0x1A03, 3, 0x40800020, 4);
+    write(0x1A03, 0, 3, 1);
+    write(0x1803, 1, 0x400004FF, 4);
+    write(0x1803, 5, 30, 2);
+    write(0x1800, 5, 0, 2);
+    write(0x4080, 0, 0x12345678, 4);
+    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms, function 1 undefined
+    write(0x1601, 1, 0x25000310, 4);
+    write(0x1601, 0, 1, 1);
+    write(0x1401, 1, 0x4000037F, 4);
+    send("37F#2A00");
+    EXPECT_EQ(value(0x2500, 3), 42);
+}
+
+TEST_F(Network, OnlyTheNamedObjectsCanBeMapped) {
+    verifies<req::INC_PDO_007, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000, req::INC_OD_4010, req::INC_OD_4020,
+             req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050, req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080,
+             req::INC_OD_5020, req::INC_OD_5030>();
+    const std::vector<std::uint32_t> transmitted{0x30000110, 0x30000A10, 0x40000110, 0x40000310, 0x40100010,
+                                                 0x40200008, 0x40300010, 0x40400010, 0x40500010, 0x40600010,
+                                                 0x40700020, 0x40800020, 0x50200020, 0x50300020};
+    for (const std::uint32_t entry : transmitted) {
+        EXPECT_EQ(refusal(0x1A03, 1, entry, 4), "") << std::hex << entry;
+        EXPECT_EQ(refusal(0x1601, 1, entry, 4), "06040041") << std::hex << entry;
+    }
+    EXPECT_EQ(refusal(0x1601, 1, 0x25000110, 4), "");
+    EXPECT_EQ(refusal(0x1A03, 1, 0x25000110, 4), "06040041");
+    for (const std::uint32_t entry : {0x10010008U, 0x20000008U, 0x20030008U, 0x20100110U, 0x22000020U, 0x23000008U,
+                                      0x24000020U, 0x25010110U, 0x300A0108U, 0x30100108U, 0x55550001U, 0x40000008U}) {
+        EXPECT_EQ(refusal(0x1A03, 1, entry, 4), "06040041") << std::hex << entry;
+        EXPECT_EQ(refusal(0x1601, 1, entry, 4), "06040041") << std::hex << entry;
+    }
+}
+
+TEST_F(Network, ShipsAsNode127At125kbit) {
+    verifies<req::INC_LSS_001, req::INC_K_NODE_ID, req::INC_K_BIT_RATE>();
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_EQ(device->node_id(), 127);
+    EXPECT_EQ(device->bit_rate(), 125000U);
+}
+
+TEST_F(Network, TheManualsSessionSetsTheNodeId) {
+    verifies<req::INC_LSS_002, req::INC_LSS_005, req::INC_LSS_006>();
+    EXPECT_EQ(send("7E5#0401"), (Frames{}));
+    EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
+    node = 0x50;
+    EXPECT_EQ(device->node_id(), 0x50);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(read(0x1400, 1), 0x40000250U);
+    EXPECT_EQ(read(0x1403, 1), 0xC0000550U);
+    EXPECT_EQ(read(0x1800, 1), 0x400001D0U);
+    EXPECT_EQ(read(0x1803, 1), 0xC00004D0U);
+    EXPECT_EQ(power_on(), (Frames{"750#00"}));
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#1180"), (Frames{"7E4#110100"}));  // 128 is no node-ID
+}
+
+TEST_F(Network, CobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
+    verifies<req::INC_LSS_005>();
+    write(0x1801, 1, 0xC00002FF, 4);
+    write(0x1801, 1, 0x40000123 + 0x200, 4);  // 323h: not its default
+    store_all();
+    for (const char* frame : {"7E5#0401", "7E5#1110", "7E5#17", "7E5#0400"}) {
+        send(frame);
+    }
+    node = 0x10;
+    EXPECT_EQ(read(0x1800, 1), 0x40000190U);
+    EXPECT_EQ(read(0x1801, 1), 0x40000323U);
+}
+
+TEST_F(Network, TheManualsSessionSetsTheBitRate) {
+    verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
+    EXPECT_EQ(send("7E5#0401"), (Frames{}));
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
+    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // 1388h = 5000 ms
+    EXPECT_EQ(pass(4999), (Frames{}));
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    pass(1);
+    EXPECT_EQ(device->bit_rate(), 250000U);
+    pass(5000);
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    power_on();
+    EXPECT_EQ(device->bit_rate(), 250000U);
+}
+
+TEST_F(Network, BitRatesOfTable21) {
+    verifies<req::INC_LSS_004, req::INC_T21>();
+    const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000, 0, 0};
+    configure_lss();
+    for (std::size_t index = 0; index < rates.size(); ++index) {
+        const std::string answer = rates[index] == 0 ? "7E4#130100" : "7E4#130000";
+        EXPECT_EQ(send("7E5#1300" + hex_le(index, 1)), (Frames{answer})) << index;
+        if (rates[index] != 0) {
+            send("7E5#150100");
+            pass(2);
+            EXPECT_EQ(device->bit_rate(), rates[index]);
+        }
+    }
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // no other table
+}
+
+TEST_F(Network, SlewRateIsSetAtOnce) {
+    verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
+    EXPECT_FALSE(device->outputs().slew_rate_fast);
+    EXPECT_EQ(read(0x2000), 0U);
+    write(0x2000, 0, 1, 1);
+    EXPECT_TRUE(device->outputs().slew_rate_fast);
+    write(0x2000, 0, 0, 1);
+    EXPECT_FALSE(device->outputs().slew_rate_fast);
+    EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
+}
+
+TEST_F(Network, SlewRateFollowsTheBitRate) {
+    verifies<req::INC_SLEW_002, req::INC_T_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
+    const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
+    configure_lss();
+    for (std::size_t index = 0; index < fast.size(); ++index) {
+        if (index != 5) {
+            send("7E5#1300" + hex_le(index, 1));
+            send("7E5#150100");
+            pass(2);
+            EXPECT_EQ(device->outputs().slew_rate_fast, fast[index]) << index;
+            EXPECT_EQ(read(0x2000), fast[index] ? 1U : 0U) << index;
+        }
+    }
+    send("7E5#130000");
+    send("7E5#150100");
+    pass(2);
+    send("7E5#17");
+    power_on();
+    EXPECT_TRUE(device->outputs().slew_rate_fast);  // suits 1 Mbit/s
+    write(0x2000, 0, 0, 1);
+    store_all();
+    power_on();
+    EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
+}
+
+TEST_F(Network, StoreAndRestoreByGroup) {
+    verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1017>();
+    const auto change = [this] {
+        write(0x1017, 0, 500, 2);
+        write(0x2003, 0, 20, 1);
+    };
+    const auto reset = [this] { send("000#8100"); };
+    change();
+    power_on();
+    EXPECT_EQ(read(0x1017), 0U);
+    EXPECT_EQ(read(0x2003), 5U);
+    change();
+    write(0x1010, 2, 0x65766173, 4);
+    power_on();
+    EXPECT_EQ(read(0x1017), 500U);
+    EXPECT_EQ(read(0x2003), 5U);
+    change();
+    write(0x1010, 3, 0x65766173, 4);
+    power_on();
+    EXPECT_EQ(read(0x1017), 500U);
+    EXPECT_EQ(read(0x2003), 20U);
+    write(0x1011, 2, 0x64616F6C, 4);
+    EXPECT_EQ(read(0x1017), 500U);  // not before the reset
+    reset();
+    EXPECT_EQ(read(0x1017), 0U);
+    EXPECT_EQ(read(0x2003), 20U);
+    write(0x1011, 3, 0x64616F6C, 4);
+    EXPECT_EQ(read(0x2003), 20U);
+    reset();
+    EXPECT_EQ(read(0x2003), 5U);
+    change();
+    store_all();
+    reset();
+    EXPECT_EQ(read(0x1017), 500U);
+    EXPECT_EQ(read(0x2003), 20U);
+    write(0x1011, 1, 0x64616F6C, 4);
+    power_on();
+    EXPECT_EQ(read(0x1017), 0U);
+    EXPECT_EQ(read(0x2003), 5U);
+    for (std::uint8_t sub = 1; sub <= 3; ++sub) {
+        EXPECT_EQ(read(0x1010, sub), 1U);
+        EXPECT_EQ(read(0x1011, sub), 1U);
+        EXPECT_EQ(refusal(0x1010, sub, 0x64616F6C, 4), "08000020");
+        EXPECT_EQ(refusal(0x1011, sub, 0x65766173, 4), "08000020");
+    }
+}
+
+TEST_F(Network, EveryParameterIsStoredAndNoMeasuredValue) {
+    verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
+    write(0x2051, 3, 1234, 2);
+    write_real(0x3095, 2, 1.5F);
+    write_real(0x30A4, 1, -2.5F);
+    write(0x5555, 0, 1, 1);
+    write(0x5550, 0, 0, 1);
+    write(0x4080, 0, 99, 4);
+    write(0x2500, 2, 77, 2);
+    store_all();
+    power_on();
+    pass(1);  // starts itself and sends its first TPDO
+    EXPECT_EQ(read(0x2051, 3), 1234U);
+    EXPECT_EQ(real(0x3095, 2), 1.5F);
+    EXPECT_EQ(real(0x30A4, 1), -2.5F);
+    EXPECT_EQ(read(0x5555), 1U);
+    EXPECT_EQ(read(0x5550), 0U);
+    EXPECT_EQ(read(0x4080), 99U);
+    EXPECT_EQ(read(0x2500, 2), 0U);
+}
+
+TEST_F(Network, IdentityIsThatOfTheUnit) {
+    verifies<req::INC_ID_001, req::INC_ID_002, req::INC_OD_1018, req::INC_OD_1020>();
+    EXPECT_EQ(read(0x1018, 1), 0x55U);
+    EXPECT_EQ(read(0x1018, 2), 0xAA060805U);
+    EXPECT_EQ(read(0x1018, 3), 0x00010101U);
+    EXPECT_EQ(read(0x1018, 4), 1U);
+    EXPECT_EQ(read(0x1020, 1), 0x01012024U);
+    EXPECT_EQ(read(0x1020, 2), 0U);
+    factory.revision = 0x00020305;
+    factory.serial_number = 0x12345678;
+    factory.made_on = 0x30042014;  // the manual's example: April 30th, 2014, 18:42
+    factory.made_at = 0x00001842;
+    power_on();
+    EXPECT_EQ(read(0x1018, 3), 0x00020305U);
+    EXPECT_EQ(read(0x1018, 4), 0x12345678U);
+    EXPECT_EQ(read(0x1020, 1), 0x30042014U);
+    EXPECT_EQ(read(0x1020, 2), 0x00001842U);
+    EXPECT_EQ(refusal(0x1020, 1, 0, 4), "06010002");
+    send("000#8200");
+    EXPECT_EQ(read(0x1018, 4), 0x12345678U);
+}
+
+TEST_F(Network, HeartbeatTakes0And10MillisecondsAndMore) {
+    verifies<req::INC_HB_001, req::INC_OD_1017>();
+    EXPECT_EQ(pass(100), (Frames{}));
+    write(0x1017, 0, 10, 2);
+    EXPECT_EQ(pass(20), (Frames{"10:77F#7F", "20:77F#7F"}));
+    EXPECT_EQ(refusal(0x1017, 0, 1, 2), "06090032");
+    EXPECT_EQ(refusal(0x1017, 0, 9, 2), "06090032");
+    write(0x1017, 0, 65535, 2);
+    write(0x1017, 0, 0, 2);
+    EXPECT_EQ(pass(100), (Frames{}));
+}
+
+TEST_F(Network, AutomaticUpdatesChangeNothing) {
+    verifies<req::INC_AUTO_001, req::INC_OD_5550>();
+    EXPECT_EQ(read(0x5550), 1U);
+    write(0x2031, 1, 1, 1);
+    write_real(0x2040, 1, 5.0F);
+    write(0x2030, 1, 10, 2);
+    write(0x2100, 0, 0, 1);
+    write(0x2050, 1, 1, 1);
+    EXPECT_EQ(read(0x2031, 1), 1U);
+    EXPECT_EQ(real(0x2040, 1), 5.0F);
+    EXPECT_EQ(read(0x2030, 1), 10U);
+    EXPECT_EQ(read(0x2051, 1), 10U);
+    write(0x5550, 0, 0, 1);
+    EXPECT_EQ(read(0x5550), 0U);
+}
+
+TEST_F(Network, StartsByItselfWith5555hStored) {
+    verifies<req::INC_START_001, req::INC_OD_5555>();
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    write(0x5555, 0, 1, 1);
+    store_all();
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_EQ(pass(0), (Frames{"0:1FF#00000000000000"}));
+    EXPECT_EQ(device->state(), NmtState::operational);
+    write(0x5555, 0, 0, 1);
+    store_all();
+    power_on();
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(Network, SelfStartYieldsToASensorError) {
+    verifies<req::INC_START_001, req::INC_ERR_011>();
+    write(0x5555, 0, 1, 1);
+    store_all();
+    inputs.accelerometer_fault = true;
+    power_on();
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
+    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002, req::INC_FV_006, req::INC_OD_5020, req::INC_OD_5030,
+             req::INC_OD_4060, req::INC_S_SUPPLY, req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
+    EXPECT_NEAR(real(0x5020), 23.2F, 1e-5F);
+    EXPECT_EQ(real(0x5030), 30.0F);
+    EXPECT_EQ(value(0x4060), 25);
+    inputs.supply_voltage = 11.5F;
+    inputs.processor_temperature = -20.25F;
+    inputs.sensor_temperature = -12.6F;
+    set_inputs();
+    pass(5);
+    EXPECT_EQ(real(0x5020), 11.5F);
+    EXPECT_EQ(real(0x5030), -20.25F);
+    EXPECT_EQ(value(0x4060), -13);
+    inputs.supply_voltage = 70.5F;  // no measurement: the object ends at 70 V
+    inputs.processor_temperature = 150.5F;
+    set_inputs();
+    pass(5);
+    EXPECT_EQ(real(0x5020), 11.5F);
+    EXPECT_EQ(real(0x5030), -20.25F);
+    inputs.supply_voltage = 70.0F;
+    inputs.processor_temperature = 150.0F;
+    set_inputs();
+    pass(5);
+    EXPECT_EQ(real(0x5020), 70.0F);
+    EXPECT_EQ(real(0x5030), 150.0F);
+    inputs.supply_voltage = -0.1F;
+    inputs.processor_temperature = -50.1F;
+    set_inputs();
+    pass(5);
+    EXPECT_EQ(real(0x5020), 70.0F);
+    EXPECT_EQ(real(0x5030), 150.0F);
+}
+
+}  // namespace canproof::test
