@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
-#include <map>
-
+#include "support/naive_pdo.hpp"
 #include "support/sdo_text.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"
@@ -15,19 +14,11 @@ namespace canproof::test {
 
 namespace {
 
-/// What may stand in a mapping: an object of the conformance slave, or a gap.
-struct Mappable {
-    unsigned index;
-    unsigned subindex;
-    unsigned bits;
-};
-using Mapping = std::vector<Mappable>;
-using Bits = std::vector<bool>;
-using Values = std::map<std::pair<unsigned, unsigned>, std::uint64_t>;
-
-bool is_gap(const Mappable& line) {
-    return line.index < 0x1000;
-}
+using naive_pdo::is_gap;
+using naive_pdo::Mappable;
+using naive_pdo::Mapping;
+using naive_pdo::total_bits;
+using naive_pdo::Values;
 
 /// Objects 2000h, 2002h, 2100h (RPDO) or 2001h, 2003h, 2101h (TPDO), those of both, and for an RPDO the dummies.
 std::vector<Mappable> catalogue(bool receives) {
@@ -50,14 +41,6 @@ std::vector<Mappable> catalogue(bool receives) {
         }
     }
     return all;
-}
-
-unsigned total_bits(const Mapping& mapping) {
-    unsigned bits = 0;
-    for (const Mappable& line : mapping) {
-        bits += line.bits;
-    }
-    return bits;
 }
 
 /// Zero to eight lines, mostly such that fit into a PDO.
@@ -93,25 +76,6 @@ void map_pdo3(SlaveBench& bench, bool receives, const Mapping& mapping) {
     }
 }
 
-/// Bit 0 is the least significant one of the first byte.
-Bits bits_of(const Bytes& bytes) {
-    Bits bits;
-    for (const std::uint8_t byte : bytes) {
-        for (unsigned bit = 0; bit < 8; ++bit) {
-            bits.push_back(((byte >> bit) & 1U) != 0);
-        }
-    }
-    return bits;
-}
-
-Bytes bytes_of(const Bits& bits) {
-    Bytes bytes((bits.size() + 7) / 8);
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-        bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (bits[i] ? 1U << (i % 8) : 0U));
-    }
-    return bytes;
-}
-
 std::string frame_text(const std::string& id, const Bytes& bytes) {
     return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
 }
@@ -120,30 +84,6 @@ std::string frame_text(const std::string& id, const Bytes& bytes) {
 bool fits(const Mappable& line, std::uint64_t value) {
     const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
     return line.index != 0x2200 || (number >= -100 && number <= 100);
-}
-
-/// The values after a frame: all that are mapped, or none.
-Values after(Values values, const Mapping& mapping, const Bytes& frame) {
-    const Bits bits = bits_of(frame);
-    if (frame.size() < (total_bits(mapping) + 7) / 8) {
-        return values;
-    }
-    Values next = values;
-    std::size_t at = 0;
-    for (const Mappable& line : mapping) {
-        std::uint64_t value = 0;
-        for (unsigned bit = 0; bit < line.bits; ++bit, ++at) {
-            value |= static_cast<std::uint64_t>(bits[at]) << bit;
-        }
-        if (is_gap(line)) {
-            continue;
-        }
-        if (!fits(line, value)) {
-            return values;
-        }
-        next[{line.index, line.subindex}] = value;
-    }
-    return next;
 }
 
 std::uint64_t value_in(SlaveBench& bench, unsigned index, unsigned subindex) {
@@ -197,7 +137,7 @@ RC_GTEST_PROP(PdoLaw, AReceivedPdoSetsWhatItsBitsSay, ()) {
     const auto frames = *rc::gen::container<std::vector<Bytes>>(rc::gen::arbitrary<Bytes>());
     for (Bytes frame : frames) {
         frame.resize(std::min<std::size_t>(frame.size(), 8));
-        model = after(model, mapping, frame);
+        model = naive_pdo::received(model, mapping, frame, fits);
         bench.send(frame_text("405", frame));
         RC_ASSERT(all_values(bench) == model);
     }
@@ -209,17 +149,12 @@ RC_GTEST_PROP(PdoLaw, ASentPdoIsItsValuesBitByBit, ()) {
     const auto mapping = *mappings(false);
     map_pdo3(bench, false, mapping);
     bench.send("605#2300180185010080");  // TPDO1 off
-    std::map<std::pair<unsigned, unsigned>, std::uint64_t> put;
+    Values values;
     for (const Mappable& line : mapping) {
-        put[{line.index, line.subindex}] = put_random(bench, line);
+        values[{line.index, line.subindex}] = put_random(bench, line);
     }
-    Bits expected;
-    for (const Mappable& line : mapping) {
-        for (unsigned bit = 0; bit < line.bits; ++bit) {
-            expected.push_back(((put[{line.index, line.subindex}] >> bit) & 1U) != 0);
-        }
-    }
-    const Frames sent = mapping.empty() ? Frames{} : Frames{frame_text("385", bytes_of(expected))};
+    const std::string frame = frame_text("385", naive_pdo::packed(mapping, values));
+    const Frames sent = mapping.empty() ? Frames{} : Frames{frame};
     RC_ASSERT(bench.send("000#0105") == sent);
 }
 

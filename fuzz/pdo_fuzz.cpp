@@ -1,0 +1,319 @@
+// Everything that touches PDOs, in any order: SDO writes to their parameters, RPDOs and other frames, remote frames,
+// SYNCs, NMT commands, values that change in the device, and time. The slave is that of the conformance suite, node 5.
+// Input: records of ten bytes: what happens, how (length, number or milliseconds), and eight bytes of data.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <set>
+
+#include "generated/requirements.hpp"
+#include "host/devices/generic_device.hpp"
+#include "host/devices/memory.hpp"
+#include "support/claims.hpp"
+#include "support/frame_probe.hpp"
+#include "support/naive_pdo.hpp"
+#include "support/record_mutator.hpp"
+#include "support/slave_register.hpp"
+
+namespace {
+
+using namespace canproof;
+using naive_pdo::Bytes;
+using naive_pdo::Mapping;
+using naive_pdo::Values;
+
+constexpr std::size_t record_size = 10;
+constexpr unsigned pdo_count = 4;
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+/// One PDO as the dictionary has it.
+struct Pdo {
+    std::uint32_t cob_id;
+    std::uint32_t type;
+    Mapping mapping;
+
+    std::uint32_t id() const { return cob_id & 0x7FF; }
+    bool is_valid() const { return (cob_id >> 31) == 0; }
+    bool has_remote() const { return ((cob_id >> 30) & 1) == 0; }
+};
+
+class Slave {
+  public:
+    Slave() { device_.power_on(5, now); }
+
+    Pdo rpdo(unsigned number) { return pdo(0x1400 + number, 0x1600 + number); }
+    Pdo tpdo(unsigned number) { return pdo(0x1800 + number, 0x1A00 + number); }
+    bool is_operational() { return device_.node().state() == NmtState::operational; }
+
+    std::uint64_t value(unsigned index, unsigned subindex) {
+        auto& objects = device_.objects();
+        const auto entry = objects.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex));
+        const ByteView bytes = objects.value(entry.value());
+        std::uint64_t read = 0;
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            read |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+        }
+        return read;
+    }
+    /// All that can be mapped.
+    Values values() {
+        Values all;
+        for (const unsigned index : {0x2000U, 0x2001U, 0x2002U, 0x2003U}) {
+            for (unsigned sub = 1; sub <= 8; ++sub) {
+                all[{index, sub}] = value(index, sub);
+            }
+        }
+        for (const unsigned index : {0x2100U, 0x2101U}) {
+            for (unsigned sub = 1; sub <= 4; ++sub) {
+                all[{index, sub}] = value(index, sub);
+            }
+        }
+        for (const unsigned index : {0x1001U, 0x2200U, 0x2202U, 0x2206U, 0x2207U}) {
+            all[{index, 0}] = value(index, 0);
+        }
+        return all;
+    }
+    void receive(const Frame& frame) { fuzz::deliver(device_, frame, now); }
+    void set_byte(std::uint8_t subindex, std::uint8_t byte) {
+        device_.objects().write(0x2001, subindex, byte);
+        device_.node().process_value_changed(0x2001, subindex, now);
+        device_.advance(now);
+    }
+    void pass(std::uint64_t ms) {
+        const Instant end = now + milliseconds(ms);
+        for (; device_.next_deadline() <= end; device_.advance(now)) {
+            now = std::max(now, device_.next_deadline(), [](Instant a, Instant b) { return a < b; });
+            drain();
+        }
+        now = end;
+    }
+    /// What has been sent since the last call.
+    std::vector<Frame> drain() {
+        while (!queue_.empty()) {
+            sent_.push_back(queue_.pop());
+        }
+        return sent_;
+    }
+    void forget() { sent_.clear(); }
+    /// Those of 1014h until now: an emergency message that waits keeps its own.
+    const std::set<std::uint32_t>& emcy_ids() {
+        emcy_ids_.insert(static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF);
+        return emcy_ids_;
+    }
+    bool is_idle() {
+        device_.advance(now);
+        return device_.next_deadline() > now;
+    }
+
+    Instant now{};
+
+  private:
+    Pdo pdo(unsigned parameters, unsigned lines) {
+        Pdo read{static_cast<std::uint32_t>(value(parameters, 1)), static_cast<std::uint32_t>(value(parameters, 2)), {}};
+        for (unsigned sub = 1; sub <= value(lines, 0); ++sub) {
+            const auto entry = static_cast<std::uint32_t>(value(lines, sub));
+            read.mapping.push_back({entry >> 16, (entry >> 8) & 0xFF, entry & 0xFF});
+        }
+        return read;
+    }
+
+    host::Memory memory_{4096};
+    TransmitQueue queue_;
+    host::GenericDevice device_{test::slave_part(), memory_, queue_};
+    std::vector<Frame> sent_;
+    std::set<std::uint32_t> emcy_ids_{0x085};
+};
+
+/// 2200h takes -100 … 100, 2202h numbers from -10 to 10, a BOOLEAN 0 and 1.
+bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
+    if (line.index == 0x2200) {
+        const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
+        return number >= -100 && number <= 100;
+    }
+    if (line.index == 0x2202) {
+        const float number = bit_cast<float>(static_cast<std::uint32_t>(value));
+        return std::isfinite(number) && number >= -10.0F && number <= 10.0F;
+    }
+    return true;
+}
+
+/// CiA 301, 7.3.5.
+bool is_kept_for_others(std::uint32_t id) {
+    return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) || (id >= 0x601 && id <= 0x67F) ||
+           (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
+}
+
+void check_parameters(Slave& slave) {
+    std::set<std::uint32_t> transmitted;
+    for (unsigned number = 0; number < pdo_count; ++number) {
+        const Pdo pdo = slave.tpdo(number);
+        require(naive_pdo::total_bits(pdo.mapping) <= 64 && pdo.mapping.size() <= 8);
+        require(pdo.type <= 240 || (pdo.type >= 252 && pdo.type <= 255));
+        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && transmitted.insert(pdo.id()).second));
+    }
+    for (unsigned number = 0; number < pdo_count; ++number) {
+        const Pdo pdo = slave.rpdo(number);
+        require(naive_pdo::total_bits(pdo.mapping) <= 64 && pdo.mapping.size() <= 8);
+        require(pdo.type <= 240 || (pdo.type >= 254 && pdo.type <= 255));
+        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && transmitted.count(pdo.id()) == 0));
+    }
+    require(fits({0x2200, 0, 16}, slave.value(0x2200, 0)) && fits({0x2202, 0, 32}, slave.value(0x2202, 0)));
+    for (const unsigned index : {0x2002U, 0x2003U}) {
+        for (unsigned sub = 1; sub <= 8; ++sub) {
+            require(slave.value(index, sub) <= 1);
+        }
+    }
+}
+
+/// What the node was before a step; its frames belong to this or to what it is after it.
+struct Before {
+    std::vector<Pdo> tpdos;
+    bool operational;
+    std::uint32_t sync_id;
+
+    explicit Before(Slave& slave)
+        : operational{slave.is_operational()}, sync_id{static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF} {
+        for (unsigned number = 0; number < pdo_count; ++number) {
+            tpdos.push_back(slave.tpdo(number));
+        }
+    }
+    bool has(const Frame& frame) const {
+        bool found = false;
+        for (const Pdo& pdo : tpdos) {
+            found = found || (pdo.is_valid() && pdo.id() == frame.id && !pdo.mapping.empty() &&
+                              naive_pdo::total_bytes(pdo.mapping) == frame.length);
+        }
+        return found;
+    }
+};
+
+/// SDO, EMCY, error control, SYNC; besides, only the valid TPDOs of an operational node.
+void check_frames(Slave& slave, const Before& before) {
+    const Before after{slave};
+    const bool operational = before.operational || after.operational;
+    for (const Frame& frame : slave.drain()) {
+        require(!frame.extended && !frame.remote && frame.length <= 8);
+        const bool service = frame.id == 0x585 || frame.id == 0x705 || frame.id == before.sync_id ||
+                             frame.id == after.sync_id || slave.emcy_ids().count(frame.id) != 0;
+        require(service || (operational && (before.has(frame) || after.has(frame))));
+    }
+}
+
+/// RPDOs of types 254 and 255 set what the naive model says; the others set nothing before a SYNC.
+Values expected_after(Slave& slave, const Frame& frame) {
+    Values values = slave.values();
+    const Bytes data(frame.data.begin(), frame.data.begin() + frame.length);
+    for (unsigned number = 0; number < pdo_count && slave.is_operational(); ++number) {
+        const Pdo pdo = slave.rpdo(number);
+        if (pdo.is_valid() && pdo.id() == frame.id && pdo.type >= 254) {
+            values = naive_pdo::received(values, pdo.mapping, data, fits);
+        }
+    }
+    return values;
+}
+
+void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std::uint8_t* data) {
+    Frame frame = data_frame(id, length);
+    std::copy_n(data, length, frame.data.begin());
+    slave.pass(0);
+    Values expected = expected_after(slave, frame);
+    slave.receive(frame);
+    Values found = slave.values();
+    expected.erase({0x1001, 0});  // a frame that is too short raises an error
+    found.erase({0x1001, 0});
+    require(found == expected);
+}
+
+/// Types 253 to 255 without an inhibit time answer with the present values.
+void request_tpdo(Slave& slave, unsigned number) {
+    const Pdo pdo = slave.tpdo(number);
+    Frame frame = data_frame(pdo.id(), 0);
+    frame.remote = true;
+    slave.pass(0);
+    slave.drain();
+    slave.forget();
+    const bool answers = slave.is_operational() && pdo.is_valid() && pdo.has_remote() && !pdo.mapping.empty() &&
+                         pdo.type >= 253 && (pdo.type == 253 || slave.value(0x1800 + number, 3) == 0);
+    slave.receive(frame);
+    const Bytes expected = naive_pdo::packed(pdo.mapping, slave.values());
+    bool answered = false;
+    for (const Frame& sent : slave.drain()) {
+        answered = answered || (sent.id == pdo.id() && Bytes(sent.data.begin(), sent.data.begin() + sent.length) == expected);
+    }
+    require(!answers || answered);
+}
+
+void step(Slave& slave, const std::uint8_t* record) {
+    const std::uint8_t how = record[1];
+    const std::uint8_t* const data = record + 2;
+    const auto length = static_cast<std::uint8_t>(std::min(how & 0x0F, 8));
+    Frame frame{};
+    switch (record[0] % 10U) {
+        case 0:
+        case 1:
+        case 2:
+            frame = data_frame(0x605, 8);
+            std::copy_n(data, 8, frame.data.begin());
+            slave.receive(frame);
+            break;
+        case 3:
+            receive_rpdo(slave, slave.rpdo((how >> 4U) % pdo_count).id(), length, data);
+            break;
+        case 4:
+            frame = data_frame(read_u16(ByteView{data, 2}, 0) & 0x7FFU, length);
+            std::copy_n(data, length, frame.data.begin());
+            frame.remote = (how & 0x80U) != 0;
+            frame.extended = (how & 0x40U) != 0;
+            if (frame.id != 0 && frame.id != 0x7E5) {  // NMT has its own record, LSS its own target
+                slave.receive(frame);
+            }
+            break;
+        case 5:
+            request_tpdo(slave, how % pdo_count);
+            break;
+        case 6:
+            frame = data_frame(static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FFU, how & 1U);
+            frame.data[0] = data[0];
+            slave.receive(frame);
+            break;
+        case 7: {
+            constexpr std::array<std::uint8_t, 4> commands{0x01, 0x01, 0x80, 0x82};
+            frame = data_frame(0, 2);
+            frame.data[0] = commands[how % commands.size()];
+            slave.receive(frame);
+            break;
+        }
+        case 8:
+            slave.set_byte(static_cast<std::uint8_t>(1 + how % 8), data[0]);
+            break;
+        default:
+            slave.pass(how);
+            break;
+    }
+}
+
+}  // namespace
+
+CANPROOF_FUZZ_CLAIMS(req::CO_PDO_001, req::CO_PDO_011, req::CO_PDO_016, req::CO_PDO_026, req::CO_PDO_027,
+                     req::CO_PDO_028)
+CANPROOF_FUZZ_RECORDS(record_size)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Slave slave;
+    slave.drain();
+    for (; size >= record_size; data += record_size, size -= record_size) {
+        slave.forget();
+        const Before before{slave};
+        step(slave, data);
+        require(slave.is_idle());
+        check_frames(slave, before);
+        check_parameters(slave);
+    }
+    return 0;
+}

@@ -1,0 +1,95 @@
+// PDOs as CiA 301 draws them (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant of the first byte first, cut
+// where the mapping says. Knows nothing of the firmware; slow and obvious.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace canproof::naive_pdo {
+
+using Bytes = std::vector<std::uint8_t>;
+using Bits = std::vector<bool>;
+
+/// One line of a mapping: an object, or a gap (an index below 1000h).
+struct Mappable {
+    unsigned index;
+    unsigned subindex;
+    unsigned bits;
+};
+using Mapping = std::vector<Mappable>;
+using Values = std::map<std::pair<unsigned, unsigned>, std::uint64_t>;
+
+inline bool is_gap(const Mappable& line) {
+    return line.index < 0x1000;
+}
+
+inline unsigned total_bits(const Mapping& mapping) {
+    unsigned bits = 0;
+    for (const Mappable& line : mapping) {
+        bits += line.bits;
+    }
+    return bits;
+}
+
+inline unsigned total_bytes(const Mapping& mapping) {
+    return (total_bits(mapping) + 7) / 8;
+}
+
+inline Bits bits_of(const Bytes& bytes) {
+    Bits bits;
+    for (const std::uint8_t byte : bytes) {
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            bits.push_back(((byte >> bit) & 1U) != 0);
+        }
+    }
+    return bits;
+}
+
+inline Bytes bytes_of(const Bits& bits) {
+    Bytes bytes((bits.size() + 7) / 8);
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (bits[i] ? 1U << (i % 8) : 0U));
+    }
+    return bytes;
+}
+
+/// What a TPDO carries.
+inline Bytes packed(const Mapping& mapping, Values values) {
+    Bits bits;
+    for (const Mappable& line : mapping) {
+        for (unsigned bit = 0; bit < line.bits; ++bit) {
+            bits.push_back(((values[{line.index, line.subindex}] >> bit) & 1U) != 0);
+        }
+    }
+    return bytes_of(bits);
+}
+
+/// The values after an RPDO: all that are mapped, or none when the frame is too short or `fits(line, value)` denies
+/// one.
+template <typename Fits>
+Values received(const Values& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
+    if (frame.size() < total_bytes(mapping)) {
+        return values;
+    }
+    const Bits bits = bits_of(frame);
+    Values next = values;
+    std::size_t at = 0;
+    for (const Mappable& line : mapping) {
+        std::uint64_t value = 0;
+        for (unsigned bit = 0; bit < line.bits; ++bit, ++at) {
+            value |= static_cast<std::uint64_t>(bits[at]) << bit;
+        }
+        if (is_gap(line)) {
+            continue;
+        }
+        if (!fits(line, value)) {
+            return values;
+        }
+        next[{line.index, line.subindex}] = value;
+    }
+    return next;
+}
+
+}  // namespace canproof::naive_pdo
