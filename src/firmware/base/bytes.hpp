@@ -1,6 +1,7 @@
 // Views of bytes that cannot overrun, and little-endian access (CiA 301 sends the least significant byte first).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,15 @@ class MutableBytes {
         const std::size_t count = (source.size() < room) ? source.size() : room;
         for (std::size_t i = 0U; i < count; ++i) {
             data_[at + i] = source.data()[i];
+        }
+    }
+    /// copy() of the first N bytes of `source`: the compiler knows how many, and makes a few moves of a loop.
+    template <std::size_t N>
+    void copy_first(const std::size_t at, const ByteView source) noexcept {
+        if ((source.size() >= N) && (at <= size_) && (N <= (size_ - at))) {
+            static_cast<void>(std::copy_n(source.data(), N, data_ + at));
+        } else {
+            copy(at, source.part(0U, N));
         }
     }
     /// The low `count` (0…8) bytes of `value` at `at`, least significant first; bytes that would not fit are dropped.

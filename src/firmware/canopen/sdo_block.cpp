@@ -26,7 +26,7 @@ SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
         }
         add_to_crc();
         // Bytes beyond the place may be unused ones of the last segment; finish() knows.
-        place_.copy(size_, segment.part(1U, sdo::segment_capacity));
+        place_.copy_first<sdo::segment_capacity>(size_, segment.part(1U, sdo::segment_capacity));
         size_ += sdo::segment_capacity;
         in_order_ = sequence;
         complete_ = last;
@@ -70,7 +70,7 @@ void SdoBlockUpload::put_segment(MutableBytes frame) noexcept {
     ++sent_;
     last_sent_ = end == value_.size();
     frame.set(0U, static_cast<std::uint8_t>(sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U)));
-    frame.copy(1U, data);
+    frame.copy_first<sdo::segment_capacity>(1U, data);
     if (end > checked_) {
         crc_.add(data);
         checked_ = end;

@@ -6,16 +6,13 @@ bool TransmitQueue::push(const Frame& frame) noexcept {
     if (!open_ || (count_ == capacity)) {
         return false;
     }
+    const std::size_t first_free = boot_up_waits_ ? 1U : 0U;
     std::size_t at{count_};
-    if (boot_up_waits_) {
-        frames_[at] = frames_[at - 1U];
+    while ((at > first_free) && (place(at - 1U).id > frame.id)) {
+        place(at) = place(at - 1U);
         --at;
     }
-    while ((at > 0U) && (frames_[at - 1U].id <= frame.id)) {
-        frames_[at] = frames_[at - 1U];
-        --at;
-    }
-    frames_[at] = frame;
+    place(at) = frame;
     ++count_;
     return true;
 }
@@ -30,9 +27,11 @@ Frame TransmitQueue::pop() noexcept {
     if (count_ == 0U) {
         return Frame{};
     }
+    const Frame& next = frames_[first_];
+    first_ = (first_ + 1U) % capacity;
     --count_;
     boot_up_waits_ = false;
-    return frames_[count_];
+    return next;
 }
 
 void TransmitQueue::close() noexcept {

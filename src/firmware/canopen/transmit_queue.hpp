@@ -24,7 +24,7 @@ class TransmitQueue {
     bool empty() const noexcept { return count_ == 0U; }
     std::size_t size() const noexcept { return count_; }
     /// The frame to be sent next; nullptr when there is none. Good until the queue is touched.
-    const Frame* front() const noexcept { return (count_ == 0U) ? nullptr : &frames_[count_ - 1U]; }
+    const Frame* front() const noexcept { return (count_ == 0U) ? nullptr : &frames_[first_]; }
     /// Removes the frame to be sent next. Without one, gives an empty frame.
     Frame pop() noexcept;
 
@@ -33,7 +33,10 @@ class TransmitQueue {
     void open() noexcept { open_ = true; }
 
   private:
-    std::array<Frame, capacity> frames_{};  ///< descending: the next one to send is the last
+    Frame& place(const std::size_t at) noexcept { return frames_[(first_ + at) % capacity]; }
+
+    std::array<Frame, capacity> frames_{};  ///< a ring, ascending: a frame that is not urgent goes to its end
+    std::size_t first_{0U};                 ///< the next one to send
     std::size_t count_{0U};
     bool open_{true};
     bool boot_up_waits_{false};
