@@ -1,0 +1,238 @@
+// The math blocks of the AX130751 over SDO (1.7).
+#include "support/ax130751_blocks.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+class Ax130751Math : public Ax130751Blocks {
+  protected:
+    void SetUp() override {
+        Ax130751Blocks::SetUp();
+        for (int number = 1; number <= 6; ++number) {
+            extra_as_percent(number);
+        }
+    }
+    static std::uint16_t index(int block, int offset) {
+        return static_cast<std::uint16_t>(0x4000 + (0x100 * block) + offset);
+    }
+    /// Inputs 1 to `count` of a block are 2500h:1 to count, 0 to 100.
+    void make(int block, int count) {
+        for (int input = 1; input <= count; ++input) {
+            set8(index(block, 0x01), input, 3 + input);
+            set8(index(block, 0x00), input, canopen);
+            set8(index(block, 0x03), input, 0);
+            set16(index(block, 0x22), input, 100);
+        }
+        set8(0x4000, block, 1);
+    }
+    void values(const std::vector<int>& all) {
+        int number = 1;
+        for (const int value : all) {
+            set16(0x2500, number++, value);
+        }
+        pass(1);
+    }
+    int output(int block) { return get16(0x4030, block); }
+};
+
+TEST_F(Ax130751Math, EveryBlockAddsAsShipped) {
+    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_008, req::AOR_SRC_001>();
+    for (int block = 1; block <= 4; ++block) {
+        SCOPED_TRACE(block);
+        make(block, 2);
+        values({20, 35});
+        EXPECT_EQ(output(block), 5500);  // 55.00 of 100.00
+        values({80, 35});
+        EXPECT_EQ(output(block), 10000) << "saturates";
+        set8(0x4000, block, 0);
+        pass(1);
+        EXPECT_EQ(output(block), 0);
+    }
+}
+
+TEST_F(Ax130751Math, OperatorsOfTable21) {
+    verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005>();
+    make(1, 2);
+    struct Row {
+        int operation;
+        int of_40_60, of_60_60, of_60_40;
+    };
+    const std::array<Row, 18> rows{{
+        {0, 0, 10000, 0},
+        {1, 10000, 0, 10000},
+        {2, 0, 0, 10000},
+        {3, 0, 10000, 10000},
+        {4, 10000, 0, 0},
+        {5, 10000, 10000, 0},
+        {6, 10000, 10000, 10000},
+        {7, 0, 0, 0},
+        {8, 0, 10000, 0},
+        {9, 10000, 0, 10000},
+        {10, 10000, 0, 10000},
+        {11, 0, 10000, 0},
+        {12, 10000, 10000, 10000},  // 1.0 and more, held at 1
+        {13, 0, 0, 2000},           // 0.4 - 0.6 is held at 0
+        {14, 2400, 3600, 2400},     // 0.4 * 0.6
+        {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is held at 1
+        {16, 4000, 6000, 4000},
+        {17, 6000, 6000, 6000},
+    }};
+    for (const auto& row : rows) {
+        set8(0x4150, 1, row.operation);
+        values({40, 60});
+        EXPECT_EQ(output(1), row.of_40_60) << row.operation;
+        values({60, 60});
+        EXPECT_EQ(output(1), row.of_60_60) << row.operation;
+        values({60, 40});
+        EXPECT_EQ(output(1), row.of_60_40) << row.operation;
+    }
+    set8(0x4150, 1, 15);
+    values({60, 0});
+    EXPECT_EQ(output(1), 0) << "divided by zero";
+}
+
+TEST_F(Ax130751Math, SeventyFiveAndTwentyFivePercent) {
+    verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
+    make(1, 2);
+    set8(0x4140, 1, 75);
+    set8(0x4140, 2, 25);
+    values({100, 0});
+    EXPECT_EQ(output(1), 7500);
+    values({100, 100});
+    EXPECT_EQ(output(1), 10000);
+    values({40, 60});
+    EXPECT_EQ(output(1), 4500);  // 30 + 15
+    EXPECT_EQ(write(0x4140, 1, 101, 1), "06090031");
+    EXPECT_EQ(write(0x4140, 1, -101, 1), "06090032");
+}
+
+TEST_F(Ax130751Math, ScalingHasItsOwnDigits) {
+    verifies<req::AOR_MATH_001>();
+    make(1, 2);
+    set8(0x4103, 1, 1);
+    set16(0x4120, 1, 200);   // 20.0 is 0
+    set16(0x4122, 1, 1000);  // 100.0 is 1
+    values({40, 0});
+    EXPECT_EQ(output(1), 2500);
+    values({10, 0});
+    EXPECT_EQ(output(1), 0);
+}
+
+TEST_F(Ax130751Math, ThreeFunctionsInAChain) {
+    verifies<req::AOR_MATH_002>();
+    make(2, 4);
+    set8(0x4250, 2, 14);
+    set8(0x4250, 3, 13);
+    values({20, 60, 50, 10});
+    EXPECT_EQ(output(2), 3000);  // (0.2 + 0.6) * 0.5 - 0.1
+}
+
+TEST_F(Ax130751Math, UnusedInputsArePassedOver) {
+    verifies<req::AOR_MATH_007, req::AOR_MATH_011>();
+    make(1, 4);
+    set8(0x4100, 3, not_used);
+    set8(0x4150, 2, 14);
+    values({20, 30, 50, 10});
+    EXPECT_EQ(output(1), 6000);  // 0.2 + 0.3 + 0.1
+    set8(0x4100, 4, not_used);
+    pass(1);
+    EXPECT_EQ(output(1), 5000);
+    set8(0x4100, 2, not_used);
+    set16(0x4021, 1, 500);
+    pass(1);
+    EXPECT_EQ(output(1), 0) << "no function to do: 0, not scaling 1";
+}
+
+TEST_F(Ax130751Math, DisabledIsZeroWhateverItsScaling) {
+    verifies<req::AOR_MATH_011, req::AOR_SRC_009>();
+    set16(0x4021, 1, 500);
+    pass(1);
+    EXPECT_EQ(output(1), 0);
+    make(1, 2);
+    values({0, 0});
+    EXPECT_EQ(output(1), 500);
+}
+
+TEST_F(Ax130751Math, OutputScalingAndDigits) {
+    verifies<req::AOR_MATH_008>();
+    make(1, 2);
+    set8(0x4032, 1, 1);
+    set16(0x4021, 1, -200);  // -20.0
+    set16(0x4023, 1, 200);   // 20.0
+    values({75, 0});
+    EXPECT_EQ(output(1), 100);
+    values({100, 100});
+    EXPECT_EQ(output(1), 200);
+    // Other blocks see 10.0: math 2 with 0 to 20 as 0 to 1
+    values({75, 0});
+    set8(0x4200, 1, math_source);
+    set8(0x4201, 1, 1);
+    set8(0x4200, 2, canopen);
+    set8(0x4201, 2, 9);
+    set16(0x4222, 1, 2000);
+    set8(0x4000, 2, 1);
+    pass(1);
+    EXPECT_EQ(output(2), 5000);
+}
+
+TEST_F(Ax130751Math, NegativeDifferences) {
+    verifies<req::AOR_MATH_005>();
+    make(1, 3);
+    set8(0x4150, 1, 13);
+    values({20, 50, 90});
+    EXPECT_EQ(output(1), 9000) << "0 + 0.9";
+    set8(0x4140, 1, -100);
+    pass(1);
+    EXPECT_EQ(output(1), 2000) << "-0.2 - 0.5 + 0.9";
+}
+
+TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
+    verifies<req::AOR_MATH_009, req::AOR_MATH_010>();
+    make(1, 4);
+    set8(0x4150, 2, 14);
+    values({20, 60, 50, 0});
+    EXPECT_EQ(output(1), 4000);  // 0.8 * 0.5 + 0
+    set8(0x4102, 4, 1);
+    pass(1);
+    EXPECT_EQ(output(1), 4000) << "no effect on another source";
+    set8(0x4101, 4, 2);
+    set8(0x4100, 4, math_source);
+    pass(1);
+    EXPECT_EQ(output(1), 4000) << "nor on another block, which is 0";
+    set8(0x4101, 4, 1);
+    pass(1);
+    EXPECT_EQ(output(1), 10000) << "0.4 + function 1, 0.8, not scaled, held at 1";
+    set8(0x4140, 4, 50);
+    pass(1);
+    EXPECT_EQ(output(1), 8000) << "times its gain";
+    set8(0x4140, 4, -50);
+    pass(1);
+    EXPECT_EQ(output(1), 0);
+    set8(0x4140, 4, 25);
+    set8(0x4102, 4, 0);
+    set16(0x4122, 4, 10000);
+    set8(0x4103, 4, 2);
+    pass(50);
+    // x = 0.4 + x / 4 has the solution 0.5333
+    EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
+}
+
+TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
+    verifies<req::AOR_MATH_006>();
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 50);  // 2500h:1 to 3
+    make(1, 1);
+    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x4100, 2, canopen);
+    set8(0x4103, 2, 0);
+    set16(0x4122, 2, 100);
+    set16(0x2500, 4, 30);
+    start();
+    send("37F#280000000000");
+    pass(2);
+    EXPECT_EQ(output(1), 7000);
+    pass(60);
+    EXPECT_EQ(output(1), 3000);
+}
+
+}  // namespace canproof::test
