@@ -11,6 +11,7 @@ using Faults = TcsTest;
 
 }  // namespace
 
+// One step of the converter is worth 0.012 degC here: that close to a threshold decides.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_011, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030>();
@@ -20,13 +21,13 @@ TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
         settle();
         return status(1);
     };
-    EXPECT_EQ(status_at(124.95), 0);  // 4010h is 125.0
-    EXPECT_EQ(status_at(125.05), 0x02);
-    EXPECT_EQ(status_at(249.95), 0x02);  // 4020h is 250.0
-    EXPECT_EQ(status_at(250.05), 0x03);
+    EXPECT_EQ(status_at(124.988), 0);  // 4010h is 125.0
+    EXPECT_EQ(status_at(125.012), 0x02);
+    EXPECT_EQ(status_at(249.988), 0x02);  // 4020h is 250.0
+    EXPECT_EQ(status_at(250.012), 0x03);
     EXPECT_EQ(status_at(20.0), 0);
-    EXPECT_EQ(status_at(-19.95), 0);  // 4000h is -20.0
-    EXPECT_EQ(status_at(-20.05), 0x04);
+    EXPECT_EQ(status_at(-19.988), 0);  // 4000h is -20.0
+    EXPECT_EQ(status_at(-20.012), 0x04);
 }
 
 TEST_F(Limits, ClearOneDegreeInside) {
@@ -38,15 +39,15 @@ TEST_F(Limits, ClearOneDegreeInside) {
         return status(1);
     };
     EXPECT_EQ(status_at(126.0), 0x02);
-    EXPECT_EQ(status_at(124.05), 0x02);
-    EXPECT_EQ(status_at(123.95), 0x00);
+    EXPECT_EQ(status_at(124.012), 0x02);
+    EXPECT_EQ(status_at(123.988), 0x00);
     EXPECT_EQ(status_at(251.0), 0x03);
-    EXPECT_EQ(status_at(249.05), 0x03);
-    EXPECT_EQ(status_at(248.95), 0x02);  // the warning lasts
+    EXPECT_EQ(status_at(249.012), 0x03);
+    EXPECT_EQ(status_at(248.988), 0x02);  // the warning lasts
     EXPECT_EQ(status_at(20.0), 0x00);
     EXPECT_EQ(status_at(-21.0), 0x04);
-    EXPECT_EQ(status_at(-19.05), 0x04);
-    EXPECT_EQ(status_at(-18.95), 0x00);
+    EXPECT_EQ(status_at(-19.012), 0x04);
+    EXPECT_EQ(status_at(-18.988), 0x00);
 }
 
 TEST_F(Limits, AreToldWhenTheyHaveLasted) {
@@ -248,7 +249,8 @@ TEST_F(Limits, AVoltageBeyondTheTypesRangeIsAFault) {
     EXPECT_EQ(status_at(20000.0), 0);
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
     EXPECT_EQ(status_at(-6266.0), 0);
-    EXPECT_EQ(status_at(-6270.0), 0x04);
+    EXPECT_EQ(status_at(-6267.7), 0);     // step -10515: -6267.45, 9.45 uV beyond
+    EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 
