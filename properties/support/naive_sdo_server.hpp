@@ -69,7 +69,18 @@ class Server {
         block_end
     };
 
-    explicit Server(Objects objects) : objects_{std::move(objects)} {}
+    explicit Server(const Objects& objects) : as_new_{objects}, objects_{objects} {}
+
+    /// As new, at time 0.
+    void restart() {
+        for (const auto& [index, subindex] : written_) {
+            objects_[index][subindex].value = as_new_[index][subindex].value;
+        }
+        written_.clear();
+        doing_ = Doing::nothing;
+        now_ = 0;
+        progress_ = 0;
+    }
 
     const Objects& objects() const { return objects_; }
     Doing doing() const { return doing_; }
@@ -209,6 +220,7 @@ class Server {
             value.erase(std::find(value.begin(), value.end(), 0), value.end());
         }
         entry->value = value;
+        written_.emplace_back(index_, subindex_);
         return 0;
     }
 
@@ -432,7 +444,9 @@ class Server {
         doing_ = Doing::block_end;
     }
 
+    Objects as_new_;
     Objects objects_;
+    std::vector<std::pair<std::uint16_t, std::uint8_t>> written_;
     std::vector<Message> answers_;
     Doing doing_{Doing::nothing};
     std::uint64_t now_{0};
