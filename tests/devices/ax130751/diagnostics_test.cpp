@@ -1,192 +1,217 @@
-// Supply and temperature of the AX130751: what is shown, when it is a fault and what the outputs do then (manual 1.8,
-// 3.4.74 to 3.4.84, section 4). Thresholds as shipped: 8 V, 35 V with 5 V of hysteresis; 85 degrees with 25.
-#include "support/ax130751_bench.hpp"
+// Supply, temperature and errors of the AX130751 (1.8, 3.2.4, chapter 4).
+#include "support/ax130751_blocks.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
 
-namespace {
-
-using Frames = Ax130751Bench::Frames;
-
-class Ax130751Diagnostics : public Ax130751Test {
+class Ax130751Diagnostics : public Ax130751Blocks {
   protected:
-    /// Output 1 at 3 V, output 2 digital and on, the relay on.
     void SetUp() override {
-        Ax130751Test::SetUp();
-        EXPECT_EQ(write(0x2330, 1, 0, 2), "");
-        EXPECT_EQ(write(0x6310, 2, 1020, 2), "");
-        EXPECT_EQ(write(0x7300, 1, 3000, 2), "");
-        EXPECT_EQ(write(0x6220, 2, 1, 1), "");
-        EXPECT_EQ(write(0x6220, 3, 1, 1), "");
-        EXPECT_EQ(pass(20), Frames{});
-        EXPECT_EQ(driven(), "3.0 V, on, on");
+        Ax130751Blocks::SetUp();
+        no_ramps(1);
+        no_ramps(2);
+        set8(0x6220, 3, 1);
+        set16(0x7300, 2, 4000);
+        command(1, 2000);
     }
-    Frames supply(float volts) {
-        inputs.supply = volts;
-        Frames frames = set_inputs();
-        for (const auto& late : pass(20)) {
-            frames.push_back(late.substr(late.find(':') + 1));
-        }
-        return frames;
+    Frames supply(float volts_supplied) {
+        inputs.supply = volts_supplied;
+        set_inputs();
+        return pass(1);
     }
     Frames temperature(float degrees) {
         inputs.cpu_temperature = degrees;
-        Frames frames = set_inputs();
-        for (const auto& late : pass(20)) {
-            frames.push_back(late.substr(late.find(':') + 1));
-        }
-        return frames;
+        set_inputs();
+        return pass(1);
     }
-    std::string driven() const {
-        const auto& out = device->outputs();
-        EXPECT_NE(out.relay_nc, out.relay_no);
-        return fmt::format("{:.1f} V, {}, {}", out.out_voltage[0], out.out_on[1] ? "on" : "off",
-                           out.relay_nc ? "on" : "off");
-    }
+    bool all_run() const { return volts(1) == 2.0F && volts(2) == 4.0F && relay_on(); }
+    bool all_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && !relay_on(); }
 };
 
-const Frames supply_fault{"0FF#0031010000000000"};       // 3100h
-const Frames temperature_fault{"0FF#0042010000000000"};  // 4200h
-const Frames fault_ends{"0FF#0000000000000000"};
-const std::string going_on = "3.0 V, on, on";
-const std::string all_off = "0.0 V, off, off";
-
-}  // namespace
-
-TEST_F(Ax130751Diagnostics, SupplyAndTemperatureAreShownAsMeasured) {
-    verifies<req::AOR_DIAG_001, req::AOR_S_SUPPLY, req::AOR_S_TEMPERATURE, req::AOR_OD_5020, req::AOR_OD_5030>();
-    EXPECT_EQ(supply(13.5F), Frames{});
-    EXPECT_EQ(read(0x5020, 0), 0x41580000U);  // 13.5 = 1.6875 * 2^3
-    EXPECT_EQ(temperature(-20.0F), Frames{});
-    EXPECT_EQ(read(0x5030, 0), 0xC1A00000U);  // -20 = -1.25 * 2^4
-    supply(36.0F);                            // above the 35 V that 3.4.74 prints
-    EXPECT_EQ(read(0x5020, 0), 0x42100000U);  // 36 = 1.125 * 2^5
+TEST_F(Ax130751Diagnostics, MeasuresSupplyAndTemperature) {
+    verifies<req::AOR_DIAG_001, req::AOR_S_SUPPLY, req::AOR_S_TEMPERATURE>();
+    EXPECT_FLOAT_EQ(get_real(0x5020), 24.0F);
+    EXPECT_FLOAT_EQ(get_real(0x5030), 35.0F);
+    supply(13.37F);
+    temperature(-7.5F);
+    EXPECT_FLOAT_EQ(get_real(0x5020), 13.37F);
+    EXPECT_FLOAT_EQ(get_real(0x5030), -7.5F);
 }
 
-TEST_F(Ax130751Diagnostics, UnderVoltageLastsUntilTheHysteresisIsPassed) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_006, req::AOR_DIAG_007, req::AOR_OD_5022, req::AOR_OD_5024>();
-    EXPECT_EQ(supply(8.1F), Frames{});
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(supply(7.9F), supply_fault);
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(read(0x1001, 0), 1U);
-    EXPECT_EQ(read(0x1003, 0), 1U);
-    EXPECT_EQ(read(0x1003, 1), 0x00003100U);
-    EXPECT_EQ(supply(12.9F), Frames{});
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(supply(13.1F), fault_ends);
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(read(0x1001, 0), 0U);
-    EXPECT_EQ(read(0x1003, 0), 0U);
+TEST_F(Ax130751Diagnostics, UnderVoltageWithHysteresis) {
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_006, req::AOR_DIAG_009>();
+    supply(8.0F);
+    EXPECT_TRUE(all_run()) << "at the threshold";
+    supply(7.9F);
+    EXPECT_TRUE(all_off());
+    supply(12.9F);
+    EXPECT_TRUE(all_off()) << "until 8 + 5 V";
+    supply(13.0F);
+    EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, OverVoltageLastsUntilTheHysteresisIsPassed) {
-    verifies<req::AOR_DIAG_003, req::AOR_DIAG_006, req::AOR_DIAG_007, req::AOR_OD_5023, req::AOR_OD_5024>();
-    EXPECT_EQ(supply(34.9F), Frames{});
-    EXPECT_EQ(supply(35.1F), supply_fault);
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(supply(30.1F), Frames{});
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(supply(29.9F), fault_ends);
-    EXPECT_EQ(driven(), going_on);
+TEST_F(Ax130751Diagnostics, OverVoltageWithHysteresis) {
+    verifies<req::AOR_DIAG_003, req::AOR_DIAG_006>();
+    supply(35.0F);
+    EXPECT_TRUE(all_run());
+    supply(35.1F);
+    EXPECT_TRUE(all_off());
+    supply(30.1F);
+    EXPECT_TRUE(all_off()) << "until 35 - 5 V";
+    supply(30.0F);
+    EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, OverTemperatureLastsUntilTheHysteresisIsPassed) {
-    verifies<req::AOR_DIAG_004, req::AOR_DIAG_006, req::AOR_DIAG_007, req::AOR_OD_5032, req::AOR_OD_5033>();
-    EXPECT_EQ(temperature(84.9F), Frames{});
-    EXPECT_EQ(temperature(85.1F), temperature_fault);
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(read(0x1003, 1), 0x00004200U);
-    EXPECT_EQ(temperature(60.1F), Frames{});
-    EXPECT_EQ(driven(), all_off);
-    EXPECT_EQ(temperature(59.9F), fault_ends);
-    EXPECT_EQ(driven(), going_on);
+TEST_F(Ax130751Diagnostics, OverTemperatureWithHysteresis) {
+    verifies<req::AOR_DIAG_004, req::AOR_DIAG_006>();
+    temperature(85.0F);
+    EXPECT_TRUE(all_run());
+    temperature(85.1F);
+    EXPECT_TRUE(all_off());
+    temperature(60.1F);
+    EXPECT_TRUE(all_off()) << "until 85 - 25 degrees";
+    temperature(60.0F);
+    EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, ThresholdsAndHysteresisAreTheObjects) {
+TEST_F(Ax130751Diagnostics, ThresholdsAreThoseConfigured) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
-    EXPECT_EQ(write(0x5022, 0, 20, 1), "");
-    EXPECT_EQ(write(0x5023, 0, 28, 1), "");
-    EXPECT_EQ(write(0x5024, 0, 1, 1), "");
-    EXPECT_EQ(supply(19.9F), supply_fault);
-    EXPECT_EQ(supply(20.9F), Frames{});
-    EXPECT_EQ(supply(21.1F), fault_ends);
-    EXPECT_EQ(supply(28.1F), supply_fault);
-    EXPECT_EQ(supply(27.1F), Frames{});
-    EXPECT_EQ(supply(26.9F), fault_ends);
-    EXPECT_EQ(write(0x5032, 0, 50, 1), "");
-    EXPECT_EQ(write(0x5033, 0, 2, 1), "");
-    EXPECT_EQ(temperature(50.1F), temperature_fault);
-    EXPECT_EQ(temperature(48.1F), Frames{});
-    EXPECT_EQ(temperature(47.9F), fault_ends);
-}
-
-TEST_F(Ax130751Diagnostics, WithoutShutdownTheOutputsGoOn) {
-    verifies<req::AOR_DIAG_006, req::AOR_DIAG_007, req::AOR_OD_5025, req::AOR_OD_5034>();
-    EXPECT_EQ(write(0x5025, 0, 0, 1), "");
-    EXPECT_EQ(supply(7.5F), supply_fault);
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(temperature(90.0F), temperature_fault);
-    EXPECT_EQ(driven(), all_off);  // 5034h is still 1
-    EXPECT_EQ(write(0x5034, 0, 0, 1), "");
-    pass(20);
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(read(0x1003, 0), 2U);
+    set8(0x5022, 0, 20);
+    set8(0x5023, 0, 28);
+    set8(0x5024, 0, 1);
+    set8(0x5032, 0, 50);
+    set8(0x5033, 0, 10);
+    pass(1);
+    EXPECT_TRUE(all_run());
+    supply(19.9F);
+    EXPECT_TRUE(all_off());
+    supply(21.0F);
+    EXPECT_TRUE(all_run());
+    supply(28.1F);
+    EXPECT_TRUE(all_off());
+    supply(27.0F);
+    EXPECT_TRUE(all_run());
+    temperature(51.0F);
+    EXPECT_TRUE(all_off());
+    temperature(40.0F);
+    EXPECT_TRUE(all_run());
 }
 
 TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
-    verifies<req::AOR_DIAG_005, req::AOR_OD_5021, req::AOR_OD_5031>();
-    EXPECT_EQ(write(0x5021, 0, 0, 1), "");
-    EXPECT_EQ(write(0x5031, 0, 0, 1), "");
-    EXPECT_EQ(supply(7.5F), Frames{});
-    EXPECT_EQ(temperature(120.0F), Frames{});
-    EXPECT_EQ(driven(), going_on);
+    verifies<req::AOR_DIAG_005>();
+    supply(7.5F);
+    EXPECT_TRUE(all_off());
+    set8(0x5021, 0, 0);
+    pass(1);
+    EXPECT_TRUE(all_run()) << "ends with its detection";
+    set8(0x5021, 0, 1);
+    supply(24.0F);
+    temperature(100.0F);
+    EXPECT_TRUE(all_off());
+    set8(0x5031, 0, 0);
+    pass(1);
+    EXPECT_TRUE(all_run());
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Diagnostics, AFaultEndsWhenItsDetectionIsSwitchedOff) {
-    verifies<req::AOR_DIAG_005>();
-    EXPECT_EQ(supply(7.5F), supply_fault);
-    EXPECT_EQ(write(0x5021, 0, 0, 1), "");
-    EXPECT_EQ(pass(20).size(), 1U);  // the message of the error that ended
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(read(0x1003, 0), 0U);
-}
-
-// Section 4: 7 V and 39 V
-TEST_F(Ax130751Diagnostics, BeyondTheHardwaresLimitsNothingIsDriven) {
-    verifies<req::AOR_DIAG_008, req::AOR_S_SUPPLY>();
-    EXPECT_EQ(write(0x5021, 0, 0, 1), "");
-    EXPECT_EQ(write(0x5025, 0, 0, 1), "");
-    supply(7.1F);
-    EXPECT_EQ(driven(), going_on);
-    supply(6.9F);
-    EXPECT_EQ(driven(), all_off);
-    supply(7.1F);
-    EXPECT_EQ(driven(), going_on);
-    supply(38.9F);
-    EXPECT_EQ(driven(), going_on);
-    supply(39.1F);
-    EXPECT_EQ(driven(), all_off);
-    supply(24.0F);
-    EXPECT_EQ(driven(), going_on);
-    EXPECT_EQ(read(0x1003, 0), 0U);
-}
-
-TEST_F(Ax130751Diagnostics, AfterAShutdownTheOutputRampsFromOff) {
-    verifies<req::AOR_DIAG_009>();
-    EXPECT_EQ(write(0x2330, 1, 1000, 2), "");  // 0 to 5 V in a second
-    pass(3000);
-    EXPECT_EQ(driven(), going_on);
+TEST_F(Ax130751Diagnostics, WithoutShutdownOutputsGoOn) {
+    verifies<req::AOR_DIAG_006>();
+    set8(0x5025, 0, 0);
     supply(7.5F);
-    EXPECT_EQ(driven(), all_off);
-    inputs.supply = 24.0F;
-    set_inputs();
-    pass(300);
-    EXPECT_NEAR(device->outputs().out_voltage[0], 1.5, 0.02);  // 300 ms of 5 V/s
-    pass(700);
-    EXPECT_EQ(driven(), going_on);
+    EXPECT_TRUE(all_run());
+    EXPECT_EQ(read(0x1001, 0), 1U) << "but the fault is there";
+    set8(0x5034, 0, 0);
+    temperature(99.0F);
+    EXPECT_TRUE(all_run());
+    set8(0x5034, 0, 1);
+    pass(1);
+    EXPECT_TRUE(all_off());
+}
+
+TEST_F(Ax130751Diagnostics, HardwareProtectionHasTheLastWord) {
+    verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
+    set8(0x5021, 0, 0);
+    supply(7.0F);
+    EXPECT_TRUE(all_run());
+    supply(6.9F);
+    EXPECT_TRUE(all_off());
+    supply(39.0F);
+    EXPECT_TRUE(all_run());
+    supply(39.1F);
+    EXPECT_TRUE(all_off());
+}
+
+TEST_F(Ax130751Diagnostics, ShutdownComesBeforeEverything) {
+    verifies<req::AOR_OUT_007, req::AOR_RELAY_011, req::AOR_DIAG_006>();
+    extra_as_percent(1);
+    for (const std::uint16_t index : std::array<std::uint16_t, 2>{0x2360, 0x2290}) {
+        set8(index, 1, canopen);
+        set8(static_cast<std::uint16_t>(index + 1), 1, 4);
+    }
+    set16(0x2300, 1, 5000);
+    set8(0x2293, 1, 1);
+    extra(1, 100);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    supply(7.5F);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    EXPECT_FALSE(relay_on());
+}
+
+TEST_F(Ax130751Diagnostics, AfterAShutdownOutputsRampFromOff) {
+    verifies<req::AOR_DIAG_009>();
+    set16(0x2330, 1, 1000);
+    supply(7.5F);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    supply(24.0F);
+    pass(200);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V a second
+    pass(1000);
+    EXPECT_FLOAT_EQ(volts(1), 2.0F);
+}
+
+TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
+    verifies<req::AOR_DIAG_007, req::AOR_T_FAULT_CODES>();
+    EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
+    EXPECT_EQ(read(0x1001, 0), 1U);
+    EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0042010000000000"}));
+    EXPECT_EQ(read(0x1003, 0), 2U);
+    EXPECT_EQ(read(0x1003, 1), 0x00004200U) << "the newest first";
+    EXPECT_EQ(read(0x1003, 2), 0x00003100U);
+    EXPECT_EQ(supply(24.0F), (Frames{"1:0FF#0000010000000000"}));
+    EXPECT_EQ(read(0x1003, 0), 1U);
+    EXPECT_EQ(temperature(20.0F), (Frames{"1:0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x1003, 0), 0U);
+    EXPECT_EQ(read(0x1001, 0), 0U);
+}
+
+TEST_F(Ax130751Diagnostics, UnderAndOverVoltageAreOneFault) {
+    verifies<req::AOR_DIAG_007>();
+    EXPECT_EQ(supply(7.5F).size(), 1U);
+    EXPECT_EQ(supply(40.0F).size(), 0U) << "still a supply fault";
+    EXPECT_EQ(supply(24.0F).size(), 1U);
+}
+
+TEST_F(Ax130751Diagnostics, ErrorFieldCodesOfTable23) {
+    verifies<req::AOR_DIAG_010, req::AOR_T23>();
+    start();
+    set16(0x1400, 5, 50);
+    send("27F#0000000000");
+    pass(60);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U);
+    set32(0x1016, 3, 0x00220064);  // node 22h, 100 ms
+    send("722#05");
+    pass(110);
+    EXPECT_EQ(read(0x1003, 1), 0x80228130U);
+    set16(0x100C, 0, 50);
+    set8(0x100D, 0, 2);
+    send("77F#R");
+    pass(110);
+    EXPECT_EQ(read(0x1003, 1), 0x10008130U);
+    EXPECT_EQ(read(0x1003, 0), 3U);
+    send("27F#0000000000");
+    send("722#05");
+    send("77F#R");
+    EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
 }  // namespace canproof::test
