@@ -97,6 +97,7 @@ void Node::boot_up(const Instant now) noexcept {
     application_.booted(now);
 }
 
+static_assert(implements<req::CO_SDO_017>);
 void Node::enter(const NmtState state, const Instant now) noexcept {
     const bool had_pdos = allowed_.has(NmtService::pdo);
     allowed_ = AllowedServices{state};
@@ -361,6 +362,7 @@ Result<EntryRef, AbortCode> Node::find(const std::uint16_t index, const std::uin
     return found;
 }
 
+static_assert(implements<req::CO_SDO_009>);
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
     using Read = Result<ByteView, AbortCode>;
     const auto found = find(index, subindex);
@@ -408,6 +410,7 @@ AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const 
     return application_.commit(entry, value.size(), now);
 }
 
+static_assert(implements<req::CO_SDO_016>);
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
     const auto found = find(index, subindex);
     if (!found.ok()) {

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -65,6 +68,7 @@ const ObjectRow* ObjectDictionary::find_object(const std::uint16_t index) const 
     return nullptr;
 }
 
+static_assert(implements<req::CO_SDO_008>);
 Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
                                                    const std::uint8_t subindex) const noexcept {
     using Found = Result<EntryRef, AbortCode>;

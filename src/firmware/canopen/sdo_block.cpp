@@ -95,6 +95,7 @@ AbortCode SdoBlockUpload::acknowledge(const std::uint8_t sequence, const std::ui
     return AbortCode::none;
 }
 
+static_assert(implements<req::CO_SDO_038>);
 std::uint8_t SdoBlockUpload::unused() const noexcept {
     const std::size_t in_last = value_.size() % sdo::segment_capacity;
     const bool full = (in_last == 0U) && !value_.empty();

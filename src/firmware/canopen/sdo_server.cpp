@@ -26,6 +26,7 @@ void SdoServer::receive(const Frame& frame, const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
 void SdoServer::dispatch(const ByteView request, const Instant now) noexcept {
@@ -250,6 +251,7 @@ bool SdoServer::toggle_fits(const std::uint8_t command) noexcept {
 }
 
 static_assert(implements<req::CO_SDO_014>);
+static_assert(implements<req::CO_SDO_037>);
 void SdoServer::advance(const Instant now) noexcept {
     if (state_ == State::idle) {
         return;
@@ -284,6 +286,8 @@ Frame SdoServer::answer_object(const std::uint8_t command) const noexcept {
     return frame;
 }
 
+static_assert(implements<req::CO_SDO_015>);
+static_assert(implements<req::CO_SDO_036>);
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
     Frame frame = answer_object(sdo::aborted);
