@@ -428,9 +428,26 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         code = before_write(entry, value);
     }
     if (code == AbortCode::none) {
+        const bool reconfigures = entry.may(rights::stored) && !are_equal(objects_.value(entry), value);
         put(entry, value, now);
+        if (reconfigures) {
+            forget_verification(index);
+        }
     }
     return code;
+}
+
+/// Date and time of the configuration tool mean the configuration that it left, no other.
+static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002>);
+void Node::forget_verification(const std::uint16_t changed_index) noexcept {
+    constexpr std::uint16_t verify_index = 0x1020U;
+    constexpr std::uint8_t parts = 2U;  // date, time
+    for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
+        const auto found = objects_.find(verify_index, subindex);
+        if (found.ok() && found.value().may(rights::write)) {
+            objects_.write(verify_index, subindex, 0U);
+        }
+    }
 }
 
 AbortCode Node::store(const EntryRef& entry, const ByteView value) noexcept {

@@ -153,6 +153,7 @@ class Node final : private ObjectAccess {
     void put(const EntryRef& entry, ByteView value, Instant now) noexcept;
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode store(const EntryRef& entry, ByteView value) noexcept;
+    void forget_verification(std::uint16_t changed_index) noexcept;
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
     /// What stands in the way of communication.

@@ -1,0 +1,116 @@
+// Verify configuration, 1020h (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
+// 1020h can be written, and the three devices whose 1020h tells the age of their software.
+#include "host/devices/simulated_device.hpp"
+#include "support/exchange.hpp"
+#include "support/slave_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class VerifyConfiguration : public testing::Test, public SlaveBench {
+  protected:
+    void talk(const std::vector<Exchange>& table) { test::talk(static_cast<SlaveBench&>(*this), table); }
+    /// A tool leaves day 30,000 = 7530h and 43,200,000 ms = 02932E00h.
+    void leave_date_and_time() {
+        talk({{"605#2320100130750000", {"585#6020100100000000"}}, {"605#23201002002E9302", {"585#6020100200000000"}}});
+    }
+    const std::vector<Exchange> kept{{"605#4020100100000000", {"585#4320100130750000"}},
+                                     {"605#4020100200000000", {"585#43201002002E9302"}}};
+    const std::vector<Exchange> zero{{"605#4020100100000000", {"585#4320100100000000"}},
+                                     {"605#4020100200000000", {"585#4320100200000000"}}};
+};
+
+}  // namespace
+
+TEST_F(VerifyConfiguration, KeepsWhatTheToolLeft) {
+    verifies<req::CO_VERIFY_001>();
+    talk(zero);
+    leave_date_and_time();
+    talk(kept);
+    talk({{"605#2310100173617665", {"585#6010100100000000"}}, {"000#8205", {"705#00"}}});
+    talk(kept);
+    send("000#8105");
+    talk(kept);
+    power_on();
+    talk(kept);
+}
+
+TEST_F(VerifyConfiguration, IsLostAtAResetWhenItWasNotStored) {
+    verifies<req::CO_VERIFY_001>();
+    leave_date_and_time();
+    send("000#8105");
+    talk(zero);
+}
+
+TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
+    verifies<req::CO_VERIFY_002>();
+    for (const Exchange& change :
+         {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication
+          Exchange{"605#2F00200107000000", {"585#6000200100000000"}}}) {  // 2000h:1 = 7, manufacturer
+        leave_date_and_time();
+        talk({change});
+        talk(zero);
+    }
+}
+
+TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
+    verifies<req::CO_VERIFY_002>();
+    leave_date_and_time();
+    talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h is 0 already
+          {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 = 3: refused, too high
+          {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h cannot be written
+          {"605#2310100173617665", {"585#6010100100000000"}},    // save
+          {"605#4000200100000000", {"585#4F00200100000000"}}});  // a read
+    talk(kept);
+    send("000#0105");
+    send("205#0708");  // RPDO1 sets 2000h:1 and 2000h:2
+    talk({{"605#4000200100000000", {"585#4F00200107000000"}}});
+    talk(kept);
+}
+
+TEST_F(VerifyConfiguration, EachPartCanBeWrittenAlone) {
+    verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
+    leave_date_and_time();
+    talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
+}
+
+// Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
+// 4.2.12
+TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
+    verifies<req::CO_VERIFY_003>();
+    for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
+        const auto device = host::make_device(name);
+        ASSERT_NE(device, nullptr) << name;
+        device->set_node_id(5);
+        device->power_on(Instant{});
+        const auto send = [&device](const std::string& frame) {
+            while (!device->queue().empty()) {
+                device->queue().pop();
+            }
+            device->receive(host::parse_frame(frame, "test"), Instant{});
+            return device->queue().empty() ? std::string{} : host::format_frame(device->queue().pop());
+        };
+        const std::string date = send("605#4020100100000000");
+        EXPECT_EQ(date.substr(0, 12), "585#43201001") << name;
+        EXPECT_NE(date.substr(12), "00000000") << name;
+        EXPECT_EQ(send("605#2B171000E8030000"), "585#6017100000000000") << name;  // heartbeat each second
+        EXPECT_EQ(send("605#4020100100000000"), date) << name;
+        EXPECT_EQ(send("605#2320100100000000"), "585#8020100102000106") << name;
+        EXPECT_EQ(send("605#4020100100000000"), date) << name;
+    }
+}
+
+// CiA 301, 7.2.6: six bytes of time on 100h
+TEST_F(VerifyConfiguration, TimeHasNoEffect) {
+    verifies<req::CO_TIME_001>();
+    leave_date_and_time();
+    talk({{"100#002E93023075", {}}, {"100#", {}}, {"100#R", {}}, {"605#4012100000000000", {"585#8012100000000206"}}});
+    talk(kept);
+    send("000#0105");
+    talk({{"100#002E93023075", {}}});
+    EXPECT_EQ(slave->node().state(), NmtState::operational);
+}
+
+}  // namespace canproof::test
