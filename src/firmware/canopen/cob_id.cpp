@@ -1,9 +1,12 @@
 #include "firmware/canopen/cob_id.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "generated/canopen/tables.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof::cob_id {
 
+static_assert(implements<req::CO_T_RESTRICTED_COB_ID>);
 bool is_restricted(const std::uint32_t identifier) noexcept {
     const auto* const row = generated::canopen::t_co_t_restricted_cob_id::find(static_cast<std::uint16_t>(identifier));
     return (row == nullptr) || row->restricted;

@@ -91,6 +91,7 @@ std::uint8_t Emcy::active_register() const noexcept {
     return bits;
 }
 
+static_assert(implements<req::CO_EMCY_008>);
 void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
     const std::uint32_t capacity = list_capacity();
@@ -107,6 +108,7 @@ void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     objects_.write(error_list_index, 0U, kept + 1U);
 }
 
+static_assert(implements<req::CO_EMCY_007>);
 void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
     const std::uint32_t count = objects_.read(error_list_index, 0U);
     std::uint32_t kept{0U};
@@ -186,6 +188,7 @@ void Emcy::forget(const std::size_t position) noexcept {
     }
 }
 
+static_assert(implements<req::CO_EMCY_001>);
 Frame Emcy::message(const Pending& told) const noexcept {
     Frame frame = data_frame(cob_id::identifier(cob_id_entry()), max_frame_length);
     write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
@@ -200,11 +203,13 @@ Frame Emcy::message(const Pending& told) const noexcept {
     return frame;
 }
 
+static_assert(implements<req::CO_EMCY_004>);
 void Emcy::enable(const bool enabled, const Instant now) noexcept {
     enabled_ = enabled;
     advance(now);
 }
 
+static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003>);
 void Emcy::advance(const Instant now) noexcept {
     if (!enabled_ || (pending_count_ == 0U)) {
         return;
@@ -221,6 +226,7 @@ Instant Emcy::next_deadline() const noexcept {
     return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never;
 }
 
+static_assert(implements<req::CO_EMCY_005>);
 AbortCode Emcy::before_write(const EntryRef& entry, const ByteView value) const noexcept {
     if (entry.index != cob_id_index) {
         return AbortCode::none;

@@ -1,7 +1,9 @@
 #include "firmware/canopen/error_control.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -41,6 +43,7 @@ void ErrorControl::send_state(const std::uint8_t octet) noexcept {
     static_cast<void>(queue_.push(message(octet)));
 }
 
+static_assert(implements<req::CO_NMT_001> && implements<req::CO_K_GUARDING_ID>);
 void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexcept {
     node_id_ = node_id;
     refresh();
@@ -51,6 +54,7 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
     start_heartbeat(now);
 }
 
+static_assert(implements<req::CO_HB_001> && implements<req::CO_GUARD_003>);
 void ErrorControl::start_heartbeat(const Instant now) noexcept {
     const Duration time = heartbeat_time_;
     next_heartbeat_ = (time.us == 0U) ? never : (now + time);
@@ -61,6 +65,7 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_GUARD_001> && implements<req::CO_GUARD_002>);
 bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
     const bool is_request = frame.remote && !frame.extended && (frame.id == identifier_);
     if (!is_request || (heartbeat_time_.us != 0U)) {

@@ -1,6 +1,8 @@
 #include "firmware/canopen/heartbeat_consumer.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -17,6 +19,7 @@ constexpr std::uint8_t slot_bit(const std::size_t slot) noexcept {
     return static_cast<std::uint8_t>(1U << slot);
 }
 
+static_assert(implements<req::CO_HB_003>);
 /// A time or node-ID of zero, or a node-ID that cannot exist, watches nobody (CiA 301, 7.5.2.19).
 constexpr bool is_active(const std::uint32_t setting) noexcept {
     const std::uint32_t node_id = node_id_of(setting);
@@ -53,6 +56,7 @@ std::uint8_t HeartbeatConsumer::producer(const std::size_t slot) const noexcept 
     return static_cast<std::uint8_t>(node_id_of(setting(slot)));
 }
 
+static_assert(implements<req::CO_HB_002>);
 void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept {
     if (!any_ || frame.extended || frame.remote || (frame.length != 1U)) {
         return;

@@ -291,7 +291,8 @@ LssError Lss::store() noexcept {
     return error;
 }
 
-static_assert(implements<req::CO_LSS_013> && implements<req::CO_LSS_014> && implements<req::CO_LSS_015>);
+static_assert(implements<req::CO_LSS_013> && implements<req::CO_LSS_014> && implements<req::CO_LSS_015> &&
+              implements<req::CO_LSS_019>);
 void Lss::activate(const Duration delay, const Instant now) noexcept {
     delay_ = delay;
     switching_ = Switching::before;

@@ -1,12 +1,15 @@
 #include "firmware/canopen/nmt.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/tables.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
 namespace services = generated::canopen::t_co_t_services;
 
+static_assert(implements<req::CO_T_SERVICES> && implements<req::CO_E_NMT_STATE>);
 bool is_allowed(const NmtService service, const NmtState state) noexcept {
     const auto* const row = services::find(service, state);
     return (row != nullptr) && row->allowed;
@@ -20,6 +23,8 @@ AllowedServices::AllowedServices(const NmtState state) noexcept {
     }
 }
 
+static_assert(implements<req::CO_NMT_003> && implements<req::CO_NMT_004> && implements<req::CO_E_NMT_COMMAND> &&
+              implements<req::CO_K_NMT_ID>);
 std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
     constexpr std::uint8_t command_length{2U};
     if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||

@@ -1,5 +1,7 @@
 #include "firmware/canopen/node.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
 namespace canproof {
 
 namespace {
@@ -50,6 +52,7 @@ void Node::load_group(const ParameterGroup group) noexcept {
     store_.load(group_bit(group), node_id_);
 }
 
+static_assert(implements<req::CO_NMT_005>);
 void Node::reset_node(const Instant now) noexcept {
     lss_.restore(now);
     node_id_ = lss_.take_node_id();
@@ -69,6 +72,7 @@ void Node::reset_node(const Instant now) noexcept {
     boot_up(now);
 }
 
+static_assert(implements<req::CO_NMT_006>);
 void Node::reset_communication(const Instant now) noexcept {
     node_id_ = lss_.take_node_id();
     load_group(ParameterGroup::communication);
@@ -192,6 +196,7 @@ void Node::dispatch(const Frame& frame, const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
     start_at_ = never;  // the master has taken over: no self-start any more
     switch (command) {

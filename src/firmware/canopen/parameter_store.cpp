@@ -1,6 +1,8 @@
 #include "firmware/canopen/parameter_store.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -148,6 +150,8 @@ void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_
     });
 }
 
+static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
+              implements<req::CO_K_STORE_SIGNATURE> && implements<req::CO_K_RESTORE_SIGNATURE>);
 AbortCode ParameterStore::execute(const EntryRef& entry, const ByteView value) noexcept {
     const bool is_store = entry.index == store_index;
     if (read_u32(value, 0U) != (is_store ? store_signature : restore_signature)) {
@@ -181,6 +185,7 @@ bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroup
     return done;
 }
 
+static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005>);
 AbortCode ParameterStore::write_set(const ParameterGroups fresh, const ParameterGroups kept) noexcept {
     if (memory_.size() < needed_size()) {
         return AbortCode::hardware_error;

@@ -1,6 +1,8 @@
 #include "firmware/canopen/sync.hpp"
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -32,6 +34,7 @@ void Sync::restart(const Instant now) noexcept {
     next_ = (allowed_ && is_producer() && (period_us != 0U)) ? (now + microseconds(period_us)) : never;
 }
 
+static_assert(implements<req::CO_SYNC_001> && implements<req::CO_SYNC_002>);
 SyncEvent Sync::classify(const Frame& frame) const noexcept {
     if (frame.extended || frame.remote || (identifier_ == 0U) || (frame.id != identifier_)) {
         return SyncEvent::none;
@@ -39,6 +42,7 @@ SyncEvent Sync::classify(const Frame& frame) const noexcept {
     return (frame.length == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
 }
 
+static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);
 bool Sync::advance(const Instant now) noexcept {
     if (next_ > now) {
         return false;
@@ -60,6 +64,7 @@ bool Sync::advance(const Instant now) noexcept {
     return true;
 }
 
+static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007>);
 AbortCode Sync::before_write(const EntryRef& entry, const ByteView value) const noexcept {
     if (entry.index == cob_id_index) {
         const std::uint32_t current = objects_.read(cob_id_index, 0U);

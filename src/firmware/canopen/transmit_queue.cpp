@@ -1,7 +1,10 @@
 #include "firmware/canopen/transmit_queue.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
 namespace canproof {
 
+static_assert(implements<req::CO_FRAME_002>);
 bool TransmitQueue::push(const Frame& frame) noexcept {
     if (!open_ || (count_ == capacity)) {
         return false;
