@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 const Register& built_in_register();
-/// Throws InputError when there is no device of that name.
+/// By its name or one of its part numbers. Throws InputError when there is no such device.
 const Part& device_named(const std::string& name);
 
 }  // namespace canproof::host

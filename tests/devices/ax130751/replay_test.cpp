@@ -18,8 +18,9 @@ struct Played {
     std::string outputs;
 };
 
-Played play(const std::string& log, const std::string& stimuli, std::uint64_t until_ms) {
-    const auto device = host::make_device("ax130751");
+Played play(const std::string& log, const std::string& stimuli, std::uint64_t until_ms,
+            const std::string& name = "ax130751") {
+    const auto device = host::make_device(name);
     device->set_node_id(80);
     std::istringstream log_in{log};
     std::istringstream stimuli_in{stimuli};
@@ -67,6 +68,18 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     EXPECT_THAT(played.outputs, HasSubstr("relay_nc,1\n"));
     EXPECT_THAT(played.outputs.substr(played.outputs.find("\n2.00")), HasSubstr("out1_voltage,0\n"));
     EXPECT_THAT(played.outputs.substr(played.outputs.find("\n2.00")), HasSubstr("relay_nc,0\n"));
+}
+
+// The other part number: its own housing and isolation, the same device on the bus
+TEST(Ax130751Replay, Ax130771AnswersAlike) {
+    verifies<req::AOR_ID_001>();
+    const std::string log =
+        "(0.500000) can0 000#0150\n(0.600000) can0 650#4018100200000000\n(0.700000) can0 250#E803D00701\n";
+    const Played one = play(log, "", 1500);
+    const Played other = play(log, "", 1500, "ax130771");
+    EXPECT_THAT(other.frames, testing::HasSubstr("5D0#43181002510713AA\n"));  // AA130751h
+    EXPECT_EQ(one.frames, other.frames);
+    EXPECT_EQ(one.outputs, other.outputs);
 }
 
 TEST(Ax130751Replay, TheSameInputsGiveTheSameBytes) {
