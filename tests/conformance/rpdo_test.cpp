@@ -334,6 +334,19 @@ TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 
+TEST_F(Rpdo, NoTimerOutlivesOperational) {
+    verifies<req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2B0014050A000000");  // RPDO1: 10 ms
+    send("605#2B01140564000000");  // RPDO2: 100 ms
+    send("205#1122");
+    send("000#8005");
+    send("000#0105");
+    EXPECT_TRUE(send("305#0100020003000400").empty());
+    EXPECT_TRUE(pass(99).empty());  // RPDO1 has not come again since
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
+}
+
 TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
     verifies<req::CO_PDO_022>();
     send("605#2F29100101000000");

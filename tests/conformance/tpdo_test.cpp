@@ -147,6 +147,89 @@ TEST_F(Tpdo, TheDeviceTellsOfItsOwnChanges) {
     EXPECT_EQ(slave->next_deadline(), never);
 }
 
+TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
+    verifies<req::CO_PDO_015>();
+    map_tpdo3({"08000110"});  // 1001h
+    talk(*this, {
+                    {"000#0105", {"185#0000", "385#00"}},
+                    {"205#11", {"085#1082110100000000", "385#11"}},  // RPDO1 is too short
+                    {"205#22", {}},
+                    {"205#1122", {"085#0000000100000000", "385#00"}},
+                });
+    slave->node().set_overrun(true, now);
+    EXPECT_EQ(sent().size(), 1U);  // 8110h
+    EXPECT_EQ(pass(1), (Frames{"0:385#11"}));
+}
+
+// -- A device whose only event is the event timer (AX130751, 3.2.15) --------------------------------------------------
+
+namespace {
+
+/// The TPDO service alone, on the dictionary of the slave.
+class TimeDriven : public Tpdo {
+  protected:
+    void begin() {
+        service.reset();
+        service.start(now);
+        service.advance(now);
+    }
+    TransmitQueue own_queue;
+    TransmitPdos service{slave->objects(), own_queue, TpdoTrigger::event_timer};
+};
+
+}  // namespace
+
+TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
+    verifies<req::CO_PDO_018>();
+    begin();
+    EXPECT_TRUE(own_queue.empty());
+    EXPECT_EQ(service.next_deadline(), never);
+    slave->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+}
+
+TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
+    verifies<req::CO_PDO_018, req::CO_PDO_017>();
+    slave->objects().write(0x1800, 5, 100);  // ms
+    begin();
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
+    slave->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());  // a change is no event
+    now = now + milliseconds(100);
+    service.advance(now);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
+    Frame request = data_frame(0x185, 2);
+    request.remote = true;
+    service.answer(request, now);
+    service.advance(now);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
+}
+
+TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
+    verifies<req::CO_PDO_017>();
+    slave->objects().write(0x1800, 5, 5);   // 5 ms
+    slave->objects().write(0x1800, 3, 80);  // 8 ms
+    begin();
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
+}
+
+TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
+    verifies<req::CO_PDO_027>();
+    TransmitPdos unused{slave->objects(), own_queue, TpdoTrigger::value_change};
+    unused.start(now);  // before reset() no TPDO is known
+    unused.sync(0);
+    unused.value_changed(0x2001, 1, now);
+    unused.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+    EXPECT_EQ(unused.next_deadline(), never);
+}
+
 TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
     verifies<req::CO_PDO_017>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms

@@ -22,11 +22,24 @@ void Emcy::reset() noexcept {
     pending_count_ = 0U;
     may_send_at_ = Instant{};
     clear_list();
-    objects_.write(error_register_index, 0U, 0U);
+    show_register();
+}
+
+void Emcy::show_register() noexcept {
+    const std::uint8_t value = active_register();
+    register_changed_ = register_changed_ || (value != shown_register_);
+    shown_register_ = value;
+    objects_.write(error_register_index, 0U, value);
+}
+
+bool Emcy::take_register_change() noexcept {
+    const bool changed = register_changed_;
+    register_changed_ = false;
+    return changed;
 }
 
 void Emcy::refresh() noexcept {
-    objects_.write(error_register_index, 0U, active_register());
+    show_register();
     for (std::size_t error = 0U; (list_ == ErrorList::active) && (error < max_errors); ++error) {
         if (active_[error] && errors_[error].listed) {
             enter_into_list(list_entry(error));
@@ -49,7 +62,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
         channel_[at] = channel;
     }
     const std::uint8_t register_value = active_register();
-    objects_.write(error_register_index, 0U, register_value);
+    show_register();
     if (present && row.listed) {
         enter_into_list(list_entry(at));
     }
@@ -223,6 +236,9 @@ void Emcy::advance(const Instant now) noexcept {
 }
 
 Instant Emcy::next_deadline() const noexcept {
+    if (register_changed_) {
+        return Instant{};
+    }
     return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never;
 }
 

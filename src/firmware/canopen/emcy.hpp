@@ -82,6 +82,8 @@ class Emcy {
     void enable(bool enabled, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
+    /// Whether 1001h has changed since the last call: it may be mapped into a TPDO.
+    bool take_register_change() noexcept;
 
     AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
@@ -106,6 +108,7 @@ class Emcy {
     void remove_from_list(std::uint32_t entry) noexcept;
     std::uint32_t list_entry(std::size_t error) const noexcept;
     std::uint8_t active_register() const noexcept;
+    void show_register() noexcept;
     void clear_list() noexcept;
     std::uint8_t list_capacity() const noexcept;
 
@@ -121,6 +124,8 @@ class Emcy {
     Instant may_send_at_{};
     std::uint8_t node_id_{0U};
     bool enabled_{false};
+    bool register_changed_{false};
+    std::uint8_t shown_register_{0U};
 };
 
 }  // namespace canproof

@@ -6,6 +6,7 @@ namespace canproof {
 
 namespace {
 
+constexpr std::uint16_t error_register_index = 0x1001U;
 constexpr std::uint16_t error_behaviour_index = 0x1029U;
 constexpr std::uint8_t communication_error_subindex = 1U;
 // Values of 1029h (CiA 301, 7.5.2.32).
@@ -138,7 +139,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     } else if (state_ != NmtState::initialising) {
         dispatch(frame, now);
         watch_communication(now);
-        tpdos_.advance(now);
+        send_events(now);
     } else {
         // without a node-ID nothing else is served
     }
@@ -247,6 +248,13 @@ void Node::advance(const Instant now) noexcept {
     rpdos_.advance(now);
     emcy_.advance(now);
     watch_communication(now);
+    send_events(now);
+}
+
+void Node::send_events(const Instant now) noexcept {
+    if (emcy_.take_register_change()) {
+        tpdos_.value_changed(error_register_index, 0U, now);
+    }
     tpdos_.advance(now);
 }
 

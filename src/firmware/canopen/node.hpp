@@ -178,6 +178,8 @@ class Node final : private ObjectAccess {
     void announce(const CommunicationFaults& faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
+    /// The TPDOs that an event of this step asks for.
+    void send_events(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
