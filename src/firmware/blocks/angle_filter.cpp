@@ -1,5 +1,8 @@
 #include "firmware/blocks/angle_filter.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -77,6 +80,7 @@ void AngleFilter::add(const float degrees) noexcept {
     }
 }
 
+static_assert(implements<req::INC_AVG_006>);
 std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
     const std::int64_t units = to_units(degrees);
     turned_ = started_ ? (turned_ + wrapped(units - turned_)) : units;
@@ -109,6 +113,7 @@ void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
     }
 }
 
+static_assert(implements<req::INC_AVG_001> && implements<req::INC_AVG_002>);
 std::int64_t AngleFilter::mean_of_window() const noexcept {
     std::int64_t sum = sum_;
     std::int32_t count = collected_;
@@ -123,6 +128,7 @@ std::int64_t AngleFilter::mean_of_window() const noexcept {
     return rounded_quotient(sum, count);
 }
 
+static_assert(implements<req::INC_AVG_003>);
 void AngleFilter::add_to_block(const std::int64_t turned) noexcept {
     sum_ += turned;
     ++collected_;

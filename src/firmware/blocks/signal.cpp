@@ -1,5 +1,8 @@
 #include "firmware/blocks/signal.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -8,6 +11,7 @@ constexpr float beyond_discrete = 4294967296.0F;  // 2^32
 
 }  // namespace
 
+static_assert(implements<req::INC_SIG_003>);
 float as_continuous(const Signal& signal) noexcept {
     switch (signal.kind) {
         case SignalKind::discrete:
@@ -20,6 +24,7 @@ float as_continuous(const Signal& signal) noexcept {
     }
 }
 
+static_assert(implements<req::INC_SIG_004>);
 std::uint32_t to_discrete(const float value) noexcept {
     if (value >= beyond_discrete) {
         return UINT32_MAX;

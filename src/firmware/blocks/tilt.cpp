@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/blocks/angle_math.hpp"
+#include "generated/requirements.hpp"
 
 namespace canproof {
 
@@ -23,6 +25,7 @@ float magnitude(const Vector3& vector) noexcept {
     return std::sqrt(((vector.x * vector.x) + (vector.y * vector.y)) + (vector.z * vector.z));
 }
 
+static_assert(implements<req::INC_ANGLE_006> && implements<req::INC_ANGLE_012> && implements<req::INC_ANGLE_013>);
 PitchRoll tilt_angles(const Vector3& gravity) noexcept {
     const float side = sign_of(gravity.z);
     return PitchRoll{atan2_degrees(-gravity.x, side * length(gravity.y, gravity.z)),

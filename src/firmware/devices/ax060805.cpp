@@ -39,6 +39,15 @@ constexpr Duration sample_period = microseconds(own::sample_period_us);
 static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004>);
 constexpr auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
 
+// What the node does for every device, in the manner of this one.
+static_assert(implements<req::INC_ERR_002> && implements<req::INC_ERR_003> && implements<req::INC_ERR_007> &&
+              implements<req::INC_ERR_008> && implements<req::INC_ERR_009> && implements<req::INC_ERR_010> &&
+              implements<req::INC_ERR_012> && implements<req::INC_HB_001> && implements<req::INC_HB_002> &&
+              implements<req::INC_LSS_002> && implements<req::INC_LSS_003> && implements<req::INC_LSS_005> &&
+              implements<req::INC_STORE_001> && implements<req::INC_STORE_002>);
+static_assert(implements<req::INC_PDO_001> && implements<req::INC_PDO_002> && implements<req::INC_PDO_003> &&
+              implements<req::INC_PDO_004> && implements<req::INC_PDO_005> && implements<req::INC_PDO_006> &&
+              implements<req::INC_PDO_007> && implements<req::INC_OD_LIST> && implements<req::INC_FILTER_006>);
 constexpr NodeProfile make_profile() noexcept {
     NodeProfile profile{};
     profile.limit_abort = LimitAbort::high_low;
@@ -311,6 +320,7 @@ void Device::pass_filters(const bool sampled, const bool timed) noexcept {
     }
 }
 
+// No TPDO has to hear of changes: their type is fixed at 254, whose event is the timer (4.2.15).
 void Device::publish() noexcept {
     publish_accelerations();
     publish_angles();

@@ -39,12 +39,12 @@ int list_devices() {
 }
 
 int list_signals(const std::string& device) {
-    fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", "signal", "", "type", "unit", "range", "meaning");
+    fmt::print("{:<23}{:<8}{:<11}{:<6}{:<18}{}\n", "signal", "", "type", "unit", "range", "meaning");
     for (const auto& signal : described_device(device).signals) {
         const std::string range =
             signal.minimum && signal.maximum ? fmt::format("{} … {}", *signal.minimum, *signal.maximum) : "";
         for (const auto& name : signal.names()) {
-            fmt::print("{:<16}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type,
+            fmt::print("{:<23}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type,
                        signal.unit, range, signal.text);
         }
     }

@@ -255,7 +255,7 @@ TEST_F(Errors, AMissingGuardingRequestIs1000h) {
     EXPECT_EQ(pass(299), (Frames{}));
     pass(1);
     EXPECT_EQ(device->state(), NmtState::stopped);
-    send("000#8000");
+    EXPECT_EQ(send("000#8000"), (Frames{"0FF#3081010010000000"}));  // it waited for the end of stopped
     EXPECT_EQ(listed(), (List{0x10008130}));
     send("77F#R");
     EXPECT_EQ(listed(), (List{}));
@@ -270,7 +270,7 @@ TEST_F(Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
     send("27F#000000000000");
     pass(99);
     EXPECT_EQ(read(0x1001), 0U);
-    pass(1);
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#5082010000000000"}));
     EXPECT_EQ(listed(), (List{0x00008250}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     send("000#0100");
