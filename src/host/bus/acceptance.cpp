@@ -46,8 +46,9 @@ class FilterList {
 
 }  // namespace
 
-std::vector<AcceptanceFilter> accept_everything() {
-    return {{0U, 0U, false}, {0U, 0U, true}};
+const std::vector<AcceptanceFilter>& accept_everything() {
+    static const std::vector<AcceptanceFilter> all{{0U, 0U, false}, {0U, 0U, true}};
+    return all;
 }
 
 std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects, std::uint8_t node_id) {
@@ -62,12 +63,14 @@ std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects
     list.add_entry(0x1005U, 0U, 0U);  // SYNC, consumed whatever its bit 30 says
     list.add_entry(0x100EU, 0U, 0U);  // guarding identifier
     list.add_entry(0x1012U, 0U, 0U);  // TIME
-    for (const ObjectRow& row : objects.tables().objects) {
-        const bool server = row.index >= 0x1200U && row.index <= 0x127FU;
-        const bool pdo =
-            (row.index >= 0x1400U && row.index <= 0x15FFU) || (row.index >= 0x1800U && row.index <= 0x19FFU);
+    const TableView<ObjectRow>& rows = objects.tables().objects;
+    const auto from = [](const ObjectRow& row, unsigned index) { return row.index < index; };
+    const ObjectRow* const last = std::lower_bound(rows.begin(), rows.end(), 0x1A00U, from);
+    for (const ObjectRow* row = std::lower_bound(rows.begin(), rows.end(), 0x1200U, from); row != last; ++row) {
+        const bool server = row->index < 0x1280U;
+        const bool pdo = (row->index & 0xFE00U) == 0x1400U || (row->index & 0xFE00U) == 0x1800U;
         if (server || pdo) {
-            list.add_entry(row.index, 1U, cob_id::not_valid);
+            list.add_entry(row->index, 1U, cob_id::not_valid);
         }
     }
     for (unsigned sub = 1; objects.has(0x1016U, static_cast<std::uint8_t>(sub)) && sub <= 127; ++sub) {

@@ -23,7 +23,7 @@ inline bool operator==(const AcceptanceFilter& a, const AcceptanceFilter& b) {
 }
 
 /// A filter that lets every frame through, and its extended twin.
-std::vector<AcceptanceFilter> accept_everything();
+const std::vector<AcceptanceFilter>& accept_everything();
 
 /// By the COB-IDs that stand in a dictionary now: NMT, LSS, SYNC, TIME, the SDO servers, the PDOs (a transmit PDO for
 /// its RTR), error control of the node and of those that it watches. Without a node-ID only NMT and LSS.

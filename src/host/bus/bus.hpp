@@ -26,7 +26,7 @@ class BusNode {
     /// A frame for this node was lost for want of room; false when that has ended.
     virtual void set_overrun(bool lost, Instant now) = 0;
     /// The frames that the node may react to; changes as it is configured.
-    virtual std::vector<AcceptanceFilter> filters() const = 0;
+    virtual const std::vector<AcceptanceFilter>& filters() const = 0;
     /// bit/s that its CAN controller works at; 0: whatever the bus has.
     virtual std::uint32_t bit_rate() const = 0;
 };

@@ -92,6 +92,7 @@ LoggedFrame parse_candump_line(const std::string& line, const std::string& where
     }
     logged.time = parse_seconds(time.substr(1, time.size() - 2), where);
     logged.frame = parse_frame(frame, where);
+    logged.transmitted = rest == "T";
     return logged;
 }
 

@@ -21,6 +21,7 @@ struct LoggedFrame {
     Instant time{};
     std::string interface;
     Frame frame{};
+    bool transmitted{false};  ///< T behind the frame: sent by whoever wrote the log
 };
 
 /// One line of a log. Throws InputError, which names `where` ("file:line").

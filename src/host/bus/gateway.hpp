@@ -37,7 +37,7 @@ class Gateway final : public BusNode {
     }
     void set_can_state(CanState, Instant) override {}
     void set_overrun(bool, Instant) override {}
-    std::vector<AcceptanceFilter> filters() const override { return accept_everything(); }
+    const std::vector<AcceptanceFilter>& filters() const override { return accept_everything(); }
     std::uint32_t bit_rate() const override { return 0; }
 
   private:

@@ -48,7 +48,6 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     ports_.front().descriptor = opening.descriptor;
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
-    clock_offset_us_ = static_cast<std::int64_t>(now.us) - static_cast<std::int64_t>(system_.realtime_ns() / 1000);
     if (!system_.is_up(interface_)) {
         lose_interface(now);
     }
@@ -113,8 +112,9 @@ std::vector<Watch> SocketCanBus::watches() const {
 
 void SocketCanBus::poll(Instant now) {
     const auto offset = static_cast<std::int64_t>(now.us) - static_cast<std::int64_t>(system_.realtime_ns() / 1000);
-    if (std::abs(offset - clock_offset_us_) > static_cast<std::int64_t>(clock_tolerance.us)) {
+    if (!clock_is_known_ || std::abs(offset - clock_offset_us_) > static_cast<std::int64_t>(clock_tolerance.us)) {
         clock_offset_us_ = offset;
+        clock_is_known_ = true;
     }
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         read_socket(i, now);
@@ -144,10 +144,12 @@ void SocketCanBus::read_socket(std::size_t port, Instant now) {
 /// The kernel's stamp on the run's clock; one that lies before what was already delivered is due at once.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
     const std::int64_t us = static_cast<std::int64_t>(stamp_ns / 1000) + clock_offset_us_;
-    return stamp_ns == 0 || us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
+    const Instant stamped = stamp_ns == 0 || us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
+    return stamped < advanced_to_ ? advanced_to_ : stamped;
 }
 
 void SocketCanBus::advance(Instant now) {
+    advanced_to_ = now;
     while (!arrived_.empty() && arrived_.front().time <= now) {
         const Arrival arrival = arrived_.front();
         arrived_.pop_front();
@@ -224,10 +226,10 @@ void SocketCanBus::set_state(Port& port, CanState state, Instant now) {
 /// Without node-ID or with another configuration a node listens to other frames, at another rate.
 void SocketCanBus::follow_node(Port& port) {
     if (port.descriptor >= 0) {
-        std::vector<AcceptanceFilter> wanted = port.node->filters();
+        const std::vector<AcceptanceFilter>& wanted = port.node->filters();
         if (!(wanted == port.filters)) {
             static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(wanted)));
-            port.filters = std::move(wanted);
+            port.filters = wanted;
         }
     }
     const std::uint32_t rate = port.node->bit_rate();

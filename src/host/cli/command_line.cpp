@@ -33,28 +33,54 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     check->callback([&chosen] { chosen = [] { return check_spec(folder); }; });
 }
 
+void add_run(CLI::App& app, std::function<int()>& chosen) {
+    static RunOptions running;
+    auto* run = app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
+    run->add_option("DEVICE", running.devices, "NAME or NAME@NODE");
+    run->add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
+    run->add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
+        ->capture_default_str();
+    run->add_option("--bit-rate", running.bit_rate,
+                    "bit/s of the in-process bus; as the first device is shipped without it")
+        ->check(CLI::Range(10000, 1000000));
+    run->add_option("--bus-faults", running.bus_faults,
+                    "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
+    run->add_flag("--control-interface", running.control_interface,
+                  "may set the interface's bit rate when LSS asks, and restart it after bus-off");
+    run->add_option("--log", running.log, "candump log of all frames; T marks those of the devices");
+    run->add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
+    run->add_option("--stimulus", running.stimulus,
+                    "CSV seconds,signal,value; device.signal for one of several devices");
+    run->add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
+    run->add_option("--seconds", running.seconds, "end after so long");
+    run->add_flag("--plain", running.plain, "every frame as a line, on a terminal as well");
+    run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
+}
+
 void add_running(CLI::App& app, std::function<int()>& chosen) {
     static ReplayOptions options;
     auto* replay = app.add_subcommand("replay", "play a candump log to one device in virtual time");
-    replay->add_option("DEVICE", options.device)->required();
-    replay->add_option("LOG", options.log, "candump log, or - for standard input")->required();
+    // Two words: DEVICE LOG; with --eds one: LOG.
+    static std::vector<std::string> words;
+    replay->add_option("DEVICE LOG", words, "device (not with --eds), then a candump log, or - for standard input")
+        ->required()
+        ->expected(1, 2);
+    replay->add_option("--eds", options.eds, "EDS or DCF file that describes the device");
     replay->add_option("--node", options.node, "node-ID")->check(CLI::Range(1, 255));
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
     replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
     replay->add_option("--outputs", options.outputs, "CSV file to write changes of outputs to");
     replay->add_option("--until", options.until, "end of virtual time in seconds")->check(CLI::Range(0.0, 1.0e9));
-    replay->callback([&chosen] { chosen = [] { return replay_log(options); }; });
+    replay->callback([&chosen] {
+        if (words.size() != (options.eds.empty() ? 2U : 1U)) {
+            throw CLI::ValidationError{"replay", "write DEVICE LOG, or --eds FILE LOG"};
+        }
+        options.device = options.eds.empty() ? words.front() : "";
+        options.log = words.back();
+        chosen = [] { return replay_log(options); };
+    });
 
-    static RunOptions running;
-    auto* run = app.add_subcommand("run", "run devices in real time on the in-process bus");
-    run->add_option("DEVICE", running.devices, "NAME or NAME@NODE")->required();
-    run->add_option("--bus", running.bus, "inproc")->capture_default_str();
-    run->add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
-    run->add_option("--stimulus", running.stimulus, "CSV seconds,signal,value");
-    run->add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
-    run->add_option("--seconds", running.seconds, "end after so long");
-    run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
-
+    add_run(app, chosen);
     app.add_subcommand("demo", "the manuals' worked examples, answered by the devices")->callback([&chosen] {
         chosen = play_examples;
     });

@@ -10,6 +10,7 @@ namespace canproof::host {
 
 struct ReplayOptions {
     std::string device;
+    std::string eds;  ///< file; instead of `device`
     std::string log;  ///< file, or - for standard input
     int node{0};      ///< 0: as shipped
     std::string nvm;
@@ -19,9 +20,15 @@ struct ReplayOptions {
 };
 
 struct RunOptions {
-    std::vector<std::string> devices;  ///< NAME or NAME@NODE
-    std::string bus{"inproc"};
-    std::string nvm;  ///< folder with one memory image a device
+    std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here and in `eds`: the whole catalogue
+    std::vector<std::string> eds;      ///< FILE or FILE@NODE
+    std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT]
+    std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
+    std::uint32_t bit_rate{0};         ///< of the in-process bus in bit/s; 0: as the first device is shipped
+    bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller
+    bool plain{false};                 ///< no table, even on a terminal
+    std::string log;                   ///< candump log of all frames
+    std::string nvm;                   ///< folder with one memory image a device
     std::string stimulus;
     std::string outputs;
     std::optional<double> seconds;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "host/cli/built_in.hpp"
+#include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/replay/replay.hpp"
@@ -13,10 +13,8 @@
 namespace canproof::host {
 
 int replay_log(const ReplayOptions& options) {
-    const auto device = make_device(options.device);
-    if (device == nullptr) {
-        throw InputError{fmt::format("{} cannot be run; `canproof devices` says which can", options.device)};
-    }
+    const ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
+    SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
     if (options.log == "-") {
         input.frames = read_candump_log(std::cin, "standard input");
@@ -27,7 +25,7 @@ int replay_log(const ReplayOptions& options) {
     if (!options.stimulus.empty()) {
         auto in = open_input(options.stimulus);
         input.stimuli = read_stimuli(in, options.stimulus);
-        check_stimuli(input.stimuli, {&device_named(options.device)});
+        check_stimuli(input.stimuli, {chosen.part});
     }
     if (options.until) {
         input.until = Instant{static_cast<std::uint64_t>(std::llround(*options.until * 1.0e6))};

@@ -1,134 +1,142 @@
-// run: devices in real time on the in-process bus. Frames are printed as candump does; lines `ID#DATA` on standard
-// input go onto the bus.
+// run: devices in real time on a bus. On a terminal a live table, elsewhere every frame as a candump line; lines
+// `ID#DATA` on standard input go onto the bus.
 #include <fmt/format.h>
-#include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <csignal>
+#include <cmath>
+#include <deque>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <set>
 
 #include "host/bus/candump.hpp"
-#include "host/cli/built_in.hpp"
+#include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "host/replay/stimulus.hpp"
+#include "host/cli/make_bus.hpp"
+#include "host/run/event_loop.hpp"
+#include "host/run/line_input.hpp"
+#include "host/run/live_table.hpp"
+#include "host/run/run_session.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+constexpr Duration table_period = milliseconds(200);
+constexpr Duration longest_wait = milliseconds(1000);
+constexpr std::size_t notices_kept = 20;
 
-std::unique_ptr<SimulatedDevice> make_named(const std::string& text) {
-    const auto at = text.find('@');
-    auto device = make_device(text.substr(0, at));
-    if (device == nullptr) {
-        throw InputError{fmt::format("{} cannot be run; `canproof devices` says which can", text.substr(0, at))};
+std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
+    std::vector<ChosenDevice> all;
+    for (const auto& text : options.devices) {
+        all.push_back(choose_device(text));
     }
-    if (at != std::string::npos) {
-        const std::string node = text.substr(at + 1);
-        if (node.empty() || node.size() > 3 || node.find_first_not_of("0123456789") != std::string::npos ||
-            std::stoi(node) > 255) {
-            throw InputError{fmt::format("`{}` is no node-ID; write NAME@1 … NAME@127", node)};
+    for (const auto& text : options.eds) {
+        all.push_back(choose_eds(text));
+    }
+    if (all.empty()) {
+        all = choose_catalogue();
+    }
+    std::set<std::string> names;
+    for (const ChosenDevice& one : all) {
+        if (!names.insert(one.name).second) {
+            throw InputError{fmt::format("{} is named twice; write NAME@NODE with different node-IDs", one.name)};
         }
-        device->set_node_id(std::stoi(node));
     }
-    return device;
+    return all;
 }
 
-/// Lines of standard input as they come, without ever waiting for the rest of one.
-class LineInput {
-  public:
-    bool is_open() const { return open_; }
-
-    /// Whole lines that have arrived; call when poll() says that there is input.
-    std::vector<std::string> read_lines() {
-        std::array<char, 4096> piece{};
-        const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
-        if (count <= 0) {
-            open_ = false;
-            return {};
+std::ofstream open_output(const std::string& path) {
+    std::ofstream out;
+    if (!path.empty()) {
+        out.open(path);
+        if (!out) {
+            throw InputError{fmt::format("cannot write {}; name a file in a folder that exists", path)};
         }
-        pending_.append(piece.data(), static_cast<std::size_t>(count));
-        std::vector<std::string> lines;
-        for (auto end = pending_.find('\n'); end != std::string::npos; end = pending_.find('\n')) {
-            lines.push_back(pending_.substr(0, end));
-            pending_.erase(0, end + 1);
-        }
-        if (pending_.size() > longest_line) {
-            pending_.clear();
-        }
-        return lines;
     }
+    return out;
+}
 
-  private:
-    static constexpr std::size_t longest_line = 4096;
-    std::string pending_;
-    bool open_{true};
-};
+/// `device.signal` must name a device that runs; the rest is checked as without it.
+void check_targets(const std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
+    std::vector<const Part*> parts;
+    for (const ChosenDevice& one : devices) {
+        if (one.part != nullptr) {
+            parts.push_back(one.part);
+        }
+    }
+    for (Stimulus one : stimuli) {
+        const auto point = one.signal.rfind('.');
+        if (point == std::string::npos) {
+            check_stimuli({one}, parts);
+            continue;
+        }
+        const std::string name = one.signal.substr(0, point);
+        const auto found =
+            std::find_if(devices.begin(), devices.end(), [&](const auto& device) { return device.name == name; });
+        if (found == devices.end() || found->part == nullptr) {
+            throw InputError{fmt::format("{}: no device {} with signals runs here", one.where, name)};
+        }
+        one.signal = one.signal.substr(point + 1);
+        check_stimuli({one}, {found->part});
+    }
+}
 
-class InProcessRun {
+class Run {
   public:
-    explicit InProcessRun(const RunOptions& options)
-        : start_{std::chrono::steady_clock::now()}, nvm_folder_{options.nvm} {
-        for (const auto& name : options.devices) {
-            devices_.push_back({name, make_named(name), {}});
+    explicit Run(const RunOptions& options)
+        : is_table_{isatty(STDOUT_FILENO) != 0 && !options.plain},
+          nvm_folder_{options.nvm},
+          log_{open_output(options.log)},
+          outputs_{open_output(options.outputs)} {
+        std::vector<ChosenDevice> devices = chosen_devices(options);
+        std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
+        std::vector<std::unique_ptr<DeviceNode>> nodes;
+        std::uint32_t bit_rate = options.bit_rate;
+        for (ChosenDevice& one : devices) {
+            load_own_memory(one);
+            bit_rate = bit_rate == 0 ? one.bit_rate : bit_rate;
+            nodes.push_back(std::make_unique<DeviceNode>(one.name, std::move(one.device)));
         }
+        std::unique_ptr<Bus> bus = make_bus(options, bit_rate);
+        bus->on_notice([this](const std::string& text) { take_notice(text); });
+        SessionOutputs outputs;
+        outputs.frames = is_table_ ? nullptr : &std::cout;
+        outputs.log = options.log.empty() ? nullptr : &log_;
+        outputs.outputs = options.outputs.empty() ? nullptr : &outputs_;
+        session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);
         if (options.seconds) {
-            end_ = Instant{static_cast<std::uint64_t>(*options.seconds * 1.0e6)};
+            end_ = Instant{static_cast<std::uint64_t>(std::llround(*options.seconds * 1.0e6))};
         }
-        if (!options.stimulus.empty()) {
-            auto in = open_input(options.stimulus);
-            stimuli_ = read_stimuli(in, options.stimulus);
-            std::vector<const Part*> parts;
-            for (const auto& name : options.devices) {
-                parts.push_back(&device_named(name.substr(0, name.find('@'))));
-            }
-            check_stimuli(stimuli_, parts);
-        }
-        if (!options.outputs.empty()) {
-            outputs_.open(options.outputs);
-            if (!outputs_) {
-                throw InputError{fmt::format("cannot write {}", options.outputs)};
-            }
-            outputs_ << "seconds,signal,value\n";
-        }
-        load_memories();
     }
 
     void run() {
-        stimulate();
-        for (auto& one : devices_) {
-            one.device->power_on(now());
-        }
-        deliver();
-        while (interrupted == 0 && now() < end_) {
+        start_ = std::chrono::steady_clock::now();
+        next_table_ = is_table_ ? Instant{} : never;
+        session_->power_on();
+        while (!loop_.is_interrupted() && session_->now() < end_) {
+            session_->advance_to(earliest(now(), end_));
+            put_lines();
+            flush();
+            show_table(false);
             wait();
-            stimulate();
-            for (auto& one : devices_) {
-                one.device->advance(now());
-            }
-            deliver();
         }
-        for (auto& one : devices_) {
-            if (!nvm_folder_.empty()) {
-                save_memory(one.device->memory(), memory_file(one.name));
+        show_table(true);
+        save_memories();
+        flush();
+        for (const std::ofstream* file : {&log_, &outputs_}) {
+            if (file->is_open() && !file->good()) {
+                throw InputError{"the log or the outputs could not be written to their end; is the disk full?"};
             }
         }
     }
 
   private:
-    struct Running {
-        std::string name;
-        std::unique_ptr<SimulatedDevice> device;
-        std::vector<double> last_outputs;
-    };
-
     Instant now() const {
         const auto passed = std::chrono::steady_clock::now() - start_;
         return Instant{
@@ -139,115 +147,111 @@ class InProcessRun {
         return (std::filesystem::path{nvm_folder_} / (name + ".bin")).string();
     }
 
-    void load_memories() {
-        if (nvm_folder_.empty()) {
-            return;
-        }
-        std::filesystem::create_directories(nvm_folder_);
-        for (auto& one : devices_) {
+    void load_own_memory(ChosenDevice& one) const {
+        if (!nvm_folder_.empty()) {
+            std::filesystem::create_directories(nvm_folder_);
             load_memory(one.device->memory(), memory_file(one.name));
         }
     }
 
-    void wait() {
-        Instant due = end_;
-        for (const auto& one : devices_) {
-            due = earliest(due, one.device->next_deadline());
-        }
-        if (next_stimulus_ < stimuli_.size()) {
-            due = earliest(due, stimuli_[next_stimulus_].time);
-        }
-        const std::uint64_t longest_ms = 1000;
-        const std::uint64_t left_ms = due == never ? longest_ms : (elapsed(now(), due).us + 999) / 1000;
-        pollfd input{STDIN_FILENO, POLLIN, 0};
-        if (poll(&input, input_.is_open() ? 1 : 0, static_cast<int>(std::min(left_ms, longest_ms))) > 0) {
-            for (const auto& line : input_.read_lines()) {
-                put_line_on_bus(line);
+    void save_memories() {
+        for (const auto& node : session_->nodes()) {
+            if (!nvm_folder_.empty()) {
+                save_memory(node->device().memory(), memory_file(node->name()));
             }
         }
     }
 
-    void put_line_on_bus(const std::string& line) {
-        if (line.empty()) {
+    static std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vector<ChosenDevice>& devices) {
+        if (path.empty()) {
+            return {};
+        }
+        auto in = open_input(path);
+        std::vector<Stimulus> stimuli = read_stimuli(in, path);
+        check_targets(stimuli, devices);
+        return stimuli;
+    }
+
+    void take_notice(const std::string& text) {
+        if (!is_table_) {
+            fmt::print(stderr, "{}\n", text);
+        }
+        notices_.push_back(text);
+        if (notices_.size() > notices_kept) {
+            notices_.erase(notices_.begin());
+        }
+    }
+
+    void put_lines() {
+        while (!lines_.empty()) {
+            try {
+                if (!session_->put(parse_frame(lines_.front(), "standard input"))) {
+                    return;  // the bus is busy: the line waits, and with it standard input
+                }
+            } catch (const InputError& error) {
+                take_notice(error.what());
+            }
+            lines_.pop_front();
+        }
+    }
+
+    void wait() {
+        std::vector<Watch> watches = session_->bus().watches();
+        const bool reads_lines = input_.is_open() && lines_.empty();
+        if (reads_lines) {
+            watches.push_back({input_.descriptor(), true, false});
+        }
+        const Instant due = earliest(earliest(session_->next_deadline(), end_), next_table_);
+        loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
+        if (reads_lines && loop_.is_ready(input_.descriptor())) {
+            for (std::string& line : input_.read_lines()) {
+                lines_.push_back(std::move(line));
+            }
+        }
+    }
+
+    void flush() {
+        std::cout.flush();
+        for (std::ofstream* file : {&log_, &outputs_}) {
+            if (file->is_open()) {
+                file->flush();
+            }
+        }
+    }
+
+    void show_table(bool last) {
+        if (!is_table_ || (!last && now() < next_table_)) {
             return;
         }
-        try {
-            put_on_bus(parse_frame(line, "standard input"), nullptr);
-        } catch (const InputError& error) {
-            fmt::print(stderr, "{}\n", error.what());
+        next_table_ = now() + table_period;
+        winsize size{};
+        const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
+        const auto lines = table_lines(*session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{});
+        std::string text = "\033[H";  // home; each line is cleared behind what it says, the rest of the screen below
+        for (const std::string& line : lines) {
+            text += line + "\033[K\n";
         }
+        std::cout << text << "\033[J" << std::flush;
     }
 
-    /// Stimuli act on every device that has the signal.
-    void stimulate() {
-        for (; next_stimulus_ < stimuli_.size() && stimuli_[next_stimulus_].time <= now(); ++next_stimulus_) {
-            const Stimulus& stimulus = stimuli_[next_stimulus_];
-            for (auto& one : devices_) {
-                one.device->set_input(stimulus.signal, stimulus.value, now());  // false where a device lacks it
-            }
-        }
-    }
-
-    void put_on_bus(const Frame& frame, const SimulatedDevice* sender) {
-        fmt::print("{}\n", format_candump_line({now(), "inproc", frame}));
-        std::fflush(stdout);
-        for (auto& one : devices_) {
-            if (one.device.get() != sender) {
-                one.device->receive(frame, now());
-            }
-        }
-    }
-
-    void deliver() {
-        // A frame may cause others; each pass sends one frame a device, so that none starves.
-        for (bool any = true; any;) {
-            any = false;
-            for (auto& one : devices_) {
-                if (!one.device->queue().empty()) {
-                    put_on_bus(one.device->queue().pop(), one.device.get());
-                    any = true;
-                }
-            }
-        }
-        write_outputs();
-    }
-
-    /// With several devices a signal is named `device.signal`.
-    void write_outputs() {
-        for (auto& one : devices_) {
-            const auto values = one.device->outputs();
-            for (std::size_t i = 0; outputs_.is_open() && i < values.size(); ++i) {
-                if (one.last_outputs.empty() || one.last_outputs[i] != values[i]) {
-                    const std::string prefix = devices_.size() > 1 ? one.name + "." : "";
-                    outputs_ << fmt::format("{},{}{},{:.6g}\n", format_seconds(now()), prefix,
-                                            one.device->output_names()[i], values[i]);
-                }
-            }
-            one.last_outputs = values;
-        }
-        outputs_.flush();
-    }
-
-    std::chrono::steady_clock::time_point start_;
+    bool is_table_;
     std::string nvm_folder_;
-    std::vector<Running> devices_;
-    std::vector<Stimulus> stimuli_;
-    std::size_t next_stimulus_{0};
+    std::ofstream log_;
     std::ofstream outputs_;
+    std::unique_ptr<RunSession> session_;
+    std::vector<std::string> notices_;
+    std::deque<std::string> lines_;
     Instant end_{never};
-    LineInput input_;
+    Instant next_table_{never};  ///< never: no table
+    EventLoop loop_;
+    LineInput input_{STDIN_FILENO};
+    std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace
 
 int run_devices(const RunOptions& options) {
-    if (options.bus != "inproc") {
-        throw InputError{
-            fmt::format("bus `{}` is not offered; this version has the in-process bus (--bus inproc)", options.bus)};
-    }
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    InProcessRun{options}.run();
+    Run{options}.run();
     return 0;
 }
 

@@ -28,7 +28,9 @@ class GenericDevice final : private Application {
     Instant next_deadline() const { return node_.next_deadline(); }
 
     Node& node() { return node_; }
+    const Node& node() const { return node_; }
     ObjectDictionary& objects() { return objects_; }
+    const ObjectDictionary& objects() const { return objects_; }
     /// Gives a DOMAIN entry a memory of `size` bytes, holding nothing yet.
     void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
     /// What that entry holds; empty when it holds nothing.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/bus/echo_matcher.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -65,9 +67,16 @@ class Player {
             report(now);
         }
         while (next_frame_ < input_.frames.size() && input_.frames[next_frame_].time <= now) {
-            device_.receive(input_.frames[next_frame_].frame, now);
+            receive(input_.frames[next_frame_], now);
             ++next_frame_;
             report(now);
+        }
+    }
+
+    /// A log of `run` marks what its devices sent: what this very device has said is not told to it.
+    void receive(const LoggedFrame& logged, Instant now) {
+        if (!logged.transmitted || !own_.match(logged.frame, false)) {
+            device_.receive(logged.frame, now);
         }
     }
 
@@ -82,7 +91,9 @@ class Player {
 
     void report(Instant now) {
         while (!device_.queue().empty()) {
-            frames_out_ << format_candump_line({now, interface_, device_.queue().pop()}) << '\n';
+            const Frame frame = device_.queue().pop();
+            own_.sent(frame, true);
+            frames_out_ << format_candump_line({now, interface_, frame}) << '\n';
         }
         if (outputs_out_ == nullptr) {
             return;
@@ -105,6 +116,7 @@ class Player {
     std::size_t next_frame_{0};
     std::size_t next_stimulus_{0};
     std::vector<double> last_;
+    EchoMatcher<bool> own_;
 };
 
 }  // namespace

@@ -18,8 +18,9 @@ struct ReplayInput {
 };
 
 /// Power-on at 0, then frames, stimuli and the device's own deadlines in order of time; at equal times stimuli come
-/// before frames. Writes the device's frames to `frames_out`, changes of outputs as `seconds,signal,value` to
-/// `outputs_out` when given. Throws InputError for a signal that the device does not have.
+/// before frames. Frames marked as transmitted that this device has sent itself are not fed to it. Writes the device's
+/// frames to `frames_out`, changes of outputs as `seconds,signal,value` to `outputs_out` when given. Throws InputError
+/// for a signal that the device does not have.
 void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out);
 
 }  // namespace canproof::host

@@ -33,7 +33,7 @@ class PlainNode : public BusNode {
         }
     }
     void set_overrun(bool lost, Instant) override { overruns.push_back(lost); }
-    std::vector<AcceptanceFilter> filters() const override { return accepted; }
+    const std::vector<AcceptanceFilter>& filters() const override { return accepted; }
     std::uint32_t bit_rate() const override { return rate; }
 
     std::deque<Frame> waiting;

@@ -1,0 +1,96 @@
+#include "host/devices/generic_simulation.hpp"
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t bank_overhead = 64;  // header and CRC of a bank of stored parameters, with room to grow
+
+/// Two banks of parameters, each no longer than the value image, and LSS at the end.
+std::size_t memory_size(const Part& part) {
+    return 2 * (make_layout(part).image.size() + bank_overhead) + LssStore::size;
+}
+
+Signal input(const char* name, const char* type, double highest, const char* text) {
+    Signal signal;
+    signal.name = name;
+    signal.input = true;
+    signal.type = type;
+    signal.minimum = 0.0;
+    signal.maximum = highest;
+    signal.text = text;
+    return signal;
+}
+
+Part with_signals(Part part) {
+    part.signals = {input("can_state", "UNSIGNED8", 3.0, "error active, warning, error passive, bus-off"),
+                    input("can_overrun", "BOOLEAN", 1.0, "a frame was lost for want of room")};
+    return part;
+}
+
+}  // namespace
+
+GenericSimulation::GenericSimulation(Part part)
+    : SimulatedDevice{memory_size(part)},
+      part_{with_signals(std::move(part))},
+      device_{part_, memory_, queue_},
+      store_{memory_},
+      shipped_{static_cast<std::uint8_t>(part_.info.node_id), static_cast<std::uint32_t>(part_.info.bit_rate)} {
+    std::vector<std::pair<std::uint16_t, std::uint8_t>> domains;
+    for (const Object& object : part_.objects) {
+        for (const Entry& entry : object.entries) {
+            if (entry.type == "DOMAIN") {
+                domains.emplace_back(object.index, entry.subindex);
+            }
+        }
+    }
+    for (const auto& [index, subindex] : domains) {
+        device_.lend(index, subindex, std::min(domain_size, all_domains_size / domains.size()));
+    }
+}
+
+void GenericSimulation::set_node_id(int node_id) {
+    shipped_.node_id = static_cast<std::uint8_t>(node_id);
+}
+
+void GenericSimulation::power_on(Instant now) {
+    kept_ = store_.load(shipped_);
+    device_.power_on(kept_, now);
+}
+
+void GenericSimulation::receive(const Frame& frame, Instant now) {
+    device_.receive(frame, now);
+    keep_configuration();
+}
+
+void GenericSimulation::advance(Instant now) {
+    device_.advance(now);
+}
+
+void GenericSimulation::keep_configuration() {
+    const LssConfiguration& wanted = device_.stored();
+    if (wanted.node_id != kept_.node_id || wanted.bit_rate != kept_.bit_rate) {
+        kept_ = wanted;
+        static_cast<void>(store_.store(kept_));
+    }
+}
+
+bool GenericSimulation::set_input(const std::string& name, double value, Instant now) {
+    if (name == "can_state") {
+        device_.node().set_can_state(static_cast<CanState>(static_cast<int>(value)), now);
+    } else if (name == "can_overrun") {
+        device_.node().set_overrun(value != 0.0, now);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+const std::vector<std::string>& GenericSimulation::output_names() const {
+    static const std::vector<std::string> none;
+    return none;
+}
+
+}  // namespace canproof::host

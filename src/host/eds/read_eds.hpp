@@ -1,0 +1,21 @@
+// CiA 306: an electronic data sheet, or a device configuration file, as a device that can be run.
+#pragma once
+
+#include <string>
+
+#include "host/speccompiler/register.hpp"
+
+namespace canproof::host {
+
+struct EdsResult {
+    Part part;
+    Faults faults;  ///< with any of these the part is not to be used
+    Faults notes;   ///< what was read otherwise than it stands; the device runs
+};
+
+/// Reads everything and tells everything that is wrong, by line. `name` is the file's: the device is called by it,
+/// without folder and extension. The services of the communication area are assigned by index, as CiA 301 does; every
+/// writable entry is stored. Modules, tools and object links are passed over.
+EdsResult read_eds(const std::string& text, const std::string& name);
+
+}  // namespace canproof::host

@@ -1,0 +1,52 @@
+// A simulated device as a node of a bus.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/bus/bus.hpp"
+#include "host/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+class DeviceNode final : public BusNode {
+  public:
+    DeviceNode(std::string name, std::unique_ptr<SimulatedDevice> device)
+        : name_{std::move(name)}, device_{std::move(device)} {}
+
+    SimulatedDevice& device() { return *device_; }
+    const SimulatedDevice& device() const { return *device_; }
+
+    void power_on(Instant now) {
+        device_->power_on(now);
+        refresh_filters();
+    }
+
+    const std::string& name() const override { return name_; }
+    const Frame* next_frame() const override { return device_->queue().front(); }
+    void take_frame() override { device_->queue().pop(); }
+    void receive(const Frame& frame, Instant now) override {
+        device_->receive(frame, now);
+        refresh_filters();
+    }
+    /// Through the device's own inputs: what they do is the device's to say. One without them has no such behaviour.
+    void set_can_state(CanState state, Instant now) override {
+        device_->set_input("can_state", static_cast<double>(state), now);
+    }
+    void set_overrun(bool lost, Instant now) override { device_->set_input("can_overrun", lost ? 1.0 : 0.0, now); }
+    const std::vector<AcceptanceFilter>& filters() const override { return filters_; }
+    std::uint32_t bit_rate() const override { return device_->bit_rate(); }
+
+  private:
+    // What a node listens to changes by frames alone: SDO, NMT, LSS.
+    void refresh_filters() {
+        const ObjectDictionary* objects = device_->objects();
+        filters_ = objects == nullptr ? accept_everything() : acceptance_filters(*objects, device_->node_id());
+    }
+
+    std::string name_;
+    std::unique_ptr<SimulatedDevice> device_;
+    std::vector<AcceptanceFilter> filters_{accept_everything()};
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,42 @@
+// Waits: for descriptors, for a time, for SIGINT and SIGTERM. epoll, timerfd and signalfd; no thread.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "host/bus/bus.hpp"
+
+namespace canproof::host {
+
+class EventLoop {
+  public:
+    /// From here on SIGINT and SIGTERM end the loop instead of the process. Throws std::system_error.
+    EventLoop();
+    ~EventLoop();
+    EventLoop(const EventLoop&) = delete;
+    EventLoop& operator=(const EventLoop&) = delete;
+
+    /// Waits for one of `watches`, or until `pause` has passed. A regular file is always ready.
+    void wait(const std::vector<Watch>& watches, Duration pause);
+    /// Whether a descriptor was ready when wait() returned.
+    bool is_ready(int descriptor) const { return ready_.count(descriptor) != 0; }
+    bool is_interrupted() const { return interrupted_; }
+
+  private:
+    void follow(const std::vector<Watch>& watches);
+    void arm(Duration pause) const;
+
+    int epoll_{-1};
+    int timer_{-1};
+    int signals_{-1};
+    struct Known {
+        int descriptor;
+        std::uint32_t events;
+    };
+    std::vector<Known> known_;
+    std::set<int> always_ready_;
+    std::set<int> ready_;
+    bool interrupted_{false};
+};
+
+}  // namespace canproof::host

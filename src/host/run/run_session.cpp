@@ -1,0 +1,115 @@
+#include "host/run/run_session.hpp"
+
+#include <fmt/format.h>
+
+#include "host/bus/candump.hpp"
+
+namespace canproof::host {
+
+RunSession::RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<DeviceNode>> nodes,
+                       std::vector<Stimulus> stimuli, const SessionOutputs& outputs)
+    : bus_{std::move(bus)},
+      nodes_{std::move(nodes)},
+      traffic_(nodes_.size()),
+      stimuli_{std::move(stimuli)},
+      outputs_{outputs},
+      last_outputs_(nodes_.size()) {
+    bus_->listen([this](const BusFrame& frame) { record(frame); });
+    if (outputs_.outputs != nullptr) {
+        *outputs_.outputs << "seconds,signal,value\n";
+    }
+}
+
+void RunSession::power_on() {
+    stimulate(Instant{});
+    for (auto& node : nodes_) {
+        node->power_on(Instant{});
+        bus_->attach(*node);
+    }
+    bus_->advance(Instant{});
+    write_outputs(Instant{});
+}
+
+Instant RunSession::next_deadline() const {
+    Instant next = bus_->next_deadline();
+    for (const auto& node : nodes_) {
+        next = earliest(next, node->device().next_deadline());
+    }
+    return next_stimulus_ < stimuli_.size() ? earliest(next, stimuli_[next_stimulus_].time) : next;
+}
+
+void RunSession::advance_to(Instant now) {
+    bus_->poll(now);
+    for (Instant due = next_deadline(); due <= now; due = next_deadline()) {
+        step(due < now_ ? now_ : due);
+    }
+    if (now_ < now) {
+        now_ = now;
+    }
+}
+
+bool RunSession::put(const Frame& frame) {
+    const bool taken = bus_->put(frame, now_);
+    step(now_);
+    return taken;
+}
+
+/// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
+void RunSession::step(Instant at) {
+    now_ = at;
+    for (auto& node : nodes_) {
+        node->device().advance(at);
+    }
+    stimulate(at);
+    bus_->advance(at);
+    write_outputs(at);
+}
+
+void RunSession::stimulate(Instant at) {
+    for (; next_stimulus_ < stimuli_.size() && stimuli_[next_stimulus_].time <= at; ++next_stimulus_) {
+        const Stimulus& one = stimuli_[next_stimulus_];
+        const auto point = one.signal.rfind('.');
+        for (auto& node : nodes_) {
+            if (point == std::string::npos) {
+                node->device().set_input(one.signal, one.value, at);  // false where a device lacks it
+            } else if (one.signal.substr(0, point) == node->name()) {
+                node->device().set_input(one.signal.substr(point + 1), one.value, at);
+            }
+        }
+    }
+}
+
+void RunSession::record(const BusFrame& frame) {
+    const LoggedFrame logged{frame.time, bus_->interface(), frame.frame};
+    const std::string line = format_candump_line(logged);
+    if (outputs_.frames != nullptr) {
+        *outputs_.frames << line << '\n';
+    }
+    if (outputs_.log != nullptr) {
+        *outputs_.log << line << (frame.sender == nullptr ? " R\n" : " T\n");
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].get() == frame.sender) {
+            ++traffic_[i].frames;
+            traffic_[i].last = logged;
+        }
+    }
+}
+
+void RunSession::write_outputs(Instant at) {
+    for (std::size_t n = 0; outputs_.outputs != nullptr && n < nodes_.size(); ++n) {
+        const SimulatedDevice& device = nodes_[n]->device();
+        const auto values = device.outputs();
+        std::vector<double>& last = last_outputs_[n];
+        const std::string prefix = nodes_.size() > 1 ? nodes_[n]->name() + "." : "";
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (last.empty() || last[i] != values[i]) {
+                *outputs_.outputs << fmt::format("{},{}{},{:.6g}\n", format_seconds(at), prefix,
+                                                 device.output_names()[i], values[i]);
+            }
+        }
+        last = values;
+    }
+}
+
+}  // namespace canproof::host

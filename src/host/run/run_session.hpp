@@ -1,0 +1,68 @@
+// Devices on a bus, from event to event in order of time. Whoever owns the clock says how far; nothing here waits. What
+// a device sees depends on the times of frames and stimuli alone, so that a log of them replays to the same frames.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "host/bus/bus.hpp"
+#include "host/bus/candump.hpp"
+#include "host/replay/stimulus.hpp"
+#include "host/run/device_node.hpp"
+
+namespace canproof::host {
+
+/// Where a session writes; each may be nullptr.
+struct SessionOutputs {
+    std::ostream* frames{nullptr};   ///< every frame as a candump line
+    std::ostream* log{nullptr};      ///< the same, T behind the devices' own frames and R behind the others'
+    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` when there are several devices
+};
+
+/// What is known of a node's traffic.
+struct NodeTraffic {
+    std::uint64_t frames{0};
+    std::optional<LoggedFrame> last;
+};
+
+class RunSession {
+  public:
+    /// A stimulus named `device.signal` acts on that device, another on every device that has the signal.
+    RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<DeviceNode>> nodes, std::vector<Stimulus> stimuli,
+               const SessionOutputs& outputs);
+
+    /// Power-on at 0; stimuli at 0 come before it.
+    void power_on();
+    /// Everything that is due up to `now`, each at its own time.
+    void advance_to(Instant now);
+    Instant next_deadline() const;
+    /// A frame from the user. False when the bus cannot take it now.
+    bool put(const Frame& frame);
+
+    Bus& bus() { return *bus_; }
+    const Bus& bus() const { return *bus_; }
+    Instant now() const { return now_; }
+    const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
+    /// Parallel to nodes().
+    const std::vector<NodeTraffic>& traffic() const { return traffic_; }
+
+  private:
+    void step(Instant at);
+    void stimulate(Instant at);
+    void record(const BusFrame& frame);
+    void write_outputs(Instant at);
+
+    std::unique_ptr<Bus> bus_;
+    std::vector<std::unique_ptr<DeviceNode>> nodes_;
+    std::vector<NodeTraffic> traffic_;
+    std::vector<Stimulus> stimuli_;
+    std::size_t next_stimulus_{0};
+    SessionOutputs outputs_;
+    std::vector<std::vector<double>> last_outputs_;
+    Instant now_{};
+};
+
+}  // namespace canproof::host
