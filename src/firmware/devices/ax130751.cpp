@@ -35,8 +35,16 @@ constexpr std::uint8_t cycles_to_rest = 2U;
 static_assert(implements<req::AOR_T22>);
 constexpr auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
 
-static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_PDO_006> &&
-              implements<req::AOR_ERR_003>);
+// What the node does for every device, in the manner of this one.
+static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_ERR_001> &&
+              implements<req::AOR_ERR_002> && implements<req::AOR_ERR_003> && implements<req::AOR_ERR_004> &&
+              implements<req::AOR_ERR_005> && implements<req::AOR_ERR_006> && implements<req::AOR_ERR_007> &&
+              implements<req::AOR_GUARD_001> && implements<req::AOR_HB_001> && implements<req::AOR_HB_002>);
+static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && implements<req::AOR_PDO_003> &&
+              implements<req::AOR_PDO_004> && implements<req::AOR_PDO_005> && implements<req::AOR_PDO_006> &&
+              implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
+static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
+              implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
 constexpr NodeProfile make_profile() noexcept {
     NodeProfile profile{};
     profile.limit_abort = LimitAbort::high_low;
@@ -184,7 +192,7 @@ Instant Device::next_deadline() const noexcept {
     return earliest(node_.next_deadline(), next_cycle_);
 }
 
-static_assert(implements<req::AOR_OUT_001>);
+static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
     const bool changes = run_blocks(now);
     tell_errors(now);
