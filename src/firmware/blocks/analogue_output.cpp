@@ -6,7 +6,8 @@
 namespace canproof {
 
 static_assert(implements<req::AOR_OUT_009> && implements<req::AOR_OUT_010> && implements<req::AOR_OUT_011> &&
-              implements<req::AOR_OUT_014> && implements<req::AOR_OUT_015> && implements<req::AOR_OUT_016>);
+              implements<req::AOR_OUT_014> && implements<req::AOR_OUT_015> && implements<req::AOR_OUT_016> &&
+              implements<req::AOR_DIAG_009>);
 AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const AnalogueDemand& demand,
                                             const OutputRange& range, const RampTimes& times,
                                             const Instant now) noexcept {
