@@ -132,6 +132,10 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 11, 99), "06090031");
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
+    set8(0x3020, 0, canopen);  // 2500h:1, whose limits are 0 and 0 as shipped
+    set8(0x3021, 0, 4);
+    EXPECT_EQ(write_x(2, 4, 36), "");
+    set8(0x3020, 0, supply_source);
     set8(0x3023, 0, 1);  // tenths of a volt
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }

@@ -178,6 +178,8 @@ TEST_F(Ax130751Output, FieldValuesOutsideOfTheTypeAreRefused) {
         EXPECT_EQ(write(index, 1, 24000, 2), "") << index;
         EXPECT_EQ(write(index, 1, 24001, 2), "06090031") << index;
         EXPECT_EQ(write(index, 1, -1, 2), "06090032") << index;
+        set16(0x6310, 1, 0);
+        EXPECT_EQ(write(index, 1, 32767, 2), "") << index;
     }
 }
 
