@@ -451,6 +451,19 @@ TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // 8110h, register 11h
 }
 
+TEST_F(Lss, AStartDuringTheDelaysBreaksNoSilence) {
+    verifies<req::CO_LSS_015>();
+    configure();
+    talk({{"7E5#150A000000000000", {}}});
+    slave->node().set_overrun(true, now);
+    slave->node().start_at(now + milliseconds(5));  // a self-start
+    EXPECT_EQ(pass(19), Frames{});
+    EXPECT_EQ(state(), NmtState::operational);
+    const Frames told = pass(1);
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // and the error is not forgotten
+}
+
 // CiA 301, 7.2.8.2.2: node 31h, 100 ms, falls silent while the bit rate is switched
 TEST_F(Lss, HeartbeatsAreMonitoredDuringTheDelays) {
     verifies<req::CO_LSS_015>();
@@ -475,6 +488,18 @@ TEST_F(Lss, TheEndOfBusOffDoesNotEndTheSilence) {
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(14), Frames{});
     EXPECT_FALSE(pass(10).empty());
+}
+
+TEST_F(Lss, PowerOnEndsTheSilence) {
+    verifies<req::CO_LSS_017, req::CO_LSS_004>();
+    configure();
+    talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
+    pass(50);
+    slave->power_on({5, 125000}, now);  // the same device, off and on again
+    EXPECT_EQ(sent(), (Frames{"705#00"}));
+    EXPECT_EQ(pass(200), Frames{});
+    EXPECT_EQ(bit_rate(), 125000U);
+    talk({{"605#4000100000000000", {"585#4300100078563412"}}});
 }
 
 TEST_F(Lss, BusOffOutlastsTheSilence) {

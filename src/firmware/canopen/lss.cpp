@@ -11,8 +11,6 @@ namespace requests = generated::canopen::t_co_t_lss;
 
 constexpr std::uint16_t identity_index = 0x1018U;
 constexpr std::size_t full_length = 8U;
-/// Frames of identify remote slave: four numbers, the last two with a low and a high bound.
-constexpr std::uint8_t identify_frames = 6U;
 
 static_assert(implements<req::CO_E_LSS_COMMAND> && implements<req::CO_T_LSS>);
 const requests::Row* request_row(const std::uint8_t specifier) noexcept {
@@ -112,7 +110,7 @@ static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && impl
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
     const ByteView request = frame.payload();
     const requests::Row* const row = request_row(request[0]);
-    if (is_silent() || (row == nullptr) || (request.size() <= row->parameters) || !is_served(row->served, nmt)) {
+    if ((row == nullptr) || (request.size() <= row->parameters) || !is_served(row->served, nmt)) {
         return false;
     }
     const LssState before = state_;
@@ -126,9 +124,7 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
         static_cast<void>(queue_.push(answer));
     }
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
-    const bool has_got_node_id =
-        (active_.node_id == unconfigured_node_id) && (pending_.node_id != unconfigured_node_id);
-    return left && (profile_.resets_when_left() || has_got_node_id);
+    return left && (profile_.resets_when_left() || (active_.node_id == unconfigured_node_id));
 }
 
 static_assert(implements<req::CO_LSS_005> && implements<req::CO_LSS_006>);
@@ -212,12 +208,10 @@ static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);
 Lss::Said Lss::select(const LssNumber number, const ByteView request) noexcept {
     const bool fits = own(number) == read_u32(request, 1U);
     selected_ = follow(selected_, static_cast<std::uint8_t>(number), fits);
-    const bool done = selected_ != 0U;
     if (selected_ == lss_number_count) {
-        selected_ = 0U;
         state_ = LssState::configuration;
     }
-    return done ? Said{0U} : std::nullopt;
+    return (selected_ != 0U) ? Said{0U} : std::nullopt;
 }
 
 static_assert(implements<req::CO_LSS_042> && implements<req::CO_LSS_043>);
@@ -239,11 +233,7 @@ Lss::Said Lss::identify(const LssCommand command, const std::uint32_t bound) noe
     }
     // The six command specifiers follow each other as their frames do.
     identified_ = follow(identified_, static_cast<std::uint8_t>(static_cast<std::uint8_t>(command) - first), fits);
-    const bool done = identified_ != 0U;
-    if (identified_ == identify_frames) {
-        identified_ = 0U;
-    }
-    return done ? Said{0U} : std::nullopt;
+    return (identified_ != 0U) ? Said{0U} : std::nullopt;
 }
 
 static_assert(implements<req::CO_LSS_050>);

@@ -106,7 +106,8 @@ class Lss {
 
     /// Whether a frame is for LSS. Never, when the device does not offer it.
     bool is_request(const Frame& frame) const noexcept;
-    /// Serves one request of a node in state `nmt`. True when the node must now reset its communication.
+    /// Serves one request of a node in state `nmt` that is not silent. True when the node must now reset its
+    /// communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept { return due_; }
