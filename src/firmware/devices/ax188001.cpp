@@ -15,9 +15,6 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
 constexpr std::uint16_t filter_index = 0x2020U;
-// Sub-indices of 1029h (3.2.13); the node itself obeys the first, communication.
-constexpr std::uint8_t tc_input_reaction = 2U;
-constexpr std::uint8_t fault_detection_reaction = 3U;
 constexpr std::uint8_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
 static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 constexpr LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
@@ -121,10 +118,11 @@ constexpr ErrorTable make_error_table() noexcept {
     return table;
 }
 
-constexpr std::uint8_t reaction_of(const ErrorName name) noexcept {
-    const auto* const row = own::t_tcs_t5::find(name);
-    const bool tc_input = (row != nullptr) && (row->reaction == own::t_tcs_t5::Reaction::tc_input);
-    return tc_input ? tc_input_reaction : fault_detection_reaction;
+static_assert(implements<req::TCS_T_REACTION>);
+/// Sub-index of 1029h; the node itself obeys that of communication errors.
+constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) noexcept {
+    const auto* const row = own::t_tcs_t_reaction::find(errors);
+    return (row == nullptr) ? std::uint8_t{0U} : row->subindex;
 }
 
 }  // namespace
@@ -200,8 +198,8 @@ void Device::scan_when_due(const Instant now) noexcept {
 static_assert(implements<req::TCS_ERR_001> && implements<req::TCS_ERR_002> && implements<req::TCS_ERR_010> &&
               implements<req::TCS_LIM_004>);
 void Device::tell_faults(const Instant now) noexcept {
-    constexpr std::uint8_t channel_reaction = reaction_of(ErrorName::open_circuit_1);
-    constexpr std::uint8_t unit_reaction = reaction_of(ErrorName::fd1_cpu_temperature);
+    constexpr std::uint8_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
+    constexpr std::uint8_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
         return;  // told when the node boots
     }

@@ -1,6 +1,7 @@
 #include "firmware/devices/ax188001_scanner.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/limit_condition.hpp"
@@ -105,12 +106,12 @@ void Scanner::read(const Inputs& inputs) noexcept {
     supply_v_ = static_cast<double>(inputs.supply);
 }
 
-/// What the converter sees: a broken wire is pulled up by the detection current; what is left of hum falls on the one
-/// side of the voltage and on the other in turn, the worst that a beat with the readings can do.
-static_assert(implements<req::TCS_IN_006> && implements<req::TCS_K_OPEN_VOLTAGE>);
+/// What the converter sees: the detection current pulls a broken wire up beyond every gain; what is left of hum falls
+/// on the one side of the voltage and on the other in turn, the worst that a beat with the readings can do.
+static_assert(implements<req::TCS_IN_006>);
 double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
     if (inputs.tc_open[channel]) {
-        return static_cast<double>(own::open_input_uv);
+        return std::numeric_limits<double>::infinity();
     }
     const double left = static_cast<double>(inputs.tc_hum[channel]) *
                         hum_left(objects_.get(field::o2020_adc_filter_frequency), inputs.mains_frequency);

@@ -84,6 +84,11 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
     app.add_subcommand("demo", "the manuals' worked examples, answered by the devices")->callback([&chosen] {
         chosen = play_examples;
     });
+
+    static std::string figures;
+    auto* draw = app.add_subcommand("figures", "what the devices do, drawn: SVG files into a folder");
+    draw->add_option("FOLDER", figures)->required();
+    draw->callback([&chosen] { chosen = [] { return draw_figures(figures); }; });
 }
 
 void add_audit(CLI::App& app, std::function<int()>& chosen) {

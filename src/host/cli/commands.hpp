@@ -48,6 +48,7 @@ int check_spec(const std::string& spec);
 int replay_log(const ReplayOptions& options);
 int run_devices(const RunOptions& options);
 int play_examples();
+int draw_figures(const std::string& folder);
 int audit(const AuditOptions& options);
 
 int run_command_line(int argc, char** argv);

@@ -1,4 +1,5 @@
 // Emergency messages, 1001h, 1003h and 1029h (AX188001, 3.2.2, 3.2.4, 3.2.13).
+#include "generated/ax188001/tables.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 
@@ -187,7 +188,7 @@ TEST_F(Errors, OverrunAndBusOff) {
 }
 
 TEST_F(Errors, EachClassHasItsReaction) {
-    verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T5>();
+    verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T_REACTION>();
     struct Case {
         int sub;
         std::uint32_t value;
@@ -224,6 +225,14 @@ TEST_F(Errors, EachClassHasItsReaction) {
         }
         expect_state(one.then);
     }
+}
+
+TEST_F(Errors, ClassesAreTheSubIndicesOf1029h) {
+    verifies<req::TCS_T_REACTION>();
+    namespace table = generated::ax188001::t_tcs_t_reaction;
+    EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
+    EXPECT_EQ(table::find(table::Errors::tc_input)->subindex, 2);
+    EXPECT_EQ(table::find(table::Errors::fault_detection)->subindex, 3);
 }
 
 TEST_F(Errors, ReactionsAsShipped) {

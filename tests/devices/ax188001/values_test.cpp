@@ -117,6 +117,18 @@ TEST_F(Values, MicrovoltsAreWholeAndSigned) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
+TEST_F(Values, TheConverterHas32768StepsOnEitherSide) {
+    verifies<req::TCS_K_CODES, req::TCS_IN_002>();
+    write(0x2000, 1, 1, 0);
+    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
+    microvolts(1, 15012.4);
+    read_once();
+    EXPECT_EQ(read(0x2010, 1).value, 15013U);
+    microvolts(1, 15008.7);
+    read_once();
+    EXPECT_EQ(read(0x2010, 1).value, 15008U);
+}
+
 TEST_F(Values, FahrenheitByFactorAndOffset) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
@@ -186,8 +198,7 @@ TEST_F(Values, ADisabledChannelShowsSo) {
 }
 
 TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
-    verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_K_OPEN_VOLTAGE,
-             req::TCS_S_OPEN>();
+    verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);

@@ -1,0 +1,44 @@
+// figures: what the devices do, drawn.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "host/bus/candump.hpp"
+#include "host/cli/commands.hpp"
+#include "host/plot/thermocouple_figures.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+struct Figure {
+    const char* file;
+    LinePlot (*draw)();
+};
+
+constexpr Figure figures[]{
+    {"ax188001-conversion-error.svg", conversion_error_plot},
+    {"ax188001-channel-error.svg", channel_error_plot},
+    {"ax188001-ramp.svg", ramp_plot},
+};
+
+}  // namespace
+
+int draw_figures(const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    for (const Figure& figure : figures) {
+        const auto path = std::filesystem::path{folder} / figure.file;
+        const LinePlot plot = figure.draw();
+        std::ofstream out{path};
+        out << write_svg(plot);
+        if (!out.flush()) {
+            throw InputError{fmt::format("cannot write {}", path.string())};
+        }
+        fmt::print("{}: {}\n", path.string(), plot.title);
+    }
+    return 0;
+}
+
+}  // namespace canproof::host

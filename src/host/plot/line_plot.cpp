@@ -1,0 +1,172 @@
+#include "host/plot/line_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace canproof::host {
+
+namespace {
+
+constexpr double width = 960.0;
+constexpr double height = 440.0;
+constexpr double left = 84.0;
+constexpr double right = 940.0;
+constexpr double top = 44.0;
+constexpr double bottom = 360.0;
+
+// Distinct in colour and in lightness, so that they can be told apart without colour as well.
+constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+struct Range {
+    double low{0.0};
+    double high{1.0};
+
+    /// Widened to whole ticks; never empty.
+    static Range of(const std::vector<Curve>& curves, bool of_x) {
+        bool any = false;
+        Range range;
+        for (const Curve& curve : curves) {
+            for (const auto& [x, y] : curve.points) {
+                const double value = of_x ? x : y;
+                if (std::isfinite(value)) {
+                    range.low = any ? std::min(range.low, value) : value;
+                    range.high = any ? std::max(range.high, value) : value;
+                    any = true;
+                }
+            }
+        }
+        if (range.high <= range.low) {
+            range = {range.low - 0.5, range.low + 0.5};
+        }
+        const double step = tick_step(range.low, range.high);
+        return {std::floor(range.low / step) * step, std::ceil(range.high / step) * step};
+    }
+};
+
+class Canvas {
+  public:
+    explicit Canvas(const LinePlot& plot)
+        : plot_{plot}, x_{Range::of(plot.curves, true)}, y_{Range::of(plot.curves, false)} {}
+
+    std::string svg() {
+        text_ = fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+            "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+            width, height);
+        put(left, 24.0, plot_.title, "font-size=\"15\" font-weight=\"bold\"");
+        axes();
+        for (const Mark& mark : plot_.marks) {
+            text_ += fmt::format(
+                "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#999999\" "
+                "stroke-dasharray=\"3 3\"/>\n",
+                at_x(mark.x), top, bottom);
+            text_ += fmt::format(
+                "<text transform=\"translate({:.1f} {}) rotate(-90)\" text-anchor=\"end\" font-size=\"10\">{}</text>\n",
+                at_x(mark.x) - 3.0, top + 4.0, escaped(mark.word));
+        }
+        for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+            draw(plot_.curves[i], i);
+        }
+        return text_ + "</svg>\n";
+    }
+
+  private:
+    double at_x(double x) const { return left + (x - x_.low) / (x_.high - x_.low) * (right - left); }
+    double at_y(double y) const { return bottom - (y - y_.low) / (y_.high - y_.low) * (bottom - top); }
+
+    void put(double x, double y, const std::string& words, const std::string& attributes) {
+        text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(words));
+    }
+
+    void axes() {
+        const double x_step = tick_step(x_.low, x_.high);
+        for (double x = x_.low; x <= x_.high + x_step / 2.0; x += x_step) {
+            text_ += fmt::format("<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#e6e6e6\"/>\n",
+                                 at_x(x), top, bottom);
+            put(at_x(x), bottom + 16.0, number(x, x_step), "text-anchor=\"middle\"");
+        }
+        const double y_step = tick_step(y_.low, y_.high);
+        for (double y = y_.low; y <= y_.high + y_step / 2.0; y += y_step) {
+            text_ += fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#e6e6e6\"/>\n",
+                                 left, right, at_y(y));
+            put(left - 8.0, at_y(y) + 4.0, number(y, y_step), "text-anchor=\"end\"");
+        }
+        put((left + right) / 2.0, bottom + 36.0, plot_.x_label, "text-anchor=\"middle\"");
+        text_ += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                             (top + bottom) / 2.0, escaped(plot_.y_label));
+    }
+
+    /// A tick's number, without the last digits of a rounding error.
+    static std::string number(double value, double step) {
+        return fmt::format("{:.6g}", std::fabs(value) < step / 1000.0 ? 0.0 : value);
+    }
+
+    /// A gap where a value is no number.
+    void draw(const Curve& curve, std::size_t i) {
+        const char* colour = colours[i % std::size(colours)];
+        std::string path;
+        bool drawing = false;
+        for (const auto& [x, y] : curve.points) {
+            if (!std::isfinite(y)) {
+                drawing = false;
+                continue;
+            }
+            path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", at_x(x), at_y(y));
+            drawing = true;
+        }
+        text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>\n", path, colour);
+        const double legend = left + static_cast<double>(i) * (right - left) / static_cast<double>(plot_.curves.size());
+        text_ += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"18\" height=\"4\" fill=\"{}\"/>\n", legend,
+                             bottom + 56.0, colour);
+        put(legend + 24.0, bottom + 62.0, curve.name, "");
+    }
+
+    const LinePlot& plot_;
+    Range x_;
+    Range y_;
+    std::string text_;
+};
+
+}  // namespace
+
+double tick_step(double low, double high) {
+    const double rough = (high - low) / 8.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (rough <= factor * power) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+std::string write_svg(const LinePlot& plot) {
+    return Canvas{plot}.svg();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,184 @@
+#include "host/plot/thermocouple_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "firmware/blocks/thermocouple_curves.hpp"
+#include "firmware/devices/ax188001.hpp"
+#include "host/devices/devices.hpp"
+#include "host/replay/replay.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using generated::ax188001::SensorType;
+
+struct NamedType {
+    SensorType type;
+    const char* name;
+};
+constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorType::n, "N"}, {SensorType::r, "R"},
+                            {SensorType::s, "S"}, {SensorType::t, "T"}, {SensorType::e, "E"}, {SensorType::b, "B"}};
+
+constexpr double sixteenths = 16.0;  // as shipped: 7130h = 16 T + 4368
+constexpr double offset = 4368.0;
+
+/// The reference function in long double: what the firmware's double is measured by.
+long double reference_mv_exactly(const ThermocoupleCurve& curve, long double celsius) {
+    std::size_t at = 0;
+    while (at + 1 < curve.reference_count && celsius >= static_cast<long double>(curve.reference[at].to_c)) {
+        ++at;
+    }
+    const ReferencePiece& piece = curve.reference[at];
+    long double sum = 0.0L;
+    for (auto c = piece.coefficients.rbegin(); c != piece.coefficients.rend(); ++c) {
+        sum = sum * celsius + static_cast<long double>(*c);
+    }
+    const long double distance = celsius - static_cast<long double>(piece.exponential.a2_c);
+    return sum + static_cast<long double>(piece.exponential.a0_mv) *
+                     std::exp(static_cast<long double>(piece.exponential.a1_per_c2) * distance * distance);
+}
+
+/// An AX188001 alone on a bus with one thermocouple, asked over SDO.
+class Bench {
+  public:
+    explicit Bench(SensorType type) : curve_{thermocouple_curve(type)} {
+        device_.power_on(inputs_, now_);
+        ask(fmt::format("67F#2B106101{:02X}000000", static_cast<int>(type)));
+    }
+    /// 6100h:1 when the hot junction has been at `celsius` for as long as the manual lets the channel take.
+    double settled_field_value(double celsius) {
+        const double mv =
+            reference_mv(curve_, celsius) - reference_mv(curve_, static_cast<double>(inputs_.cold_junction));
+        inputs_.tc_microvolts[0] = static_cast<float>(mv * 1000.0);
+        device_.set_inputs(inputs_, now_);
+        const Instant end = now_ + milliseconds(1500);
+        while (device_.next_deadline() <= end) {
+            now_ = device_.next_deadline();
+            device_.advance(now_);
+        }
+        now_ = end;
+        const auto bits = read_u32(ask("67F#4000610100000000").payload(), 4);
+        return static_cast<double>(bit_cast<float>(bits));
+    }
+
+  private:
+    /// The answer to an SDO request; emergency messages that came before it are passed over.
+    Frame ask(const std::string& request) {
+        device_.receive(parse_frame(request, "figure"), now_);
+        Frame last{};
+        while (!queue_.empty()) {
+            last = queue_.pop();
+        }
+        return last;
+    }
+
+    const ThermocoupleCurve& curve_;
+    Memory memory_{1024};
+    TransmitQueue queue_;
+    ax188001::Device device_{memory_, queue_, {}};
+    ax188001::Inputs inputs_{};
+    Instant now_{};
+};
+
+double to_celsius(std::uint16_t process_value) {
+    constexpr std::uint16_t open = 0xFE00;
+    constexpr std::uint16_t disabled = 0xFFFF;
+    return process_value == open || process_value == disabled
+               ? std::numeric_limits<double>::quiet_NaN()
+               : (static_cast<double>(static_cast<std::int16_t>(process_value)) - offset) / sixteenths;
+}
+
+std::string emergency_word(const Frame& frame) {
+    const std::uint16_t code = read_u16(frame.payload(), 0);
+    const int description = frame.data[4];
+    return code == 0             ? "cleared"
+           : code == 0xF001U     ? "open circuit"
+           : description == 0x10 ? "high warning"
+           : description == 0x20 ? "low warning"
+                                 : "shutdown";
+}
+
+}  // namespace
+
+LinePlot conversion_error_plot() {
+    LinePlot plot{
+        "AX188001: error of the linearisation alone (0.02 °C allowed)", "temperature / °C", "error / °C", {}, {}};
+    for (const auto& [type, name] : types) {
+        const ThermocoupleCurve& curve = thermocouple_curve(type);
+        // B has no slope to speak of below 42 degC.
+        const double low = type == SensorType::b ? 42.0 : curve.lowest_c;
+        Curve drawn{name, {}};
+        constexpr int steps = 600;
+        for (int i = 0; i <= steps; ++i) {
+            const double celsius = low + (curve.highest_c - low) * i / steps;
+            const double mv = static_cast<double>(reference_mv_exactly(curve, static_cast<long double>(celsius)));
+            drawn.points.emplace_back(celsius, exact_celsius(curve, mv) - celsius);
+        }
+        plot.curves.push_back(std::move(drawn));
+    }
+    return plot;
+}
+
+LinePlot channel_error_plot() {
+    LinePlot plot{"AX188001: field value less hot junction (1 °C promised)", "hot junction / °C", "error / °C", {}, {}};
+    for (const auto& [type, name] : types) {
+        const ThermocoupleCurve& curve = thermocouple_curve(type);
+        // Where a step of the converter, 0.6 to 2.4 uV, is worth less than a degree.
+        const double low = type == SensorType::b                            ? 250.0
+                           : type == SensorType::r || type == SensorType::s ? -50.0
+                                                                            : std::fmax(curve.lowest_c, -200.0);
+        Bench bench{type};
+        Curve drawn{name, {}};
+        constexpr int steps = 300;
+        for (int i = 0; i <= steps; ++i) {
+            const double celsius = low + (curve.highest_c - low) * i / steps;
+            drawn.points.emplace_back(celsius, bench.settled_field_value(celsius) - celsius);
+        }
+        plot.curves.push_back(std::move(drawn));
+    }
+    return plot;
+}
+
+LinePlot ramp_plot() {
+    LinePlot plot{
+        "AX188001: a ramp through all limits, the wire broken from 46 to 55 s", "time / s", "temperature / °C", {}, {}};
+    Curve hot{"hot junction", {}};
+    Curve shown{"7130h on TPDO1", {}};
+    ReplayInput input;
+    const auto set = [&](int second, const char* signal, double value) {
+        input.stimuli.push_back({"ramp", Instant{static_cast<std::uint64_t>(second) * 1000000U}, signal, value});
+    };
+    for (int second = 0; second <= 95; ++second) {
+        const int up = std::min(std::max(second - 10, 0), 32);
+        const int down = std::min(std::max(second - 57, 0), 31);
+        const double celsius = -32.0 + 10.0 * (up - down);
+        hot.points.emplace_back(second, celsius);
+        set(second, "tc1_celsius", celsius);
+        if (second == 46 || second == 55) {
+            set(second, "tc1_open", second == 46 ? 1.0 : 0.0);
+        }
+    }
+    input.frames.push_back(parse_candump_line("(0.100000) can0 000#0100", "ramp"));
+    input.until = Instant{95000000};
+    std::ostringstream log;
+    const auto device = make_ax188001();
+    replay(*device, input, log, nullptr);
+    std::istringstream lines{log.str()};
+    for (const LoggedFrame& one : read_candump_log(lines, "ramp")) {
+        const double seconds = static_cast<double>(one.time.us) / 1e6;
+        if (one.frame.id == 0x1FFU) {
+            shown.points.emplace_back(seconds, to_celsius(read_u16(one.frame.payload(), 0)));
+        } else if (one.frame.id == 0x0FFU) {
+            plot.marks.push_back({seconds, fmt::format("{} {:.3f}", emergency_word(one.frame), seconds)});
+        }
+    }
+    plot.curves = {hot, shown};
+    return plot;
+}
+
+}  // namespace canproof::host
