@@ -7,6 +7,7 @@
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/plot/converter_figures.hpp"
 #include "host/plot/thermocouple_figures.hpp"
 
 namespace canproof::host {
@@ -19,9 +20,9 @@ struct Figure {
 };
 
 constexpr Figure figures[]{
-    {"ax188001-conversion-error.svg", conversion_error_plot},
-    {"ax188001-channel-error.svg", channel_error_plot},
-    {"ax188001-ramp.svg", ramp_plot},
+    {"ax130751-joystick.svg", joystick_plot},           {"ax130751-trimmed-joystick.svg", trimmed_joystick_plot},
+    {"ax130751-thirty-slopes.svg", thirty_slopes_plot}, {"ax188001-conversion-error.svg", conversion_error_plot},
+    {"ax188001-channel-error.svg", channel_error_plot}, {"ax188001-ramp.svg", ramp_plot},
 };
 
 }  // namespace
