@@ -20,9 +20,13 @@ struct Figure {
 };
 
 constexpr Figure figures[]{
-    {"ax130751-joystick.svg", joystick_plot},           {"ax130751-trimmed-joystick.svg", trimmed_joystick_plot},
-    {"ax130751-thirty-slopes.svg", thirty_slopes_plot}, {"ax188001-conversion-error.svg", conversion_error_plot},
-    {"ax188001-channel-error.svg", channel_error_plot}, {"ax188001-ramp.svg", ramp_plot},
+    {"ax130751-joystick.svg", joystick_plot},
+    {"ax130751-trimmed-joystick.svg", trimmed_joystick_plot},
+    {"ax130751-thirty-slopes.svg", thirty_slopes_plot},
+    {"ax188001-conversion-error.svg", conversion_error_plot},
+    {"ax188001-inverse-error.svg", inverse_error_plot},
+    {"ax188001-channel-error.svg", channel_error_plot},
+    {"ax188001-ramp.svg", ramp_plot},
 };
 
 }  // namespace

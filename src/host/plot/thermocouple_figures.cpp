@@ -103,25 +103,37 @@ std::string emergency_word(const Frame& frame) {
                                  : "shutdown";
 }
 
-}  // namespace
-
-LinePlot conversion_error_plot() {
-    LinePlot plot{
-        "AX188001: error of the linearisation alone (0.02 °C allowed)", "temperature / °C", "error / °C", {}, {}};
+/// Error of `inversion`, which gives °C for mV, from `lowest(type)` to the end of each type's range.
+LinePlot error_plot(const char* title, double (*inversion)(const ThermocoupleCurve&, double),
+                    double (*lowest)(const ThermocoupleCurve&)) {
+    LinePlot plot{title, "temperature / °C", "error / °C", {}, {}};
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
-        // B has no slope to speak of below 42 degC.
-        const double low = type == SensorType::b ? 42.0 : curve.lowest_c;
+        const double low = lowest(curve);
         Curve drawn{name, {}};
         constexpr int steps = 600;
         for (int i = 0; i <= steps; ++i) {
             const double celsius = low + (curve.highest_c - low) * i / steps;
             const double mv = static_cast<double>(reference_mv_exactly(curve, static_cast<long double>(celsius)));
-            drawn.points.emplace_back(celsius, exact_celsius(curve, mv) - celsius);
+            drawn.points.emplace_back(celsius, inversion(curve, mv) - celsius);
         }
         plot.curves.push_back(std::move(drawn));
     }
     return plot;
+}
+
+}  // namespace
+
+LinePlot conversion_error_plot() {
+    // B has no slope to speak of below 42 degC.
+    return error_plot("AX188001: error of the linearisation alone (0.02 °C allowed)", exact_celsius,
+                      [](const ThermocoupleCurve& curve) { return curve.lowest_c > 0.0 ? 42.0 : curve.lowest_c; });
+}
+
+LinePlot inverse_error_plot() {
+    return error_plot("AX188001: the published inverse functions alone, where the linearisation begins",
+                      approximate_celsius,
+                      [](const ThermocoupleCurve& curve) { return exact_celsius(curve, curve.inverse[0].from_mv); });
 }
 
 LinePlot channel_error_plot() {

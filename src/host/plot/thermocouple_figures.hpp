@@ -9,6 +9,9 @@ namespace canproof::host {
 /// Error in °C of the inversion alone, for each type over its range.
 LinePlot conversion_error_plot();
 
+/// Error in °C of the published inverse functions by themselves: why their result is only where the inversion begins.
+LinePlot inverse_error_plot();
+
 /// Error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
 LinePlot channel_error_plot();
 

@@ -41,6 +41,19 @@ TEST(ThermocoupleFigures, TheConversionOfAllEightTypesIsWithinAFiftiethOfADegree
     EXPECT_DOUBLE_EQ(hottest(plot.curves[7]), 1820.0);
 }
 
+TEST(ThermocoupleFigures, TheInverseFunctionsAloneWouldNotDo) {
+    verifies<req::TCS_CONV_009>();
+    const LinePlot plot = inverse_error_plot();
+    ASSERT_EQ(plot.curves.size(), 8U);
+    double most = 0.0;
+    for (const Curve& curve : plot.curves) {
+        EXPECT_LT(worst(curve), 0.0605) << curve.name;
+        most = std::max(most, worst(curve));
+    }
+    EXPECT_GT(most, 0.02);
+    EXPECT_NEAR(plot.curves[1].points.front().first, -200.0, 0.05);
+}
+
 TEST(ThermocoupleFigures, TheChannelIsWithinOneDegree) {
     verifies<req::TCS_IN_012>();
     const LinePlot plot = channel_error_plot();
