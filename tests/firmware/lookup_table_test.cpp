@@ -204,6 +204,18 @@ TEST(LookupTable, RepeatRunsOnUntilOff) {
     EXPECT_FALSE(table.is_running());
 }
 
+TEST(LookupTable, BackInTimeResponseAProfileBeginsAnew) {
+    verifies<req::AOR_LT_010>();
+    LookupTable table;
+    const LookupConfig timed{LookupAxis::time, false, short_profile()};
+    table.advance(input_on, timed, at(0));
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(10)).value, 50.0);
+    table.advance(input_on, {LookupAxis::data, false, defaults(ramp)}, at(11));
+    EXPECT_FALSE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(12)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(22)).value, 50.0);
+}
+
 TEST(LookupTable, AnErrorEndsAProfile) {
     verifies<req::AOR_LT_016>();
     LookupTable table;

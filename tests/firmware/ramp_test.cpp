@@ -60,6 +60,16 @@ TEST(Ramp, NewTimesApplyFromNowOn) {
     const RampTimes fast{10.0, milliseconds(100), milliseconds(100)};
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, fast, at(500)), 5.0);
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, fast, at(520)), 7.0);
+    const RampTimes slower_up{10.0, milliseconds(1000), milliseconds(100)};
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slower_up, at(520)), 7.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slower_up, at(620)), 8.0);
+    const RampTimes wider{20.0, milliseconds(1000), milliseconds(100)};
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, wider, at(620)), 8.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, wider, at(670)), 9.0);
+    ramp.follow(0.0, wider, at(670));
+    const RampTimes slower_down{20.0, milliseconds(1000), milliseconds(1000)};
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(690)), 5.0);  // 20 in 100 ms until now
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(740)), 4.0);
 }
 
 TEST(Ramp, NoTimeOrNoSpanSteps) {

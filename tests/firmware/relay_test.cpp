@@ -65,6 +65,12 @@ TEST_F(RelayTest, TogglesWhileOnBeginningWithOn) {
     EXPECT_EQ(run(".####", toggle), ".####");
 }
 
+TEST_F(RelayTest, TogglingBeginsWithOnAlsoForARelayThatIsOn) {
+    verifies<req::AOR_RELAY_008>();
+    EXPECT_EQ(run("###", normal), "###");
+    EXPECT_EQ(run("####", toggle), "##..");
+}
+
 TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
     verifies<req::AOR_RELAY_005>();
     //                     control       unlatch
