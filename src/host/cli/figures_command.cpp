@@ -8,6 +8,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
 #include "host/plot/converter_figures.hpp"
+#include "host/plot/inclinometer_figures.hpp"
 #include "host/plot/thermocouple_figures.hpp"
 
 namespace canproof::host {
@@ -20,6 +21,10 @@ struct Figure {
 };
 
 constexpr Figure figures[]{
+    {"ax060805-tumble.svg", tumble_plot},
+    {"ax060805-euler-tumble.svg", euler_tumble_plot},
+    {"ax060805-angle-error.svg", angle_error_plot},
+    {"ax060805-settling.svg", settling_plot},
     {"ax130751-joystick.svg", joystick_plot},
     {"ax130751-trimmed-joystick.svg", trimmed_joystick_plot},
     {"ax130751-thirty-slopes.svg", thirty_slopes_plot},
