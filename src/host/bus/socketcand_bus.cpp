@@ -20,6 +20,8 @@ namespace canproof::host {
 namespace {
 
 constexpr int waiting_connections = 8;
+constexpr int kernel_room =
+    64 * 1024;  // bytes a client, beside the session's own bound: who does not read is found out
 
 [[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
     throw InputError{
@@ -133,6 +135,7 @@ void SocketcandBus::accept_clients() {
         }
         const int on = 1;
         setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+        setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kernel_room, sizeof kernel_room);
         Client client;
         client.descriptor = descriptor;
         client.name = fmt::format("client {}", descriptor);
