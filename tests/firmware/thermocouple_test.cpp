@@ -54,6 +54,26 @@ TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
     }
 }
 
+TEST(Thermocouple, EachPieceStandsOnceInItsTable) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
+    namespace reference = generated::ax188001::t_tcs_t_reference;
+    namespace inverse = generated::ax188001::t_tcs_t_inverse;
+    using R = reference::Piece;
+    using I = inverse::Piece;
+    const std::vector<R> of_temperature{R::j1, R::j2, R::k1, R::k2, R::n1, R::n2, R::r1, R::r2, R::r3,
+                                        R::s1, R::s2, R::s3, R::t1, R::t2, R::e1, R::e2, R::b1, R::b2};
+    const std::vector<I> of_voltage{I::j1, I::j2, I::j3, I::k1, I::k2, I::k3, I::n1, I::n2, I::n3, I::r1, I::r2, I::r3,
+                                    I::r4, I::s1, I::s2, I::s3, I::s4, I::t1, I::t2, I::e1, I::e2, I::b1, I::b2};
+    ASSERT_EQ(reference::rows.size(), of_temperature.size());
+    for (std::size_t i = 0; i < of_temperature.size(); ++i) {
+        EXPECT_EQ(reference::rows[i].piece, of_temperature[i]) << i;
+    }
+    ASSERT_EQ(inverse::rows.size(), of_voltage.size());
+    for (std::size_t i = 0; i < of_voltage.size(); ++i) {
+        EXPECT_EQ(inverse::rows[i].piece, of_voltage[i]) << i;
+    }
+}
+
 TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
     verifies<req::TCS_CONV_001>();
     for (const auto& type : its90_types()) {
