@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-class Errors : public InclinometerTest {
+class Ax060805Errors : public InclinometerTest {
   protected:
     Frames fail_accelerometer(bool fails = true) {
         inputs.accelerometer_fault = fails;
@@ -36,7 +36,7 @@ using List = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_F(Errors, AnAccelerometerFaultIsFF00h) {
+TEST_F(Ax060805Errors, AnAccelerometerFaultIsFF00h) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
              req::INC_S_ACCELEROMETER_FAULT>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
@@ -48,7 +48,7 @@ TEST_F(Errors, AnAccelerometerFaultIsFF00h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Errors, WhatIsNoAccelerationIsAFaultToo) {
+TEST_F(Ax060805Errors, WhatIsNoAccelerationIsAFaultToo) {
     verifies<req::INC_ERR_006, req::INC_K_SENSOR_RANGE, req::INC_S_ACCELERATION_X, req::INC_S_ACCELERATION_Y,
              req::INC_S_ACCELERATION_Z>();
     struct Row {
@@ -69,7 +69,7 @@ TEST_F(Errors, WhatIsNoAccelerationIsAFaultToo) {
     }
 }
 
-TEST_F(Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
+TEST_F(Ax060805Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
              req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
     EXPECT_EQ(read(0x4020), 0U);
@@ -86,7 +86,7 @@ TEST_F(Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
     EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
 }
 
-TEST_F(Errors, TheGraverConditionIsTheFigureOfMerit) {
+TEST_F(Ax060805Errors, TheGraverConditionIsTheFigureOfMerit) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
     heat(130.0F);
     fail_accelerometer();
@@ -106,7 +106,7 @@ TEST_F(Errors, TheGraverConditionIsTheFigureOfMerit) {
     EXPECT_EQ(read(0x4020), 0U);
 }
 
-TEST_F(Errors, AFailedSensorsValuesStay) {
+TEST_F(Ax060805Errors, AFailedSensorsValuesStay) {
     verifies<req::INC_FV_007>();
     turn(30.0, 0.0);
     pass(1000);
@@ -120,7 +120,7 @@ TEST_F(Errors, AFailedSensorsValuesStay) {
     EXPECT_EQ(pitch(), -60);
 }
 
-TEST_F(Errors, SensorErrorsChangeTheStateBy1029hSub2) {
+TEST_F(Ax060805Errors, SensorErrorsChangeTheStateBy1029hSub2) {
     verifies<req::INC_ERR_011, req::INC_OD_1029>();
     const auto state_after = [this](std::uint32_t reaction, bool by_heat) {
         send("000#8000");
@@ -147,7 +147,7 @@ TEST_F(Errors, SensorErrorsChangeTheStateBy1029hSub2) {
     EXPECT_EQ(refusal(0x1029, 2, 3, 1), "06090031");
 }
 
-TEST_F(Errors, OneThatLastsThroughAResetIsToldAgain) {
+TEST_F(Ax060805Errors, OneThatLastsThroughAResetIsToldAgain) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
     fail_accelerometer();
     EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));
@@ -157,7 +157,7 @@ TEST_F(Errors, OneThatLastsThroughAResetIsToldAgain) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-TEST_F(Errors, TheListHoldsFourActiveErrors) {
+TEST_F(Ax060805Errors, TheListHoldsFourActiveErrors) {
     verifies<req::INC_ERR_002, req::INC_OD_1003>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
@@ -181,7 +181,7 @@ TEST_F(Errors, TheListHoldsFourActiveErrors) {
     EXPECT_EQ(read(0x1003, 4), 0U);
 }
 
-TEST_F(Errors, TheListCanBeClearedWhileErrorsLast) {
+TEST_F(Ax060805Errors, TheListCanBeClearedWhileErrorsLast) {
     verifies<req::INC_ERR_003, req::INC_OD_1003>();
     fail_accelerometer();
     EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
@@ -196,7 +196,7 @@ TEST_F(Errors, TheListCanBeClearedWhileErrorsLast) {
     EXPECT_EQ(read(0x1001), 0U);
 }
 
-TEST_F(Errors, TheErrorRegisterIs1WhileAnyErrorLasts) {
+TEST_F(Ax060805Errors, TheErrorRegisterIs1WhileAnyErrorLasts) {
     verifies<req::INC_ERR_001, req::INC_OD_1001>();
     heat(130.0F);
     inputs.can_overrun = true;
@@ -209,7 +209,7 @@ TEST_F(Errors, TheErrorRegisterIs1WhileAnyErrorLasts) {
     EXPECT_EQ(read(0x1001), 0U);
 }
 
-TEST_F(Errors, LostFramesAre8110h) {
+TEST_F(Ax060805Errors, LostFramesAre8110h) {
     verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_OVERRUN>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
@@ -218,7 +218,7 @@ TEST_F(Errors, LostFramesAre8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
+TEST_F(Ax060805Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
     verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
@@ -230,7 +230,7 @@ TEST_F(Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
     EXPECT_EQ(listed(), (List{0x00008140}));
 }
 
-TEST_F(Errors, AMissingHeartbeatNamesItsNode) {
+TEST_F(Ax060805Errors, AMissingHeartbeatNamesItsNode) {
     verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
     write(0x1016, 1, 0x002200C8, 4);  // node 22h, 200 ms
     pass(1000);                       // nothing is expected before the first heartbeat
@@ -246,7 +246,7 @@ TEST_F(Errors, AMissingHeartbeatNamesItsNode) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Errors, AMissingGuardingRequestIs1000h) {
+TEST_F(Ax060805Errors, AMissingGuardingRequestIs1000h) {
     verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
@@ -261,7 +261,7 @@ TEST_F(Errors, AMissingGuardingRequestIs1000h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
+TEST_F(Ax060805Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
     verifies<req::INC_ERR_009, req::INC_ERR_010, req::INC_T22, req::INC_OD_1400>();
     write(0x1400, 5, 100, 2);
     pass(1000);
@@ -278,7 +278,7 @@ TEST_F(Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Errors, AnRpdoTooShortIs8210h) {
+TEST_F(Ax060805Errors, AnRpdoTooShortIs8210h) {
     verifies<req::INC_ERR_009, req::INC_T22>();
     send("000#0100");
     EXPECT_EQ(send("27F#0000000000"), (Frames{"0FF#1082010000000000"}));
@@ -286,7 +286,7 @@ TEST_F(Errors, AnRpdoTooShortIs8210h) {
     EXPECT_EQ(send("27F#010000000000"), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
+TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     verifies<req::INC_ERR_010, req::INC_OD_1029>();
     const auto state_after_bus_off = [this](std::uint32_t reaction) {
         send("000#8000");
@@ -305,7 +305,7 @@ TEST_F(Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-TEST_F(Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
+TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);

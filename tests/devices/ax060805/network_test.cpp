@@ -355,6 +355,14 @@ TEST_F(Network, HeartbeatTakes0And10MillisecondsAndMore) {
     EXPECT_EQ(pass(100), (Frames{}));
 }
 
+TEST_F(Network, AHeartbeatConsumerHasANodeIdUpTo127AndNoReservedBits) {
+    verifies<req::INC_OD_1016>();
+    EXPECT_EQ(refusal(0x1016, 1, 0x007FFFFF, 4), "");
+    EXPECT_EQ(refusal(0x1016, 1, 0x00800000, 4), "06090031");
+    EXPECT_EQ(refusal(0x1016, 1, 0x01220064, 4), "06090031");
+    EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
+}
+
 TEST_F(Network, AutomaticUpdatesChangeNothing) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);

@@ -6,11 +6,11 @@ namespace canproof::test {
 
 namespace {
 
-using Dictionary = TcsTest;
+using Ax188001Dictionary = TcsTest;
 
 }  // namespace
 
-TEST_F(Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
+TEST_F(Ax188001Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
     verifies<req::TCS_OD_001>();
     const std::vector<int> objects{0x1000, 0x1001, 0x1002, 0x1003, 0x100C, 0x100D, 0x1010, 0x1011, 0x1016, 0x1017,
                                    0x1018, 0x1020, 0x1029, 0x1400, 0x1401, 0x1402, 0x1403, 0x1600, 0x1601, 0x1602,
@@ -27,7 +27,7 @@ TEST_F(Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
     EXPECT_EQ(found, objects);
 }
 
-TEST_F(Dictionary, SaysWhatItIs) {
+TEST_F(Ax188001Dictionary, SaysWhatItIs) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1002, req::TCS_OD_1018, req::TCS_OD_1020>();
     EXPECT_EQ(read(0x1000).value, 0x00020194U);
     EXPECT_EQ(read(0x1002).value, 0U);
@@ -50,7 +50,7 @@ TEST_F(Dictionary, SaysWhatItIs) {
     EXPECT_EQ(write(0x1020, 2, 4, 0), read_only);
 }
 
-TEST_F(Dictionary, SerialNumberAndRevisionAreTheUnits) {
+TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreTheUnits) {
     verifies<req::TCS_OD_1018>();
     factory.serial_number = 0x12345678;
     factory.revision = 0x00010002;
@@ -59,7 +59,7 @@ TEST_F(Dictionary, SerialNumberAndRevisionAreTheUnits) {
     EXPECT_EQ(read(0x1018, 3).value, 0x00010002U);
 }
 
-TEST_F(Dictionary, CommunicationObjectsOfOneValue) {
+TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValue) {
     verifies<req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1016, req::TCS_OD_1017>();
     EXPECT_EQ(read(0x100C).value, 0U);
     EXPECT_EQ(read(0x100C).size, 2);
@@ -76,7 +76,7 @@ TEST_F(Dictionary, CommunicationObjectsOfOneValue) {
     EXPECT_EQ(read(0x1016, 5).abort, no_subindex);
 }
 
-TEST_F(Dictionary, HeartbeatIsOffOrAtLeastTenMilliseconds) {
+TEST_F(Ax188001Dictionary, HeartbeatIsOffOrAtLeastTenMilliseconds) {
     verifies<req::TCS_OD_1017>();
     EXPECT_EQ(read(0x1017).value, 0U);
     for (const std::uint32_t ms : {1U, 5U, 9U}) {
@@ -89,7 +89,7 @@ TEST_F(Dictionary, HeartbeatIsOffOrAtLeastTenMilliseconds) {
     EXPECT_EQ(pass(70000), Frames{});
 }
 
-TEST_F(Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
+TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
     verifies<req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_7130, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2130,
              req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_OD_5040>();
     struct Value {
@@ -111,7 +111,7 @@ TEST_F(Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
     }
 }
 
-TEST_F(Dictionary, ParametersHaveTheirElementsAndDefaults) {
+TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     verifies<req::TCS_OD_2000, req::TCS_OD_2020, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
              req::TCS_OD_3127, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_OD_5041,
              req::TCS_OD_5042, req::TCS_OD_5050, req::TCS_OD_5051, req::TCS_OD_5555, req::TCS_OD_5556, req::TCS_OD_6110,

@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-class Errors : public TcsTest {
+class Ax188001Errors : public TcsTest {
   protected:
     void SetUp() override {
         TcsTest::SetUp();
@@ -27,7 +27,7 @@ class Errors : public TcsTest {
 
 }  // namespace
 
-TEST_F(Errors, EachHasItsCodeDescriptionAndChannel) {
+TEST_F(Ax188001Errors, EachHasItsCodeDescriptionAndChannel) {
     verifies<req::TCS_ERR_001, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION, req::CO_EMCY_009,
              req::CO_K_EMCY_ID>();
     heat(1, 130.0);
@@ -49,7 +49,7 @@ TEST_F(Errors, EachHasItsCodeDescriptionAndChannel) {
     EXPECT_EQ(run(111.0F, 8.0F), (Frames{"165:0FF#0000010000000000", "165:0FF#0031010320000000"}));
 }
 
-TEST_F(Errors, AreAnnouncedOnce) {
+TEST_F(Ax188001Errors, AreAnnouncedOnce) {
     verifies<req::TCS_ERR_002>();
     heat(1, 130.0);
     EXPECT_EQ(read_once().size(), 1U);
@@ -60,7 +60,7 @@ TEST_F(Errors, AreAnnouncedOnce) {
     EXPECT_EQ(pass(5000), Frames{});
 }
 
-TEST_F(Errors, ListShowsThoseThatLastTheLatestFirst) {
+TEST_F(Ax188001Errors, ListShowsThoseThatLastTheLatestFirst) {
     verifies<req::TCS_ERR_003, req::TCS_OD_1003, req::TCS_ERR_006, req::TCS_OD_1001, req::CO_EMCY_007>();
     EXPECT_EQ(read(0x1003, 0).value, 0U);
     EXPECT_EQ(read(0x1001).value, 0U);
@@ -85,7 +85,7 @@ TEST_F(Errors, ListShowsThoseThatLastTheLatestFirst) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Errors, TheTenthPushesOutTheOldest) {
+TEST_F(Ax188001Errors, TheTenthPushesOutTheOldest) {
     verifies<req::TCS_ERR_004, req::TCS_OD_1003>();
     EXPECT_EQ(read(0x1003, 9).abort, 0U);
     EXPECT_EQ(read(0x1003, 10).abort, no_subindex);
@@ -117,7 +117,7 @@ TEST_F(Errors, TheTenthPushesOutTheOldest) {
     EXPECT_EQ(listed().back(), 0x4001F011U);
 }
 
-TEST_F(Errors, ClearingTheListIsAllThatWritingZeroDoes) {
+TEST_F(Ax188001Errors, ClearingTheListIsAllThatWritingZeroDoes) {
     verifies<req::TCS_ERR_005, req::TCS_OD_1003>();
     heat(1, 130.0);
     read_once();
@@ -133,7 +133,7 @@ TEST_F(Errors, ClearingTheListIsAllThatWritingZeroDoes) {
     EXPECT_EQ(read_once(), (Frames{"165:0FF#0000000000000000"}));
 }
 
-TEST_F(Errors, ASilentProducerIsNamed) {
+TEST_F(Ax188001Errors, ASilentProducerIsNamed) {
     verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5>();
     EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // node 49, 100 ms
     EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // node 50, 200 ms
@@ -145,7 +145,7 @@ TEST_F(Errors, ASilentProducerIsNamed) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80328130}));
 }
 
-TEST_F(Errors, LifeGuardingHasItsOwnField) {
+TEST_F(Ax188001Errors, LifeGuardingHasItsOwnField) {
     verifies<req::TCS_ERR_007, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);
@@ -154,7 +154,7 @@ TEST_F(Errors, LifeGuardingHasItsOwnField) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
-TEST_F(Errors, AnRpdoThatStaysAwayIsACommunicationError) {
+TEST_F(Ax188001Errors, AnRpdoThatStaysAwayIsACommunicationError) {
     verifies<req::TCS_ERR_008, req::TCS_OD_1400, req::TCS_OD_1029, req::TCS_ERR_010>();
     EXPECT_EQ(write(0x1400, 5, 2, 500), 0U);
     EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
@@ -170,7 +170,7 @@ TEST_F(Errors, AnRpdoThatStaysAwayIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Errors, OverrunAndBusOff) {
+TEST_F(Ax188001Errors, OverrunAndBusOff) {
     verifies<req::TCS_ERR_009, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN, req::TCS_T5>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
@@ -187,7 +187,7 @@ TEST_F(Errors, OverrunAndBusOff) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Errors, EachClassHasItsReaction) {
+TEST_F(Ax188001Errors, EachClassHasItsReaction) {
     verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T_REACTION>();
     struct Case {
         int sub;
@@ -227,7 +227,7 @@ TEST_F(Errors, EachClassHasItsReaction) {
     }
 }
 
-TEST_F(Errors, ClassesAreTheSubIndicesOf1029h) {
+TEST_F(Ax188001Errors, ClassesAreTheSubIndicesOf1029h) {
     verifies<req::TCS_T_REACTION>();
     namespace table = generated::ax188001::t_tcs_t_reaction;
     EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
@@ -235,7 +235,7 @@ TEST_F(Errors, ClassesAreTheSubIndicesOf1029h) {
     EXPECT_EQ(table::find(table::Errors::fault_detection)->subindex, 3);
 }
 
-TEST_F(Errors, ReactionsAsShipped) {
+TEST_F(Ax188001Errors, ReactionsAsShipped) {
     verifies<req::TCS_ERR_012, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR>();
     EXPECT_EQ(read(0x1029, 0).value, 3U);
     EXPECT_EQ(read(0x1029, 1).value, 0U);
@@ -247,7 +247,7 @@ TEST_F(Errors, ReactionsAsShipped) {
     }
 }
 
-TEST_F(Errors, TheMessageGoesOutBeforeTheNodeStops) {
+TEST_F(Ax188001Errors, TheMessageGoesOutBeforeTheNodeStops) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 2);
     send("000#017F");
@@ -261,7 +261,7 @@ TEST_F(Errors, TheMessageGoesOutBeforeTheNodeStops) {
     expect_state(NmtState::stopped);  // it does not go back by itself
 }
 
-TEST_F(Errors, AStoppedNodeIsNotWoken) {
+TEST_F(Ax188001Errors, AStoppedNodeIsNotWoken) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#027F");
@@ -270,7 +270,7 @@ TEST_F(Errors, AStoppedNodeIsNotWoken) {
     expect_state(NmtState::stopped);
 }
 
-TEST_F(Errors, ADamagedSetIsToldAndDefaultsHold) {
+TEST_F(Ax188001Errors, ADamagedSetIsToldAndDefaultsHold) {
     verifies<req::TCS_ERR_011, req::TCS_T5>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
@@ -281,7 +281,7 @@ TEST_F(Errors, ADamagedSetIsToldAndDefaultsHold) {
     EXPECT_EQ(read(0x1001).value, 1U);
 }
 
-TEST_F(Errors, ThatLastAtBootAreToldAfterTheBootUpMessage) {
+TEST_F(Ax188001Errors, ThatLastAtBootAreToldAfterTheBootUpMessage) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
     write(0x1010, 1, 4, 0x65766173);  // with the delays of 0
     heat(1, 130.0);

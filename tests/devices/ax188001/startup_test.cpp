@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t save = 0x65766173;
 constexpr std::uint32_t load = 0x64616F6C;
 
-class Startup : public TcsTest {
+class Ax188001Startup : public TcsTest {
   protected:
     void start_with(std::uint32_t option) {
         EXPECT_EQ(write(0x5555, 0, 1, option), 0U);
@@ -27,7 +27,7 @@ class LssSession : public TcsTest {
 
 }  // namespace
 
-TEST_F(Startup, WaitsForTheMasterAsShipped) {
+TEST_F(Ax188001Startup, WaitsForTheMasterAsShipped) {
     verifies<req::TCS_START_001, req::TCS_OD_5555, req::TCS_T3>();
     EXPECT_EQ(read(0x5555).value, 0U);
     EXPECT_EQ(read(0x5555).size, 1);
@@ -36,7 +36,7 @@ TEST_F(Startup, WaitsForTheMasterAsShipped) {
     EXPECT_EQ(write(0x5555, 0, 1, 3), too_high);
 }
 
-TEST_F(Startup, OperationalAtOnce) {
+TEST_F(Ax188001Startup, OperationalAtOnce) {
     verifies<req::TCS_START_002, req::TCS_T3>();
     start_with(1);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -52,7 +52,7 @@ TEST_F(Startup, OperationalAtOnce) {
     }
 }
 
-TEST_F(Startup, StartsTheOthersAfterTheDelay) {
+TEST_F(Ax188001Startup, StartsTheOthersAfterTheDelay) {
     verifies<req::TCS_START_003, req::TCS_T3, req::TCS_OD_5556>();
     EXPECT_EQ(read(0x5556).value, 1000U);
     EXPECT_EQ(write(0x5556, 0, 2, 1500), 0U);
@@ -63,7 +63,7 @@ TEST_F(Startup, StartsTheOthersAfterTheDelay) {
     EXPECT_EQ(pass(60000), (Frames{"1500:000#0100"}));
 }
 
-TEST_F(Startup, AMasterCancelsTheCommand) {
+TEST_F(Ax188001Startup, AMasterCancelsTheCommand) {
     verifies<req::TCS_START_003>();
     start_with(2);
     power_on();
@@ -82,7 +82,7 @@ TEST_F(Startup, AMasterCancelsTheCommand) {
     EXPECT_NE(std::find(frames.begin(), frames.end(), "500:000#0100"), frames.end());
 }
 
-TEST_F(Startup, DelayOfTheCommand) {
+TEST_F(Ax188001Startup, DelayOfTheCommand) {
     verifies<req::TCS_START_004, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
     EXPECT_EQ(write(0x5556, 0, 2, 65000), 0U);
