@@ -173,7 +173,8 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 static_assert(implements<req::AOR_OUT_027>);
 void Device::advance(const Instant now) noexcept {
     bool node_moves{true};
-    for (Instant due = next_deadline(); due <= now; due = node_moves ? next_deadline() : next_cycle_) {
+    Instant due = next_deadline();
+    while (due <= now) {
         if (next_cycle_ <= due) {
             run_cycle(due);
         }
@@ -183,6 +184,7 @@ void Device::advance(const Instant now) noexcept {
             // A deadline that stays where it is waits for something else, such as room in the queue.
             node_moves = node_.next_deadline() > due;
         }
+        due = node_moves ? next_deadline() : next_cycle_;
     }
     node_.advance(now);
     watch_network();

@@ -227,7 +227,7 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
 static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
 SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
     bool failed = silent_;
-    for (std::uint8_t number = 0U; (overdue_ != 0U) && (number < rpdo_count); ++number) {
+    for (std::uint8_t number = 0U; number < rpdo_count; ++number) {
         const bool overdue = ((static_cast<std::uint32_t>(overdue_) >> number) & 1U) != 0U;
         failed = failed || (overdue && maps(objects_, number, index, subindex));
     }

@@ -536,6 +536,29 @@ TEST_F(Ax130751Output, OutputsDoNotDependOnTheNmtState) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
+TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
+    verifies<req::AOR_OUT_026>();
+    set8(0x2242, 1, 2);  // inverse: the relay is ON
+    set16(0x7321, 1, 2000);
+    set16(0x7320, 1, -5000);
+    no_ramps(1);
+    store();
+    pass(10);
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // 2 V + half of 3 V
+    EXPECT_TRUE(relay_on());
+    const auto all_off = [this] { return volts(1) == 0.0F && !relay_on() && device->outputs().relay_no; };
+    send("000#817F");
+    EXPECT_TRUE(all_off()) << "reset";
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);
+    EXPECT_TRUE(relay_on());
+    power_on();
+    EXPECT_TRUE(all_off()) << "power-on";
+    EXPECT_FLOAT_EQ(get_real(0x5020), 24.0F) << "measured at once";
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);
+}
+
 TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
