@@ -47,6 +47,7 @@ void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept 
     reset_node(now);
 }
 
+static_assert(implements<req::CO_PDO_030>);
 void Node::load_group(const ParameterGroup group) noexcept {
     objects_.load_defaults(group, node_id_);
     application_.put_factory_values(group);

@@ -203,6 +203,7 @@ void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAcce
     }
 }
 
+static_assert(implements<req::CO_PDO_028>);
 Frame PdoMapping::pack(const ObjectDictionary& objects, const std::uint32_t id) const noexcept {
     Frame frame = data_frame(id, length_);
     MutableBytes data{frame.data};

@@ -46,6 +46,7 @@ void TransmitPdos::start(const Instant now) noexcept {
     schedule();
 }
 
+static_assert(implements<req::CO_PDO_027>);
 void TransmitPdos::stop() noexcept {
     running_ = false;
     watch();
