@@ -115,7 +115,8 @@ class Slave {
 
   private:
     Pdo pdo(unsigned parameters, unsigned lines) {
-        Pdo read{static_cast<std::uint32_t>(value(parameters, 1)), static_cast<std::uint32_t>(value(parameters, 2)), {}};
+        Pdo read{
+            static_cast<std::uint32_t>(value(parameters, 1)), static_cast<std::uint32_t>(value(parameters, 2)), {}};
         for (unsigned sub = 1; sub <= value(lines, 0); ++sub) {
             const auto entry = static_cast<std::uint32_t>(value(lines, sub));
             read.mapping.push_back({entry >> 16, (entry >> 8) & 0xFF, entry & 0xFF});
@@ -145,8 +146,8 @@ bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
 
 /// CiA 301, 7.3.5.
 bool is_kept_for_others(std::uint32_t id) {
-    return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) || (id >= 0x601 && id <= 0x67F) ||
-           (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
+    return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) ||
+           (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
 }
 
 void check_parameters(Slave& slave) {
@@ -244,7 +245,8 @@ void request_tpdo(Slave& slave, unsigned number) {
     const Bytes expected = naive_pdo::packed(pdo.mapping, slave.values());
     bool answered = false;
     for (const Frame& sent : slave.drain()) {
-        answered = answered || (sent.id == pdo.id() && Bytes(sent.data.begin(), sent.data.begin() + sent.length) == expected);
+        answered =
+            answered || (sent.id == pdo.id() && Bytes(sent.data.begin(), sent.data.begin() + sent.length) == expected);
     }
     require(!answers || answered);
 }
