@@ -148,6 +148,9 @@ class EdsWriter {
     void entry(const Entry& entry) {
         line("DataType", fmt::format("0x{:04X}", data_type_number(entry.type)));
         line("AccessType", eds_access(entry));
+        if (entry.type == "DOMAIN") {
+            return;  // CiA 306 has neither default nor mapping of a DOMAIN
+        }
         line("DefaultValue", eds_default(entry));
         if (const auto low = eds_low_limit(entry)) {
             line("LowLimit", *low);

@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+"""socketcand.py PROGRAM: python-can joins a run of two devices as a socketcand client.
+
+The port is the kernel's choice, read from what the program says. Frames by hand: CBX-AO412 7.9.2 (device type 191h with 0008h),
+CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended one: identifiers alone are compared.
+"""
+import re
+import subprocess
+import sys
+
+import can
+
+PATIENCE = 20  # seconds; only a broken program lets it run out
+
+
+def frame(identifier, data):
+    return can.Message(arbitration_id=identifier, data=bytes.fromhex(data), is_extended_id=False)
+
+
+def wait_for(bus, identifier, data):
+    """The next frame with this identifier must carry this data."""
+    while True:
+        got = bus.recv(PATIENCE)
+        assert got is not None, f"nothing came where {identifier:03X}#{data} was due"
+        if got.arbitration_id == identifier:
+            assert got.data.hex().upper() == data, f"{identifier:03X}#{got.data.hex().upper()}, not {data}"
+            return got
+
+
+def converse(port):
+    one = can.Bus(interface="socketcand", channel="can0", host="127.0.0.1", port=port)
+    two = can.Bus(interface="socketcand", channel="can0", host="127.0.0.1", port=port)
+    one.send(frame(0x603, "4000100000000000"))
+    wait_for(one, 0x583, "4300100091010800")
+    wait_for(two, 0x603, "4000100000000000")  # another client hears the request
+    wait_for(two, 0x583, "4300100091010800")  # and the answer
+    two.send(frame(0x603, "2B1710000A000000"))  # heartbeat every 10 ms
+    wait_for(two, 0x583, "6017100000000000")
+    two.send(frame(0x000, "0103"))
+    wait_for(one, 0x000, "0103")
+    first = wait_for(one, 0x703, "05")
+    second = wait_for(one, 0x703, "05")
+    period = second.timestamp - first.timestamp
+    assert abs(period - 0.010) < 0.0015, f"heartbeat after {period} s"
+    two.send(frame(0x605, "4000100100000000"))  # 1000h has no sub-index 1
+    wait_for(two, 0x585, "8000100111000906")
+    one.shutdown()
+    two.shutdown()
+
+
+def main():
+    command = [sys.argv[1], "run", "cbx-ao412@3", "ax188001@5", "--bus", "socketcand:127.0.0.1:0", "--seconds", "120"]
+    run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    try:
+        said = run.stderr.readline()
+        converse(int(re.search(r"port (\d+)", said).group(1)))
+    finally:
+        run.terminate()
+    assert run.wait(PATIENCE) == 0, "the program did not end as it should"
+    print("python-can: joined, asked, heard")
+
+
+main()
