@@ -253,9 +253,9 @@ TEST_F(Ax060805Errors, AMissingGuardingRequestIs1000h) {
     write(0x1029, 1, 2, 1);
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
     EXPECT_EQ(pass(299), (Frames{}));
-    pass(1);
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#3081010010000000"}));
     EXPECT_EQ(device->state(), NmtState::stopped);
-    EXPECT_EQ(send("000#8000"), (Frames{"0FF#3081010010000000"}));  // it waited for the end of stopped
+    send("000#8000");
     EXPECT_EQ(listed(), (List{0x10008130}));
     send("77F#R");
     EXPECT_EQ(listed(), (List{}));
