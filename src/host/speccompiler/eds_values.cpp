@@ -18,7 +18,7 @@ std::string number_text(const Value& value, const std::string& type) {
     }
     const auto* whole = std::get_if<std::int64_t>(&value);
     if (whole != nullptr && (type == "UNSIGNED32" || type == "UNSIGNED64")) {
-        return fmt::format("0x{:X}", *whole);
+        return fmt::format("0x{:X}", static_cast<std::uint64_t>(*whole));
     }
     return to_text(value);
 }

@@ -1,0 +1,41 @@
+// Logs of any bytes: read or refused with a place; what was read is written so that it reads the same.
+#include <cstdlib>
+#include <sstream>
+
+#include "host/bus/candump.hpp"
+#include "support/claims.hpp"
+
+CANPROOF_FUZZ_CLAIMS()
+
+namespace {
+
+using namespace canproof;
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+void check_line(const host::LoggedFrame& one) {
+    require(one.frame.length <= max_frame_length && one.frame.id <= (one.frame.extended ? 0x1FFFFFFFU : 0x7FFU));
+    const std::string text = host::format_candump_line(one);
+    require(host::format_candump_line(host::parse_candump_line(text, "again")) == text);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::istringstream in{std::string{data, data + size}};
+    try {
+        Instant last{};
+        for (const host::LoggedFrame& one : host::read_candump_log(in, "fuzz")) {
+            require(last <= one.time);
+            last = one.time;
+            check_line(one);
+        }
+    } catch (const host::InputError& error) {
+        require(std::string{error.what()}.rfind("fuzz:", 0) == 0);
+    }
+    return 0;
+}

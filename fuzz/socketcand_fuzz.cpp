@@ -1,0 +1,45 @@
+// A socketcand client that says anything, in pieces of any size: what goes onto the bus are CAN frames, what is held
+// stays bounded. Input: a byte that gives the size of a piece, then so many bytes.
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "host/bus/socketcand_session.hpp"
+#include "support/claims.hpp"
+
+CANPROOF_FUZZ_CLAIMS()
+
+namespace {
+
+using namespace canproof;
+
+void require(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    host::SocketcandSession session{"fuzz", 0};
+    const std::string text{data, data + size};
+    Instant now{};
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = std::min<std::size_t>(data[at], text.size() - at - 1);
+        now = now + milliseconds(1);
+        if (session.wants_input()) {
+            session.receive(std::string_view{text}.substr(at + 1, length), now);
+        }
+        session.advance(now);
+        require(session.output().size() <= host::SocketcandSession::output_limit);
+        // A frame leaves for every second piece: the door is full at times.
+        if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {
+            require(frame->length <= max_frame_length && frame->id <= (frame->extended ? 0x1FFFFFFFU : 0x7FFU));
+            session.gateway().take_frame();
+            session.gateway().receive(data_frame(0x703, 1), now);
+        }
+        at += length + 1;
+    }
+    return 0;
+}
