@@ -94,14 +94,15 @@ void Scanner::restart(const Inputs& inputs) noexcept {
     }
 }
 
-static_assert(implements<req::TCS_IN_002> && implements<req::TCS_IN_003> && implements<req::TCS_IN_004> &&
-              implements<req::TCS_IN_005>);
+static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST> && implements<req::TCS_IN_002> &&
+              implements<req::TCS_IN_003> && implements<req::TCS_IN_004> && implements<req::TCS_IN_005>);
 void Scanner::read(const Inputs& inputs) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         converters_[channel].convert(input_uv(inputs, channel), circuit);
     }
     hum_rises_ = !hum_rises_;
-    cold_junction_c_ = static_cast<double>(inputs.cold_junction);
+    cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
+                                 own::cold_junction_highest_c);
     cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);
     supply_v_ = static_cast<double>(inputs.supply);
 }

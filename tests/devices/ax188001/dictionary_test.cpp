@@ -72,6 +72,8 @@ TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValue) {
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1016, sub).value, 0U);
         EXPECT_EQ(write(0x1016, sub, 4, 0x01000000), too_high);
+        EXPECT_EQ(write(0x1016, sub, 4, 0x00FFFFFF), 0U);  // node-ID 255 is nobody: watches nothing
+        EXPECT_EQ(write(0x1016, sub, 4, 0x00300005U + static_cast<std::uint32_t>(sub << 16)), 0U);
     }
     EXPECT_EQ(read(0x1016, 5).abort, no_subindex);
 }

@@ -353,8 +353,21 @@ TEST_F(Pdos, RpdosAreThereForFormsSake) {
 }
 
 TEST_F(Pdos, TransmissionTypesAreFixed) {
-    verifies<req::TCS_PDO_006, req::TCS_OD_1800>();
+    verifies<req::TCS_PDO_006, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
+             req::TCS_OD_1A01>();
     for (int n = 0; n < 4; ++n) {
+        EXPECT_EQ(read(0x1800 + n, 0).value, 5U);
+        EXPECT_EQ(write(0x1800 + n, 0, 1, 5), read_only);
+        EXPECT_EQ(read(0x1800 + n, 1).size, 4);
+        EXPECT_EQ(read(0x1800 + n, 3).value, 0U);
+        EXPECT_EQ(read(0x1800 + n, 3).size, 2);
+        EXPECT_EQ(read(0x1800 + n, 4).value, 0U);
+        EXPECT_EQ(read(0x1800 + n, 4).size, 1);
+        EXPECT_EQ(read(0x1800 + n, 5).size, 2);
+        EXPECT_EQ(read(0x1800 + n, 6).abort, no_subindex);
+        EXPECT_EQ(read(0x1400 + n, 6).abort, no_subindex);
+        EXPECT_EQ(read(0x1A00 + n, 5).abort, no_subindex);
+        EXPECT_EQ(write(0x1A00 + n, 0, 1, 5), too_high);
         EXPECT_EQ(read(0x1800 + n, 2).value, 254U);
         EXPECT_EQ(write(0x1800 + n, 2, 1, 1), read_only);
         EXPECT_EQ(write(0x1400 + n, 2, 1, 1), read_only);

@@ -1,4 +1,5 @@
 // From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
+#include "generated/ax188001/tables.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 
@@ -265,7 +266,11 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     inputs.mains_frequency = 0;
     set_inputs();
     EXPECT_EQ(swing(), 0);
-    inputs.tc_hum[0] = 0.0F;
+    namespace table = generated::ax188001::t_tcs_t_rejection;
+    for (const auto filter : {table::FilterHz::hz_50, table::FilterHz::hz_60}) {
+        ASSERT_NE(table::find(filter, table::MainsHz::none), nullptr);
+        EXPECT_EQ(table::find(filter, table::MainsHz::none)->left, 0.0F);
+    }
 }
 
 TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
@@ -368,7 +373,8 @@ TEST_F(Values, AverageWithoutAValidChannelSaysWhy) {
 }
 
 TEST_F(Values, ColdJunctionHasItsOwnValues) {
-    verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION>();
+    verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION,
+             req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     inputs.cold_junction = -40.0F;
     set_inputs();
     EXPECT_EQ(read(0x3100).real(), 25.0F);
@@ -380,6 +386,17 @@ TEST_F(Values, ColdJunctionHasItsOwnValues) {
     set_inputs();
     read_once();
     EXPECT_EQ(read(0x3130).word(), 110 * 16 + 4368);
+    inputs.cold_junction = 110.5F;
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x3100).real(), 110.0F);
+    inputs.cold_junction = -40.5F;
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x3100).real(), -40.0F);
+    inputs.cold_junction = 110.0F;
+    set_inputs();
+    read_once();
     write_real(0x3126, 0, 10.0F);
     write_real(0x3127, 0, -5.0F);
     EXPECT_EQ(read(0x3130).word(), 1095);
