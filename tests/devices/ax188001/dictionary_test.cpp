@@ -113,6 +113,28 @@ TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
     }
 }
 
+TEST(Ax188001Defaults, MeasuredValuesAreZeroBeforeTheFirstReading) {
+    verifies<req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_7130, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2130,
+             req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_OD_5040, req::TCS_OD_1001, req::TCS_OD_1003>();
+    std::array<std::uint8_t, generated::ax188001::image_size> image{};
+    image.fill(0xA5);
+    ObjectDictionary objects{generated::ax188001::tables, MutableBytes{image}, LimitAbort::high_low};
+    for (const auto group :
+         {ParameterGroup::communication, ParameterGroup::application, ParameterGroup::manufacturer}) {
+        objects.load_defaults(group, 127);
+    }
+    for (const int index : {0x6100, 0x6150, 0x7130, 0x2010, 0x5040}) {
+        EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 1), 0U) << index;
+        EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 2), 0U) << index;
+    }
+    for (const int index : {0x1001, 0x2100, 0x2130, 0x3100, 0x3130}) {
+        EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 0), 0U) << index;
+    }
+    for (int sub = 0; sub <= 9; ++sub) {
+        EXPECT_EQ(objects.read(0x1003, static_cast<std::uint8_t>(sub)), 0U) << sub;
+    }
+}
+
 TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     verifies<req::TCS_OD_2000, req::TCS_OD_2020, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
              req::TCS_OD_3127, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_OD_5041,

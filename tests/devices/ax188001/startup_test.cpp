@@ -1,4 +1,6 @@
 // Start, storing, LSS and PDOs (AX188001, 1.4, 3.1, 3.2.7, 3.2.8, 3.2.14, 3.2.15, 3.4.22, 3.4.23).
+#include <map>
+
 #include "support/exchange.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
@@ -105,35 +107,84 @@ TEST_F(Storage, TellsWhatItCanDo) {
     }
 }
 
-TEST_F(Storage, KeepsEveryParameterWhenSaved) {
-    verifies<req::TCS_STORE_002, req::TCS_OD_1010>();
-    struct Parameter {
-        int index;
-        int sub;
-        int size;
-        std::uint32_t value;
-    };
-    const std::vector<Parameter> parameters{
-        {0x100C, 0, 2, 100},        {0x100D, 0, 1, 3},          {0x1016, 1, 4, 0x00310064}, {0x1016, 4, 4, 0x00320064},
-        {0x1017, 0, 2, 60000},      {0x1029, 1, 1, 1},          {0x1029, 2, 1, 2},          {0x1029, 3, 1, 1},
-        {0x1400, 1, 4, 0x80000301}, {0x1400, 3, 2, 7},          {0x1400, 4, 1, 8},          {0x1400, 5, 2, 9},
-        {0x1803, 1, 4, 0xC0000401}, {0x1803, 3, 2, 10},         {0x1803, 4, 1, 11},         {0x1803, 5, 2, 12},
-        {0x1A03, 1, 4, 0x61000120}, {0x1A03, 0, 1, 1},          {0x2000, 2, 1, 0},          {0x2020, 0, 1, 50},
-        {0x2112, 0, 1, 0},          {0x2126, 0, 4, 0x40000000}, {0x2127, 0, 4, 0x40000000}, {0x3126, 0, 4, 0x40000000},
-        {0x3127, 0, 4, 0x40000000}, {0x4000, 1, 2, 0xFF00},     {0x4020, 2, 2, 3000},       {0x4010, 2, 2, 1300},
-        {0x4030, 1, 2, 1234},       {0x5041, 1, 2, 1101},       {0x5042, 3, 2, 121},        {0x5050, 2, 1, 0},
-        {0x5051, 2, 2, 4321},       {0x5555, 0, 1, 0},          {0x5556, 0, 2, 2000},       {0x6110, 2, 2, 9},
-        {0x6112, 2, 1, 0},          {0x6126, 1, 4, 0x40000000}, {0x6127, 2, 4, 0x40000000}};
-    for (const auto& one : parameters) {
-        ASSERT_EQ(write(one.index, one.sub, one.size, one.value), 0U) << fmt::format("{:04X}", one.index);
+namespace {
+
+struct Parameter {
+    int index;
+    int sub;
+    int size;
+    std::uint32_t value;
+};
+
+/// A value other than the default for every writable entry, no two alike where the range allows it. Thresholds come in
+/// an order in which each write keeps its distance to the others.
+std::vector<Parameter> every_parameter() {
+    std::vector<Parameter> all{{0x100C, 0, 2, 101},  {0x100D, 0, 1, 3},    {0x1017, 0, 2, 60000}, {0x1029, 1, 1, 1},
+                               {0x1029, 2, 1, 2},    {0x1029, 3, 1, 1},    {0x2020, 0, 1, 50},    {0x2112, 0, 1, 0},
+                               {0x5041, 1, 2, 1101}, {0x5041, 2, 2, 501},  {0x5041, 3, 2, 91},    {0x5042, 1, 2, 851},
+                               {0x5042, 2, 2, 481},  {0x5042, 3, 2, 121},  {0x5050, 1, 1, 0},     {0x5050, 2, 1, 0},
+                               {0x5051, 1, 2, 4321}, {0x5051, 2, 2, 4322}, {0x5555, 0, 1, 0},     {0x5556, 0, 2, 2000},
+                               {0x6110, 1, 2, 9},    {0x6110, 2, 2, 10},   {0x6112, 1, 1, 0},     {0x6112, 2, 1, 0}};
+    std::uint32_t n = 0;
+    for (int sub = 1; sub <= 4; ++sub) {
+        all.push_back({0x1016, sub, 4, 0x00310064U + 0x00010001U * static_cast<std::uint32_t>(sub)});
     }
+    for (int pdo = 0; pdo < 4; ++pdo) {
+        for (const int base : {0x1400, 0x1800}) {
+            ++n;
+            all.push_back({base + pdo, 1, 4, 0xC0000300U + n});
+            all.push_back({base + pdo, 3, 2, 0x1100U + n});
+            all.push_back({base + pdo, 4, 1, 0x20U + n});
+            all.push_back({base + pdo, 5, 2, 0x3300U + n});
+        }
+        all.push_back({0x1A00 + pdo, 0, 1, 0});
+        const std::uint32_t mapped[]{0x61000120, 0x71300210, 0x61500108, 0x61500208};
+        for (int sub = 1; sub <= 4; ++sub) {
+            all.push_back({0x1A00 + pdo, sub, 4, mapped[(sub + pdo) % 4]});
+        }
+        all.push_back({0x1A00 + pdo, 0, 1, pdo % 2 == 0 ? 4U : 3U});
+    }
+    for (int sub = 1; sub <= 2; ++sub) {
+        const auto part = static_cast<std::uint32_t>(sub);
+        all.push_back({0x2000, sub, 1, 0});
+        all.push_back({0x4020, sub, 2, 3000 + part});
+        all.push_back({0x4010, sub, 2, 1300 + part});
+        all.push_back({0x4000, sub, 2, 0xFF00 + part});
+        all.push_back({0x4030, sub, 2, 1230 + part});
+        all.push_back({0x6126, sub, 4, 0x40000000 + part});
+        all.push_back({0x6127, sub, 4, 0x40100000 + part});
+    }
+    for (const int index : {0x2126, 0x2127, 0x3126, 0x3127}) {
+        all.push_back({index, 0, 4, 0x40200000 + static_cast<std::uint32_t>(index)});
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_F(Storage, KeepsEveryParameterWhenSaved) {
+    verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
+             req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
+             req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);  // not valid: its mapping can be changed
+    const auto parameters = every_parameter();
+    std::map<std::pair<int, int>, Parameter> last;
+    for (const auto& one : parameters) {
+        ASSERT_EQ(write(one.index, one.sub, one.size, one.value), 0U) << fmt::format("{:04X}:{}", one.index, one.sub);
+        last[{one.index, one.sub}] = one;
+    }
+    const auto expect_all = [&] {
+        for (const auto& [place, one] : last) {
+            EXPECT_EQ(read(one.index, one.sub).value, one.value) << fmt::format("{:04X}:{}", one.index, one.sub);
+            EXPECT_EQ(read(one.index, one.sub).size, one.size) << fmt::format("{:04X}:{}", one.index, one.sub);
+        }
+    };
+    expect_all();  // each entry has a place of its own
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     power_on();
-    for (const auto& one : parameters) {
-        EXPECT_EQ(read(one.index, one.sub).value, one.value) << fmt::format("{:04X}:{}", one.index, one.sub);
-    }
+    expect_all();
     EXPECT_EQ(write(0x1011, 1, 4, load), 0U);
-    EXPECT_EQ(read(0x4030, 1).value, 1234U);
+    EXPECT_EQ(read(0x4030, 1).value, 1231U);
     power_on();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
