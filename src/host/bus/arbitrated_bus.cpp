@@ -91,6 +91,19 @@ void ArbitratedBus::follow_bit_rates() {
             bit_rate_ = rate;
         }
     }
+    tell_bit_rates();
+}
+
+void ArbitratedBus::tell_bit_rates() {
+    for (auto& port : ports_) {
+        const std::uint32_t before = port->rate;
+        port->rate = port->gateway ? 0 : port->node->bit_rate();
+        if (before != 0 && port->rate != before) {
+            const char* const outcome =
+                port->rate == bit_rate_ ? "the bus has it now" : "it hears and is heard by no other";
+            notice(fmt::format("{}: LSS sets {} bit/s; {}", port->node->name(), port->rate, outcome));
+        }
+    }
 }
 
 void ArbitratedBus::advance(Instant now) {

@@ -53,6 +53,7 @@ class ArbitratedBus final : public Bus {
         FaultConfinement counters;
         CanState told{CanState::error_active};
         bool overrun{false};
+        std::uint32_t rate{0};       ///< of the node, when last looked at
         Nanoseconds first_since{0};  ///< when the frame that is sent next became so
         bool waits{false};
         Nanoseconds may_send_from{0};
@@ -76,6 +77,7 @@ class ArbitratedBus final : public Bus {
     bool takes_part(const Port& port) const;
     Nanoseconds bits(unsigned count) const;
     void follow_bit_rates();
+    void tell_bit_rates();
     void note_waiting(Nanoseconds now);
     bool complete(Nanoseconds now);
     bool start(Nanoseconds now);

@@ -19,7 +19,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr int receive_room = 1 << 20;  // bytes: some thousand frames while the process does not run
+constexpr int receive_room = 1 << 22;  // bytes: some thousand frames while the process does not run
 
 /// Room for the time stamp and the drop counter of one frame.
 constexpr std::size_t control_size = CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t));
@@ -61,7 +61,9 @@ class LinuxCanSystem final : public CanSystem {
             return {-1, errno};
         }
         const can_err_mask_t errors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
-        static_cast<void>(set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room));
+        if (!set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {  // past the system's limit, for root
+            static_cast<void>(set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room));
+        }
         bool sound = set(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1) && set(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
         if (error_frames) {
             sound = sound && set(descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, static_cast<int>(errors));

@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t reads_at_once = 256;  // a socket, in one turn: a flood on one cannot starve the others
+constexpr std::size_t reads_at_once = 4096;  // a socket, in one turn: a flood on one cannot starve the others
 constexpr std::size_t lines_held = 256;
 constexpr Duration clock_tolerance = milliseconds(50);  // beyond that somebody has set the clock
 constexpr Duration load_window = milliseconds(1000);

@@ -93,6 +93,7 @@ SocketcandBus::SocketcandBus(const ListenAddress& address, std::uint32_t bit_rat
                              std::uint64_t epoch_us)
     : bus_{"can0", bit_rate, faults}, epoch_us_{epoch_us}, listener_{listen_at(address)}, port_{port_of(listener_)} {
     bus_.listen([this](const BusFrame& frame) { tell(frame); });
+    bus_.on_notice([this](const std::string& text) { notice(text); });
 }
 
 SocketcandBus::~SocketcandBus() {

@@ -40,9 +40,6 @@ void add_run(CLI::App& app, std::function<int()>& chosen) {
     run->add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
     run->add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
         ->capture_default_str();
-    run->add_option("--bit-rate", running.bit_rate,
-                    "bit/s of the in-process bus; as the first device is shipped without it")
-        ->check(CLI::Range(10000, 1000000));
     run->add_option("--bus-faults", running.bus_faults,
                     "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
     run->add_flag("--control-interface", running.control_interface,

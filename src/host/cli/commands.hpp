@@ -24,7 +24,6 @@ struct RunOptions {
     std::vector<std::string> eds;      ///< FILE or FILE@NODE
     std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT]
     std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
-    std::uint32_t bit_rate{0};         ///< of the in-process bus in bit/s; 0: as the first device is shipped
     bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller
     bool plain{false};                 ///< no table, even on a terminal
     std::string log;                   ///< candump log of all frames

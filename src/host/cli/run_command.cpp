@@ -97,7 +97,7 @@ class Run {
         std::vector<ChosenDevice> devices = chosen_devices(options);
         std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
         std::vector<std::unique_ptr<DeviceNode>> nodes;
-        std::uint32_t bit_rate = options.bit_rate;
+        std::uint32_t bit_rate = 0;
         for (ChosenDevice& one : devices) {
             load_own_memory(one);
             bit_rate = bit_rate == 0 ? one.bit_rate : bit_rate;

@@ -41,7 +41,7 @@ EventLoop::EventLoop() {
     sigemptyset(&ending);
     sigaddset(&ending, SIGINT);
     sigaddset(&ending, SIGTERM);
-    sigprocmask(SIG_BLOCK, &ending, nullptr);
+    sigprocmask(SIG_BLOCK, &ending, &mask_before_);
     std::signal(SIGPIPE, SIG_IGN);
     epoll_ = sound(epoll_create1(EPOLL_CLOEXEC), "epoll");
     timer_ = sound(timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC), "timerfd");
@@ -56,6 +56,7 @@ EventLoop::~EventLoop() {
             close(descriptor);
         }
     }
+    sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
 /// A descriptor that was closed and opened anew has left the set without our doing: adding comes before changing.
@@ -101,7 +102,8 @@ void EventLoop::wait(const std::vector<Watch>& watches, Duration pause) {
     for (int i = 0; i < count; ++i) {
         const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
         if (descriptor == signals_) {
-            interrupted_ = true;
+            signalfd_siginfo signal{};
+            interrupted_ = read(signals_, &signal, sizeof signal) > 0 || interrupted_;
         } else if (descriptor == timer_) {
             std::uint64_t expirations = 0;
             static_cast<void>(!read(timer_, &expirations, sizeof expirations));

@@ -1,6 +1,7 @@
 // Waits: for descriptors, for a time, for SIGINT and SIGTERM. epoll, timerfd and signalfd; no thread.
 #pragma once
 
+#include <csignal>
 #include <set>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace canproof::host {
 
 class EventLoop {
   public:
-    /// From here on SIGINT and SIGTERM end the loop instead of the process. Throws std::system_error.
+    /// As long as it lives SIGINT and SIGTERM end the loop instead of the process. Throws std::system_error.
     EventLoop();
     ~EventLoop();
     EventLoop(const EventLoop&) = delete;
@@ -37,6 +38,7 @@ class EventLoop {
     std::set<int> always_ready_;
     std::set<int> ready_;
     bool interrupted_{false};
+    sigset_t mask_before_{};
 };
 
 }  // namespace canproof::host
