@@ -91,6 +91,14 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocks) {
     set8(0x3015, 3, 0);  // only (0, 0) and (10, 10) count
     extra(1, 5);
     EXPECT_EQ(get16(0x3320, 1), 50) << "5.0 % of 0 to 100";
+    for (int point = 1; point <= 10; ++point) {
+        set16(0x3017, point, 40);
+    }
+    pass(1);
+    EXPECT_EQ(get16(0x3320, 1), 400) << "40 to 100 lies within 0 to 100";
+    for (int point = 1; point <= 10; ++point) {
+        set16(0x3017, point, 10 * (point - 1));
+    }
     set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
     pass(1);
     EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 %
@@ -118,7 +126,8 @@ TEST_F(Ax130751Lookup, PointsStayInOrder) {
     EXPECT_EQ(write_x(1, 11, 32768), "06090031") << "no 16-bit number";
     EXPECT_EQ(write_x(10, 1, 11), "06090031");
     EXPECT_EQ(write_x(10, 11, 89), "06090032");
-    EXPECT_EQ(write_x(9, 11, 500), "");
+    set16(0x3097, 2, 0);
+    EXPECT_EQ(write_x(9, 11, 500), "") << "nothing but its own axis limits it";
 }
 
 TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
@@ -132,6 +141,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 11, 99), "06090031");
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
+    EXPECT_EQ(write_x(2, 3, 9), "06090032") << "within the limits, but below point 2";
     set8(0x3020, 0, canopen);  // 2500h:1, whose limits are 0 and 0 as shipped
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");

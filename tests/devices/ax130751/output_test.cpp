@@ -36,6 +36,7 @@ TEST_F(Ax130751Output, AsShippedItFollows7300hFrom0To5Volts) {
     command(1, 9000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
+    EXPECT_FALSE(is_on(1)) << "no digital output";
 }
 
 TEST_F(Ax130751Output, InverseSlope) {
@@ -442,6 +443,8 @@ TEST_F(Ax130751Output, DigitalPolarities) {
     set8(0x2241, 1, 2);
     EXPECT_FALSE(set(0));
     EXPECT_TRUE(set(1));
+    pass(3);
+    EXPECT_TRUE(is_on(1)) << "changes with an edge, not while it is ON";
     EXPECT_TRUE(set(0));
     EXPECT_FALSE(set(1));
     EXPECT_FALSE(set(0));
@@ -595,6 +598,43 @@ TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     EXPECT_EQ(get16(0x4030, 2), 1200);
     pass(200);
     EXPECT_EQ(get16(0x4030, 2), 10000) << "bounded by its scaling";
+}
+
+TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
+    verifies<req::AOR_OUT_001, req::AOR_OUT_002>();
+    // 2500h:1 → table 10 → table 9 → … → table 1: ten cycles
+    extra_as_percent(1);
+    for (int table = 1; table <= 9; ++table) {
+        set8(static_cast<std::uint16_t>(0x3000 + (0x10 * table)), 0, lookup_source);
+        set8(static_cast<std::uint16_t>(0x3001 + (0x10 * table)), 0, table + 1);
+    }
+    set8(0x3100, 0, canopen);
+    set8(0x3101, 0, 4);
+    pass(100);
+    set16(0x2500, 1, 70);
+    pass(1);
+    EXPECT_EQ(get16(0x3108, 0), 70);
+    EXPECT_EQ(get16(0x3098, 0), 0);
+    now = now + milliseconds(8);
+    device->advance(now);  // nothing comes that would wake it
+    EXPECT_EQ(get16(0x3028, 0), 70);
+    EXPECT_EQ(get16(0x3018, 0), 0);
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 70);
+}
+
+TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
+    verifies<req::AOR_OUT_012>();
+    make(10);
+    set16(0x7323, 1, 100);  // 0.1 V in 10 s: a digit in 100 ms
+    set16(0x2330, 1, 10000);
+    set16(0x7300, 1, 5000);
+    pass(1);
+    pass(5000);
+    EXPECT_FLOAT_EQ(volts(1), 0.05F);
+    EXPECT_EQ(get16(0x2370, 1), 50);
+    pass(5000);
+    EXPECT_FLOAT_EQ(volts(1), 0.1F);
 }
 
 TEST_F(Ax130751Output, NothingToDoNeedsNoCycle) {

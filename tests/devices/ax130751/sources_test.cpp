@@ -78,6 +78,12 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
         set16(0x2500, 6, 10 * table);  // X = table number; Y = X between 0 and 10
         EXPECT_EQ(tenths(3, table), 10 * table);
     }
+    set8(0x3044, 0, 2);  // table 4 in hundredths, Y = X again
+    for (int point = 1; point <= 11; ++point) {
+        set16(0x3047, point, 1000 * (point - 1));
+    }
+    set16(0x2500, 6, 55);
+    EXPECT_EQ(tenths(3, 4), 55);
     for (int block = 1; block <= 4; ++block) {
         const auto base = static_cast<std::uint16_t>(0x4000 + (0x100 * block));
         for (const int input : {1, 2}) {
