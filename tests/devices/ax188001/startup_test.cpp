@@ -304,7 +304,10 @@ TEST_F(LssSession, WithoutANodeIdItMeasuresAndStaysSilent) {
 TEST_F(Pdos, Tpdo1EachSecond) {
     verifies<req::TCS_PDO_001, req::TCS_OD_1800, req::TCS_OD_1A00>();
     EXPECT_EQ(read(0x1800, 1).value, 0x400001FFU);
-    EXPECT_EQ(read(0x1A00, 0).value, 2U);
+    const std::vector<std::uint32_t> mapped{2, 0x71300110, 0x71300210, 0, 0};
+    for (int sub = 0; sub <= 4; ++sub) {
+        EXPECT_EQ(read(0x1A00, sub).value, mapped[static_cast<std::size_t>(sub)]) << sub;
+    }
     heat(1, 100.0);
     heat(2, -15.0);
     read_once();
@@ -327,9 +330,10 @@ TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
     verifies<req::TCS_PDO_002, req::TCS_OD_1801, req::TCS_OD_1A01, req::TCS_OD_2130, req::TCS_OD_3130>();
     EXPECT_EQ(read(0x1801, 1).value, 0xC00002FFU);
     EXPECT_EQ(read(0x1801, 5).value, 0U);
-    EXPECT_EQ(read(0x1A01, 0).value, 2U);
-    EXPECT_EQ(read(0x1A01, 1).value, 0x21300010U);
-    EXPECT_EQ(read(0x1A01, 2).value, 0x31300010U);
+    const std::vector<std::uint32_t> mapped{2, 0x21300010, 0x31300010, 0, 0};
+    for (int sub = 0; sub <= 4; ++sub) {
+        EXPECT_EQ(read(0x1A01, sub).value, mapped[static_cast<std::size_t>(sub)]) << sub;
+    }
     EXPECT_EQ(write(0x1801, 5, 2, 700), 0U);
     EXPECT_EQ(write(0x1801, 1, 4, 0x400002FF), 0U);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
