@@ -94,6 +94,17 @@ std::size_t count_objects(const Part& device, unsigned first, unsigned last) {
     }));
 }
 
+std::size_t granularity(const Part& device) {
+    bool changeable = false;
+    for (const Object& object : device.objects) {
+        const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
+        for (const Entry& entry : object.entries) {
+            changeable = changeable || (mapping && entry.access == "rw");
+        }
+    }
+    return changeable ? 8U : 0U;
+}
+
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex) {
     for (const Object& object : device.objects) {
         for (const Entry& entry : object.entries) {

@@ -21,6 +21,8 @@ std::optional<std::string> eds_high_limit(const Entry& entry);
 std::string eds_access(const Entry& entry);
 /// How many objects lie in [first, last].
 std::size_t count_objects(const Part& device, unsigned first, unsigned last);
+/// Bits of the smallest object that a PDO can carry; 0 when mapping cannot be changed.
+std::size_t granularity(const Part& device);
 /// Default of an entry that holds a whole number; 0 where there is none.
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex);
 /// The manual's date, year, month and day; all zero where it is not of the form 2014-11-24.

@@ -70,7 +70,7 @@ class EdsWriter {
         }
         line("SimpleBootUpMaster", 0);
         line("SimpleBootUpSlave", 1);
-        line("Granularity", granularity());
+        line("Granularity", granularity(device_));
         line("DynamicChannelsSupported", 0);
         line("GroupMessaging", 0);
         line("NrOfRXPDO", count_objects(device_, 0x1400, 0x15FF));
@@ -78,21 +78,9 @@ class EdsWriter {
         line("LSS_Supported", info.lss ? 1 : 0);
     }
 
-    /// Bits of the smallest object that a PDO can carry; 0 when mapping cannot be changed.
-    std::size_t granularity() const {
-        bool changeable = false;
-        for (const Object& object : device_.objects) {
-            const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
-            for (const Entry& entry : object.entries) {
-                changeable = changeable || (mapping && entry.access == "rw");
-            }
-        }
-        return changeable ? 8U : 0U;
-    }
-
     void dummy_usage() {
         // A gap in a receive PDO is mapped as a data type 1 to 7; without changeable mapping nobody can.
-        const int usable = granularity() == 0 ? 0 : 1;
+        const int usable = granularity(device_) == 0 ? 0 : 1;
         section("DummyUsage");
         for (unsigned type = 1; type <= 7; ++type) {
             line(fmt::format("Dummy{:04X}", type), usable);

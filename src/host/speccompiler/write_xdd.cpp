@@ -60,6 +60,24 @@ void add_identity(pugi::xml_node& body, const Part& device) {
     }
 }
 
+/// CiA 311 wants one characteristic at least: the manual that the description follows.
+void add_function(pugi::xml_node& body, const Register& content, const Part& device) {
+    const Manual* manual = content.manual(device.info.manual);
+    auto characteristic = body.append_child("DeviceFunction")
+                              .append_child("capabilities")
+                              .append_child("characteristicsList")
+                              .append_child("characteristic");
+    auto name = characteristic.append_child("characteristicName").append_child("label");
+    add(name, "lang", "en");
+    name.text().set("Manual");
+    auto said = characteristic.append_child("characteristicContent").append_child("label");
+    add(said, "lang", "en");
+    const std::string text = manual == nullptr
+                                 ? "none"
+                                 : fmt::format("{}, revision {} of {}", manual->title, manual->revision, manual->date);
+    said.text().set(text.c_str());
+}
+
 /// What an object of one value and a sub-object have in common.
 void add_entry(pugi::xml_node& node, const Entry& entry) {
     add(node, "dataType", fmt::format("{:04X}", data_type_number(entry.type)));
@@ -109,7 +127,7 @@ void add_network(pugi::xml_node& body, const Part& device) {
         add(node, "value", fmt::format("{} Kbps", rate / 1000));
     }
     auto general = body.append_child("NetworkManagement").append_child("CANopenGeneralFeatures");
-    add(general, "granularity", "8");
+    add(general, "granularity", fmt::format("{}", granularity(device)));
     add(general, "nrOfRxPDO", fmt::format("{}", count_objects(device, 0x1400, 0x15FF)));
     add(general, "nrOfTxPDO", fmt::format("{}", count_objects(device, 0x1800, 0x19FF)));
     add(general, "layerSettingServiceSlave", info.lss ? "true" : "false");
@@ -127,6 +145,7 @@ std::string write_xdd(const Register& content, const Part& part) {
     add(root, "xmlns", name_space);
     auto device_body = add_body(root, content, part, "Device");
     add_identity(device_body, part);
+    add_function(device_body, content, part);
     auto network_body = add_body(root, content, part, "CommunicationNetwork");
     auto layers = network_body.append_child("ApplicationLayers");
     auto list = layers.append_child("CANopenObjectList");

@@ -252,6 +252,10 @@ TEST_F(DataSheet, XddHoldsEachObjectWithItsEntries) {
     EXPECT_STREQ(level.attribute("PDOmapping").value(), "RPDO");
     EXPECT_STREQ(document.select_node("//DeviceIdentity/vendorID").node().text().get(), "0x00000017");
     EXPECT_STREQ(document.select_node("//baudRate").node().attribute("defaultValue").value(), "125 Kbps");
+    EXPECT_STREQ(document.select_node("//DeviceFunction//characteristicContent/label").node().text().get(),
+                 "Small Manual, revision 1.2 of 2020-02-03");
+    // the box has no mapping that can be changed
+    EXPECT_STREQ(document.select_node("//CANopenGeneralFeatures").node().attribute("granularity").value(), "0");
 }
 
 TEST_F(DataSheet, JsonNamesTypesDefaultsAndLimits) {
