@@ -102,9 +102,9 @@ TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
              req::INC_S_NOISE>();
     // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter of share 0.145364, which leaves
     // sqrt(0.145364 / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
-    const std::vector<std::pair<std::uint16_t, double>> parts{{60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081},
-                                                              {60841, 0.001081}, {0, 0.0},          {60804, 0.0},
-                                                              {60839, 0.0}};
+    const std::vector<std::pair<std::uint16_t, double>> parts{
+        {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
+        {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};
     for (const auto& [part, expected] : parts) {
         inputs.noise_of = part;
         plant.stimulus("noise_of", inputs);

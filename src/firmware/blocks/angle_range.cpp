@@ -13,7 +13,7 @@ constexpr float full_turn = 360.0F;
 float in_span(const float degrees, const AngleSpan& span) noexcept {
     if ((span.upper - span.lower) < full_turn) {
         const float distance = std::fabs(degrees);
-        return (distance > span.upper) ? ((2.0F * span.upper) - distance) : distance;
+        return std::fmax(span.lower, (distance > span.upper) ? ((2.0F * span.upper) - distance) : distance);
     }
     if (degrees < span.lower) {
         const float turned = degrees + full_turn;

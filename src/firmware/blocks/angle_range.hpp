@@ -10,7 +10,8 @@ struct AngleSpan {
 };
 
 /// `degrees` from -180 to 180 as it is given in `span`: moved by a whole turn when it lies below, or, in a span smaller
-/// than that, without sign and, when it lies above, folded at the upper end. Of 0…360 the end itself does not occur.
+/// than that, without sign, when it lies above folded at the upper end, and never below the lower one. Of 0…360 the end
+/// itself does not occur.
 float in_span(float degrees, const AngleSpan& span) noexcept;
 
 }  // namespace canproof

@@ -1,6 +1,7 @@
 #include "firmware/blocks/binary_function.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "firmware/base/requirement.hpp"
 #include "generated/requirements.hpp"
@@ -53,7 +54,7 @@ float real_function(const BinaryFunction function, const float x, const float y)
         case BinaryFunction::less_equal:
             return truth(x <= y);
         default:
-            return 0.0F;
+            return std::numeric_limits<float>::quiet_NaN();  // undefined
     }
 }
 
@@ -97,16 +98,17 @@ float apply_unary(const std::uint8_t number, const float x) noexcept {
     const UnaryFunction function = (row == nullptr) ? UnaryFunction::none : row->function;
     const bool of_integer = (row != nullptr) && (row->operand == table9::Operand::integer);
     const std::uint32_t whole = of_integer ? to_discrete(x) : 0U;
+    const float operand = of_integer ? static_cast<float>(whole) : x;
     switch (function) {
         case UnaryFunction::logical_not:
             return truth(whole == 0U);
         case UnaryFunction::bitwise_not:
             return static_cast<float>(~whole);
         case UnaryFunction::absolute:
-            return std::fabs(x);
+            return std::fabs(operand);
         case UnaryFunction::none:
         default:
-            return x;
+            return operand;
     }
 }
 
@@ -114,8 +116,7 @@ static_assert(implements<req::INC_BIN_004> && implements<req::INC_BIN_005> && im
               implements<req::INC_BIN_007> && implements<req::INC_T10>);
 Signal apply_binary(const std::uint8_t number, const float x, const float y) noexcept {
     const auto* const row = table10::find(number);
-    const bool undefined = (row == nullptr) || (row->function == BinaryFunction::undefined);
-    if (undefined || std::isnan(x) || std::isnan(y)) {
+    if ((row == nullptr) || std::isnan(x) || std::isnan(y)) {
         return undefined_signal();
     }
     if (row->operands == table10::Operands::integer) {

@@ -14,7 +14,6 @@ void Inclination::sample(const Vector3& acceleration, const InclinationSettings&
 
 void Inclination::fail() noexcept {
     measuring_ = false;
-    weightless_ = false;
     filter_.restart();
 }
 

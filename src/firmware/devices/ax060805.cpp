@@ -100,8 +100,18 @@ bool is_measurement(const float acceleration) noexcept {
     return std::fabs(acceleration) <= own::sensor_range;
 }
 
+/// A value of 2000h.
+constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
+    return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
+}
+
 constexpr float reversed_if(const bool reversed, const float value) noexcept {
     return reversed ? -value : value;
+}
+
+/// How far `signal` stands behind `first` in Table 1; large when it stands before.
+constexpr std::size_t distance(const own::t_inc_t1::Signal first, const own::t_inc_t1::Signal signal) noexcept {
+    return static_cast<std::size_t>(signal) - static_cast<std::size_t>(first);
 }
 
 }  // namespace
@@ -197,7 +207,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
 }
 
 static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002> && implements<req::INC_SLEW_002> &&
-              implements<req::INC_T_SLEW>);
+              implements<req::INC_K_FAST_SLEW>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
@@ -210,9 +220,7 @@ void Device::put_factory_values(const ParameterGroup group) {
         put(field::o1020_verify_configuration[1U], factory_.made_on);
         put(field::o1020_verify_configuration[2U], factory_.made_at);
     } else if (group == ParameterGroup::manufacturer) {
-        const auto* const suited = own::t_inc_t_slew::find(bit_rate_);
-        const bool fast = (suited != nullptr) && suited->fast;
-        objects_.set(field::o2000_can_slew_rate, static_cast<std::uint8_t>(fast ? 1U : 0U));
+        objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));
         objects_.set(field::o2400_calibrated_pitch_angle_data, factory_.calibration.pitch);
         objects_.set(field::o2401_calibrated_roll_angle_data, factory_.calibration.roll);
     } else {
@@ -256,11 +264,8 @@ void Device::communication_failed(const bool, const Instant) {
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
-    const auto* const suited = own::t_inc_t_slew::find(bit_rate);
-    if (suited != nullptr) {
-        objects_.set(field::o2000_can_slew_rate, static_cast<std::uint8_t>(suited->fast ? 1U : 0U));
-        drive_slew_rate();
-    }
+    objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate));
+    drive_slew_rate();
 }
 
 LssError Device::store_configuration(const LssConfiguration& configuration) {
@@ -354,7 +359,9 @@ static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && impleme
 void Device::publish_diagnostics() noexcept {
     const auto* const merit =
         own::t_inc_t5::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
-    objects_.set(field::o4020_angular_figure_of_merit, (merit == nullptr) ? std::uint8_t{0U} : merit->state);
+    if (merit != nullptr) {
+        objects_.set(field::o4020_angular_figure_of_merit, merit->state);
+    }
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
     objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
     show_if_valid(supply_index, inputs_.supply_voltage);
@@ -530,14 +537,15 @@ Signal Device::angle_signal(const std::size_t angle) const noexcept {
 }
 
 static_assert(implements<req::INC_RPDO_001>);
-Signal Device::received_signal(const std::uint8_t number) const noexcept {
-    if (!received_[number - 1U]) {
+Signal Device::received_signal(const std::size_t place) const noexcept {
+    if (!received_[place]) {
         return undefined_signal();
     }
-    const CountScale scale{objects_.get(field::o2501_rpdo_decimal_digits[number]),
-                           objects_.get(field::o2502_rpdo_offset[number])};
+    const std::uint8_t sub = static_cast<std::uint8_t>(place + 1U);
+    const CountScale scale{objects_.get(field::o2501_rpdo_decimal_digits[sub]),
+                           objects_.get(field::o2502_rpdo_offset[sub])};
     return continuous_signal(
-        value_of_count(objects_.get(field::o2500_rpdo_received_message_process_value[number]), scale));
+        value_of_count(objects_.get(field::o2500_rpdo_received_message_process_value[sub]), scale));
 }
 
 static_assert(implements<req::INC_T1> && implements<req::INC_SIG_001> && implements<req::INC_SIG_002> &&
@@ -548,9 +556,21 @@ Signal Device::signal_of(const std::uint8_t source) const noexcept {
     if (row == nullptr) {
         return undefined_signal();
     }
+    const std::size_t function = distance(Source::binary_function_1, row->signal);
+    if (function < function_count) {
+        return results_[function];
+    }
+    const std::size_t received = distance(Source::received_1, row->signal);
+    if (received < received_count) {
+        return received_signal(received);
+    }
     switch (row->signal) {
-        case Source::acceleration:
-            return acceleration_signal(row->number);
+        case Source::acceleration_x:
+            return acceleration_signal(1U);
+        case Source::acceleration_y:
+            return acceleration_signal(2U);
+        case Source::acceleration_z:
+            return acceleration_signal(3U);
         case Source::sensor_temperature:
             return std::isnan(inputs_.sensor_temperature) ? undefined_signal()
                                                           : continuous_signal(inputs_.sensor_temperature);
@@ -564,10 +584,6 @@ Signal Device::signal_of(const std::uint8_t source) const noexcept {
             return continuous_signal(latency_ms());
         case Source::figure_of_merit:
             return discrete_signal(objects_.get(field::o4020_angular_figure_of_merit));
-        case Source::binary_function:
-            return results_[row->number - 1U];
-        case Source::received:
-            return received_signal(row->number);
         case Source::discrete_constant:
             return discrete_signal(objects_.get(field::o4080_discrete_signal));
         case Source::continuous_constant:

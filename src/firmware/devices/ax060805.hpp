@@ -87,7 +87,7 @@ class Device final : private Application {
     Signal signal_of(std::uint8_t source) const noexcept;
     Signal acceleration_signal(std::uint8_t axis) const noexcept;
     Signal angle_signal(std::size_t angle) const noexcept;
-    Signal received_signal(std::uint8_t number) const noexcept;
+    Signal received_signal(std::size_t place) const noexcept;
     float given_angle(std::size_t angle) const noexcept;
     float given_acceleration(std::uint8_t axis) const noexcept;
     float latency_ms() const noexcept;

@@ -100,10 +100,10 @@ TEST_F(Angles, EulerRollKeepsItsLastValueInGimbalLock) {
     verifies<req::INC_ANGLE_008, req::INC_K_GIMBAL_LOCK>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
-    EXPECT_EQ(angles_of(89.2, -120.0)[1], 4000);                // 0.8 degree from the vertical
-    EXPECT_EQ(angles_of(89.2, -120.0)[0], 8920);
+    EXPECT_EQ(angles_of(89.04, -120.0)[1], 4000);               // 0.96 degree from the vertical
+    EXPECT_EQ(angles_of(89.04, -120.0)[0], 8904);
     EXPECT_EQ(angles_of(90.0, 0.0), (Row{9000, 4000, 9000}));
-    EXPECT_EQ(angles_of(88.8, -120.0)[1], -12000);  // 1.2 degrees
+    EXPECT_EQ(angles_of(88.96, -120.0)[1], -12000);  // 1.04 degrees
     EXPECT_EQ(angles_of(-90.0, 0.0), (Row{-9000, -12000, 9000}));
 }
 

@@ -97,6 +97,10 @@ TEST_F(Ax060805Errors, TheGraverConditionIsTheFigureOfMerit) {
     pass(100);  // the input filter needs its time to lose 1 g
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
+    fail_accelerometer();  // all three
+    EXPECT_EQ(read(0x4020), 2U);
+    fail_accelerometer(false);
+    EXPECT_EQ(read(0x4020), 1U);
     heat(30.0F);
     EXPECT_EQ(read(0x4020), 1U);
     fail_accelerometer();

@@ -229,7 +229,7 @@ TEST_F(Network, SlewRateIsSetAtOnce) {
 }
 
 TEST_F(Network, SlewRateFollowsTheBitRate) {
-    verifies<req::INC_SLEW_002, req::INC_T_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
+    verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
     configure_lss();
     for (std::size_t index = 0; index < fast.size(); ++index) {
