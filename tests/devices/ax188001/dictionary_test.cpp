@@ -27,6 +27,90 @@ TEST_F(Ax188001Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
     EXPECT_EQ(found, objects);
 }
 
+TEST_F(Ax188001Dictionary, EachEntryHasTheLengthOfItsType) {
+    verifies<req::TCS_OD_1000, req::TCS_OD_1001, req::TCS_OD_1002, req::TCS_OD_1003, req::TCS_OD_100C, req::TCS_OD_100D,
+             req::TCS_OD_1010, req::TCS_OD_1011, req::TCS_OD_1016, req::TCS_OD_1017, req::TCS_OD_1018, req::TCS_OD_1020,
+             req::TCS_OD_1029, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1600,
+             req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802,
+             req::TCS_OD_1803, req::TCS_OD_1A00, req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03, req::TCS_OD_2000,
+             req::TCS_OD_2010, req::TCS_OD_2020, req::TCS_OD_2100, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127,
+             req::TCS_OD_2130, req::TCS_OD_3100, req::TCS_OD_3126, req::TCS_OD_3127, req::TCS_OD_3130, req::TCS_OD_4000,
+             req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_OD_5040, req::TCS_OD_5041, req::TCS_OD_5042,
+             req::TCS_OD_5050, req::TCS_OD_5051, req::TCS_OD_5555, req::TCS_OD_5556, req::TCS_OD_6100, req::TCS_OD_6110,
+             req::TCS_OD_6112, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_6150, req::TCS_OD_7130>();
+    struct Object {
+        int index;
+        std::vector<int> bytes;  // of sub-index 0, 1, …
+    };
+    const std::vector<Object> objects{{0x1000, {4}},
+                                      {0x1001, {1}},
+                                      {0x1002, {4}},
+                                      {0x1003, {1, 4, 4, 4, 4, 4, 4, 4, 4, 4}},
+                                      {0x100C, {2}},
+                                      {0x100D, {1}},
+                                      {0x1010, {1, 4, 4, 4, 4}},
+                                      {0x1011, {1, 4, 4, 4, 4}},
+                                      {0x1016, {1, 4, 4, 4, 4}},
+                                      {0x1017, {2}},
+                                      {0x1018, {1, 4, 4, 4, 4}},
+                                      {0x1020, {1, 4, 4}},
+                                      {0x1029, {1, 1, 1, 1}},
+                                      {0x1400, {1, 4, 1, 2, 1, 2}},
+                                      {0x1401, {1, 4, 1, 2, 1, 2}},
+                                      {0x1402, {1, 4, 1, 2, 1, 2}},
+                                      {0x1403, {1, 4, 1, 2, 1, 2}},
+                                      {0x1600, {1, 4, 4, 4, 4}},
+                                      {0x1601, {1, 4, 4, 4, 4}},
+                                      {0x1602, {1, 4, 4, 4, 4}},
+                                      {0x1603, {1, 4, 4, 4, 4}},
+                                      {0x1800, {1, 4, 1, 2, 1, 2}},
+                                      {0x1801, {1, 4, 1, 2, 1, 2}},
+                                      {0x1802, {1, 4, 1, 2, 1, 2}},
+                                      {0x1803, {1, 4, 1, 2, 1, 2}},
+                                      {0x1A00, {1, 4, 4, 4, 4}},
+                                      {0x1A01, {1, 4, 4, 4, 4}},
+                                      {0x1A02, {1, 4, 4, 4, 4}},
+                                      {0x1A03, {1, 4, 4, 4, 4}},
+                                      {0x2000, {1, 1, 1}},
+                                      {0x2010, {1, 4, 4}},
+                                      {0x2020, {1}},
+                                      {0x2100, {4}},
+                                      {0x2112, {1}},
+                                      {0x2126, {4}},
+                                      {0x2127, {4}},
+                                      {0x2130, {2}},
+                                      {0x3100, {4}},
+                                      {0x3126, {4}},
+                                      {0x3127, {4}},
+                                      {0x3130, {2}},
+                                      {0x4000, {1, 2, 2}},
+                                      {0x4010, {1, 2, 2}},
+                                      {0x4020, {1, 2, 2}},
+                                      {0x4030, {1, 2, 2}},
+                                      {0x5040, {1, 4, 4}},
+                                      {0x5041, {1, 2, 2, 2}},
+                                      {0x5042, {1, 2, 2, 2}},
+                                      {0x5050, {1, 1, 1}},
+                                      {0x5051, {1, 2, 2}},
+                                      {0x5555, {1}},
+                                      {0x5556, {2}},
+                                      {0x6100, {1, 4, 4}},
+                                      {0x6110, {1, 2, 2}},
+                                      {0x6112, {1, 1, 1}},
+                                      {0x6126, {1, 4, 4}},
+                                      {0x6127, {1, 4, 4}},
+                                      {0x6150, {1, 1, 1}},
+                                      {0x7130, {1, 2, 2}}};
+    for (const auto& object : objects) {
+        for (int sub = 0; sub < static_cast<int>(object.bytes.size()); ++sub) {
+            EXPECT_EQ(read(object.index, sub).size, object.bytes[static_cast<std::size_t>(sub)])
+                << fmt::format("{:04X}:{}", object.index, sub);
+        }
+        EXPECT_EQ(read(object.index, static_cast<int>(object.bytes.size())).abort, no_subindex)
+            << fmt::format("{:04X}", object.index);
+    }
+}
+
 TEST_F(Ax188001Dictionary, SaysWhatItIs) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1002, req::TCS_OD_1018, req::TCS_OD_1020>();
     EXPECT_EQ(read(0x1000).value, 0x00020194U);

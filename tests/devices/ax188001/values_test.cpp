@@ -239,6 +239,29 @@ TEST_F(Values, AnyVoltageIsReadWithin1500Milliseconds) {
     EXPECT_EQ(device->outputs().tc_gain[1], 128);
 }
 
+TEST_F(Values, FullScalesOfTheThreeGains) {
+    verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
+    write(0x2000, 1, 1, 0);
+    const auto gain_at = [&](double uv) {
+        microvolts(1, uv);
+        settle();
+        return static_cast<int>(device->outputs().tc_gain[0]);
+    };
+    EXPECT_EQ(gain_at(19531.0), 128);  // full scale 19531.25
+    EXPECT_EQ(gain_at(19531.5), 64);
+    EXPECT_EQ(gain_at(39062.0), 64);  // 39062.5
+    EXPECT_EQ(gain_at(39063.0), 32);
+    EXPECT_EQ(gain_at(78124.0), 32);  // 78125
+    EXPECT_NEAR(read(0x2010, 1).value, 78124, 2);
+    EXPECT_EQ(gain_at(78126.0), 32);
+    EXPECT_EQ(process_value(1), -512);
+    EXPECT_EQ(gain_at(35157.0), 32);  // 90 % of 39062.5 is 35156.25
+    EXPECT_EQ(gain_at(35156.0), 64);
+    EXPECT_EQ(gain_at(17579.0), 64);  // 90 % of 19531.25 is 17578.125
+    EXPECT_EQ(gain_at(17578.0), 128);
+    EXPECT_EQ(gain_at(-39063.0), 32);
+}
+
 TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
              req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS>();
