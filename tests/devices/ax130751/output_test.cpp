@@ -280,6 +280,23 @@ TEST_F(Ax130751Output, UpIsARisingFieldValueAlsoWithAnInverseSlope) {
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
 }
 
+TEST_F(Ax130751Output, TheSpanOfARampIsTheDistanceOfTheScalings) {
+    verifies<req::AOR_OUT_012>();
+    make(10);
+    set16(0x7321, 1, 2000);
+    set16(0x7323, 1, 4000);
+    set16(0x2330, 1, 1000);
+    set8(0x2342, 1, 1);
+    set16(0x7320, 1, 100);  // 0 is below: OFF
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    command(1, 5000);
+    pass(500);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V a second, also below the 2 V of scaling 1
+    pass(1500);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F);
+}
+
 TEST_F(Ax130751Output, RespondsWithinTenMilliseconds) {
     verifies<req::AOR_OUT_002, req::AOR_K_CYCLE>();
     start();
