@@ -1,4 +1,5 @@
 // Raw CAN sockets of Linux; the interface's controller through libsocketcan.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <libsocketcan.h>
 #include <linux/can/error.h>
@@ -52,6 +53,32 @@ void read_control(msghdr& message, CanReception& got) {
         }
     }
 }
+
+/// libsocketcan prints what it does not find, such as the bit rate of a vcan; what matters is told by the bus.
+class Hush {
+  public:
+    Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {
+        if (kept_ >= 0 && nowhere_ >= 0) {
+            dup2(nowhere_, STDERR_FILENO);
+        }
+    }
+    ~Hush() {
+        if (kept_ >= 0 && nowhere_ >= 0) {
+            dup2(kept_, STDERR_FILENO);
+        }
+        for (const int descriptor : {kept_, nowhere_}) {
+            if (descriptor >= 0) {
+                ::close(descriptor);
+            }
+        }
+    }
+    Hush(const Hush&) = delete;
+    Hush& operator=(const Hush&) = delete;
+
+  private:
+    int kept_;
+    int nowhere_;
+};
 
 class LinuxCanSystem final : public CanSystem {
   public:
@@ -120,6 +147,7 @@ class LinuxCanSystem final : public CanSystem {
     }
 
     std::uint32_t bit_rate(const std::string& interface) override {
+        const Hush hush;
         can_bittiming timing{};
         return can_get_bittiming(interface.c_str(), &timing) == 0 ? timing.bitrate : 0U;
     }
@@ -129,6 +157,7 @@ class LinuxCanSystem final : public CanSystem {
         if (present == 0 || present == wanted) {
             return {present == wanted, present == wanted ? "" : fmt::format("{} has no bit rate to be set", interface)};
         }
+        const Hush hush;
         if (can_do_stop(interface.c_str()) != 0) {
             return {false, fmt::format("{} could not be taken down; this takes the right CAP_NET_ADMIN", interface)};
         }
@@ -139,7 +168,10 @@ class LinuxCanSystem final : public CanSystem {
                                        : fmt::format("{} takes no such bit rate", interface)};
     }
 
-    bool restart(const std::string& interface) override { return can_do_restart(interface.c_str()) == 0; }
+    bool restart(const std::string& interface) override {
+        const Hush hush;
+        return can_do_restart(interface.c_str()) == 0;
+    }
 
     std::uint64_t realtime_ns() override {
         timespec now{};
