@@ -153,12 +153,12 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAStillMachineReadZero, ()) {
 RC_GTEST_PROP(AngleRangeLaw, EverySpanHoldsItsAnglesAndAWholeTurnLosesNone, ()) {
     verifies<req::INC_RANGE_001>("property");
     const auto given = static_cast<float>(angle(180));
-    const float full = in_span(given, {0.0F, 360.0F});
-    const float right = in_span(given, {0.0F, 90.0F});
+    const float full = in_span(given, {0, 360});
+    const float right = in_span(given, {0, 90});
     RC_ASSERT(full >= 0.0F && full < 360.0F);
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
-    RC_ASSERT(in_span(given, {-180.0F, 180.0F}) == given);
+    RC_ASSERT(in_span(given, {-180, 180}) == given);
     // The distance from the level: the sine does not see the side or the fold.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }

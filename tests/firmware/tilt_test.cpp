@@ -38,7 +38,7 @@ const std::vector<Case> cases{
     {"upside down, nose down 30", {0.5F, 0.0F, -half_root_3}, {-150.0F, 180.0F}, 150.0F, {-30.0F, 180.0F}},
     {"upside down, rolled left", {0.0F, -0.5F, -half_root_3}, {180.0F, -150.0F}, 150.0F, {0.0F, -150.0F}},
     {"upside down, rolled right", {0.0F, 0.5F, -half_root_3}, {180.0F, 150.0F}, 150.0F, {0.0F, 150.0F}},
-    {"on its right side", {0.0F, 1.0F, 0.0F}, {0.0F, 90.0F}, 90.0F, {0.0F, 90.0F}},
+    {"on its right side", {0.0F, 1.0F, 0.0F}, {0, 90}, 90.0F, {0, 90}},
     {"on its left side", {0.0F, -1.0F, 0.0F}, {0.0F, -90.0F}, 90.0F, {0.0F, -90.0F}},
     {"nose straight up", {-1.0F, 0.0F, 0.0F}, {90.0F, 0.0F}, 90.0F, {90.0F, 0.0F}},
     {"nose straight down", {1.0F, 0.0F, 0.0F}, {-90.0F, 0.0F}, 90.0F, {-90.0F, 0.0F}},
@@ -118,13 +118,13 @@ TEST(Tilt, RollIsUndoneBeforePitch) {
 TEST(AngleRange, HalfTurnsAreGivenAsTheyAre) {
     verifies<req::INC_RANGE_001>();
     for (const float angle : {-180.0F, -90.0F, -0.25F, 0.0F, 135.0F, 180.0F}) {
-        EXPECT_EQ(in_span(angle, {-180.0F, 180.0F}), angle);
+        EXPECT_EQ(in_span(angle, {-180, 180}), angle);
     }
 }
 
 TEST(AngleRange, FullTurnAdds360ToNegativeAngles) {
     verifies<req::INC_RANGE_001>();
-    const AngleSpan full{0.0F, 360.0F};
+    const AngleSpan full{0, 360};
     EXPECT_EQ(in_span(0.0F, full), 0.0F);
     EXPECT_EQ(in_span(90.0F, full), 90.0F);
     EXPECT_EQ(in_span(180.0F, full), 180.0F);
@@ -136,7 +136,7 @@ TEST(AngleRange, FullTurnAdds360ToNegativeAngles) {
 
 TEST(AngleRange, RightAngleFoldsBothSidesAndTheBack) {
     verifies<req::INC_RANGE_001>();
-    const AngleSpan right{0.0F, 90.0F};
+    const AngleSpan right{0, 90};
     EXPECT_EQ(in_span(30.0F, right), 30.0F);
     EXPECT_EQ(in_span(-30.0F, right), 30.0F);
     EXPECT_EQ(in_span(90.0F, right), 90.0F);

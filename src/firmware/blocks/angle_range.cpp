@@ -6,18 +6,20 @@ namespace canproof {
 
 namespace {
 
-constexpr float full_turn = 360.0F;
+constexpr std::int32_t full_turn = 360;
 
 }  // namespace
 
 float in_span(const float degrees, const AngleSpan& span) noexcept {
-    if ((span.upper - span.lower) < full_turn) {
+    const float lower = static_cast<float>(span.lower);
+    const float upper = static_cast<float>(span.upper);
+    if ((static_cast<std::int32_t>(span.upper) - span.lower) != full_turn) {
         const float distance = std::fabs(degrees);
-        return std::fmax(span.lower, (distance > span.upper) ? ((2.0F * span.upper) - distance) : distance);
+        return std::fmax(lower, (distance > upper) ? ((2.0F * upper) - distance) : distance);
     }
-    if (degrees < span.lower) {
-        const float turned = degrees + full_turn;
-        return (turned < span.upper) ? turned : span.lower;  // an angle just below 0 can round up to 360
+    if (degrees < lower) {
+        const float turned = degrees + static_cast<float>(full_turn);
+        return (turned < upper) ? turned : lower;  // an angle just below 0 can round up to 360
     }
     return degrees;
 }

@@ -232,7 +232,7 @@ static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && imple
 void Device::restart(const Instant now) {
     const auto* const range = own::t_inc_t8::find(factory_.range);
     if (range != nullptr) {
-        span_ = AngleSpan{static_cast<float>(range->lower), static_cast<float>(range->upper)};
+        span_ = AngleSpan{range->lower, range->upper};
     }
     received_.fill(false);
     results_.fill(undefined_signal());

@@ -146,6 +146,8 @@ TEST_F(Parameters, EverySubIndexHasItsLimits) {
     verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5550,
              req::INC_OD_5555, req::INC_T1, req::INC_T4, req::INC_T9, req::INC_T10>();
     verifies_every_function();
+    EXPECT_EQ(refusal(0x5550, 0, 2, 1), "06090030");
+    EXPECT_EQ(refusal(0x5555, 0, 2, 1), "06090030");
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
         const std::uint32_t before = read(index, sub);
         for (const std::uint32_t value : limits.too_low) {
