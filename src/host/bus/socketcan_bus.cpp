@@ -181,6 +181,9 @@ void SocketCanBus::take(const Arrival& arrival) {
     }
     const Frame frame = from_kernel(arrival.frame);
     if (port.node == nullptr) {
+        if (arrival.lost_before) {
+            notice(fmt::format("{}: frames came faster than they were read; the log lacks some", interface_));
+        }
         count(frame, arrival.time);
         const Sender sender = own_.match(frame, Sender{});
         if (sender.node != nullptr) {

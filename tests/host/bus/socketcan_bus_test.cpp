@@ -244,6 +244,16 @@ TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
     EXPECT_THAT(a.overruns, ElementsAre(true, false, true, false));
 }
 
+TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
+    start();
+    system.arrive(monitor, "603#40", system.realtime_us);
+    step(10);
+    EXPECT_THAT(notices, IsEmpty());
+    system.arrive(monitor, "603#40", system.realtime_us, 3);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0: frames came faster than they were read; the log lacks some"));
+}
+
 TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {
     start();
     system.up = false;
