@@ -437,6 +437,9 @@ TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
     pass(5);
     EXPECT_EQ(real(0x5020), 70.0F);
     EXPECT_EQ(real(0x5030), 150.0F);
+    power_on();  // nothing was measured yet
+    EXPECT_EQ(real(0x5020), 0.0F);
+    EXPECT_EQ(real(0x5030), 0.0F);
 }
 
 }  // namespace canproof::test
