@@ -109,6 +109,12 @@ constexpr float reversed_if(const bool reversed, const float value) noexcept {
     return reversed ? -value : value;
 }
 
+/// 30x0h to 30x5h of one of the ten functions.
+constexpr bool is_function_input(const std::uint16_t index) noexcept {
+    constexpr std::size_t behind = first_function_index + (function_count * function_index_step);
+    return (index >= first_function_index) && (index < behind);
+}
+
 /// How far `signal` stands behind `first` in Table 1; large when it stands before.
 constexpr std::size_t distance(const own::t_inc_t1::Signal first, const own::t_inc_t1::Signal signal) noexcept {
     return static_cast<std::size_t>(signal) - static_cast<std::size_t>(first);
@@ -180,9 +186,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             received_[entry.row->subindex - 1U] = true;
             break;
         case auto_null_index:
-            null_angles();
-            take_settings();
-            restart_filters(now);
+            obey_auto_null(now);
             break;
         case filter_type_index:
         case filter_constant_index:
@@ -195,10 +199,16 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             take_settings();
             restart_filters(now);
             break;
+        case function_operation_index:
+        case function_scaling_index:
+        case function_offset_index:
+            take_function(entry.row->subindex - 1U);
+            break;
         default:
-            take_settings();
-            for (std::size_t function = 0U; function < function_count; ++function) {
-                take_function(function);
+            if (is_function_input(entry.index)) {
+                take_function(static_cast<std::size_t>(entry.index - first_function_index) / function_index_step);
+            } else {
+                take_settings();
             }
             break;
     }
@@ -480,13 +490,16 @@ void Device::take_function(const std::size_t function) noexcept {
 }
 
 static_assert(implements<req::INC_INSTALL_003> && implements<req::INC_INSTALL_006>);
-void Device::null_angles() noexcept {
+void Device::obey_auto_null(const Instant now) noexcept {
     const auto angles = inclination_.nulling_angles(settings_);
-    if ((objects_.get(field::o2300_auto_null_command) != 0U) && angles.has_value()) {
+    const bool commanded = objects_.get(field::o2300_auto_null_command) != 0U;
+    objects_.set(field::o2300_auto_null_command, std::uint8_t{0U});
+    if (commanded && angles.has_value()) {
         objects_.set(field::o2200_initial_pitch_angle, angles->pitch);
         objects_.set(field::o2210_initial_roll_angle, angles->roll);
+        take_settings();
+        restart_filters(now);
     }
-    objects_.set(field::o2300_auto_null_command, std::uint8_t{0U});
 }
 
 void Device::drive_slew_rate() noexcept {

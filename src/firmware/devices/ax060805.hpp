@@ -81,7 +81,7 @@ class Device final : private Application {
     void restart_filters(Instant now) noexcept;
     void restart_filter(std::size_t angle) noexcept;
     void take_function(std::size_t function) noexcept;
-    void null_angles() noexcept;
+    void obey_auto_null(Instant now) noexcept;
     void drive_slew_rate() noexcept;
 
     Signal signal_of(std::uint8_t source) const noexcept;

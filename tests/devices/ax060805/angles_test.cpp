@@ -186,6 +186,12 @@ TEST_F(Angles, AutoNullMeasuresTheUnitNotTheMachine) {
 
 TEST_F(Angles, Writing0To2300hDoesNothing) {
     verifies<req::INC_INSTALL_003, req::INC_OD_2300>();
+    write(0x2050, 2, 1, 1);
+    angles_of(0.0, 40.0);
+    pass(5);
+    EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
+    write(0x2300, 0, 0, 1);
+    EXPECT_EQ(roll(), 2000);  // the average goes on
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);
