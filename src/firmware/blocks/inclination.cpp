@@ -7,7 +7,7 @@ namespace canproof {
 
 static_assert(implements<req::INC_INSTALL_007> && implements<req::INC_FILTER_002> && implements<req::INC_FILTER_005>);
 void Inclination::sample(const Vector3& acceleration, const InclinationSettings& settings) noexcept {
-    filter_.update(undo_rotation(acceleration, settings.calibration), settings.filter_share);
+    static_cast<void>(filter_.update(undo_rotation(acceleration, settings.calibration), settings.filter_share));
     measuring_ = true;
     update(settings);
 }

@@ -18,7 +18,7 @@ bool is_allowed(const NmtService service, const NmtState state) noexcept {
 AllowedServices::AllowedServices(const NmtState state) noexcept {
     for (const services::Row& row : services::rows) {
         if (is_allowed(row.service, state)) {
-            bits_ = static_cast<std::uint8_t>(bits_ | (1U << static_cast<unsigned>(row.service)));
+            bits_ = static_cast<std::uint8_t>(bits_ | (1U << static_cast<std::uint32_t>(row.service)));
         }
     }
 }

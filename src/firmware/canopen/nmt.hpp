@@ -22,7 +22,9 @@ class AllowedServices {
     constexpr AllowedServices() noexcept = default;
     explicit AllowedServices(NmtState state) noexcept;
 
-    bool has(const NmtService service) const noexcept { return ((bits_ >> static_cast<unsigned>(service)) & 1U) != 0U; }
+    bool has(const NmtService service) const noexcept {
+        return ((bits_ >> static_cast<std::uint32_t>(service)) & 1U) != 0U;
+    }
 
   private:
     std::uint8_t bits_{0U};
