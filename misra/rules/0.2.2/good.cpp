@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+int one(const int value, const int) { return value; }

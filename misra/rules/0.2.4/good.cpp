@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+namespace {
+int called() { return 1; }
+}  // namespace
+int other() { return called(); }

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+int sum() {
+    int one = 1, two = 2;  // flagged
+    return one + two;
+}

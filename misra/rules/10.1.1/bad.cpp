@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+int read(int* place) {  // flagged
+    return *place;
+}

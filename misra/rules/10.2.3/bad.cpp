@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+enum Colour { red, blue };  // flagged
+int next(const Colour colour) { return colour + 1; }

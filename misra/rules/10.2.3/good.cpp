@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+enum class Colour : unsigned char { red, blue };
+bool first(const Colour colour) { return colour == Colour::red; }

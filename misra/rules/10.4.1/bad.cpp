@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+void idle() {
+    asm("nop");  // flagged
+}

@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+int read(const int*** place);  // flagged

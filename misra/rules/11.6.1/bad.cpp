@@ -1,0 +1,6 @@
+// Each marked line must be flagged.
+int late(const bool set) {
+    int value;  // flagged
+    value = set ? 1 : 2;
+    return value;
+}

@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+int early(const bool set) {
+    const int value{set ? 1 : 2};
+    return value;
+}

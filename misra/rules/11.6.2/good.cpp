@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+int set() {
+    const int value{3};
+    return value;
+}

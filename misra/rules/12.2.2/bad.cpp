@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+struct Flags {
+    char letter : 4;  // flagged
+};

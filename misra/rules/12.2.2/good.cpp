@@ -1,0 +1,4 @@
+// Nothing here may be flagged.
+struct Flags {
+    char letter;
+};

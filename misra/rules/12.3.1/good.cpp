@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Both {
+    int whole;
+    float real;
+};

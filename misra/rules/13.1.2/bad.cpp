@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+struct Base {};
+struct One : virtual Base {};  // flagged
+struct Two : Base {};
+struct Both : One, Two {};

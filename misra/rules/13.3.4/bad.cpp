@@ -1,0 +1,8 @@
+// Each marked line must be flagged.
+struct Base {
+    virtual void read();
+    virtual void write();
+};
+bool same(void (Base::*call)()) {
+    return call == &Base::read;  // flagged
+}

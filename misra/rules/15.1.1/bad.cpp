@@ -1,0 +1,7 @@
+// Each marked line must be flagged.
+class Base {
+  public:
+    Base() { start(); }  // flagged
+    virtual void start();
+};
+void make() { const Base base{}; }

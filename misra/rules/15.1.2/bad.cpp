@@ -1,0 +1,8 @@
+// Each marked line must be flagged.
+struct Base {
+    Base();
+};
+struct Derived : Base {
+    explicit Derived(int value) : kept{value} {}  // flagged
+    int kept;
+};

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+struct Count {
+    Count(int value);      // flagged
+    operator int() const;  // flagged
+};

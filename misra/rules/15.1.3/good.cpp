@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Count {
+    explicit Count(int value);
+    explicit operator int() const;
+};

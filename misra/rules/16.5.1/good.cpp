@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Flag {
+    bool set;
+};
+bool operator==(const Flag& one, const Flag& other);

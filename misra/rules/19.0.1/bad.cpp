@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#if 0
+#elsif 1  // flagged
+#endif
+int now();

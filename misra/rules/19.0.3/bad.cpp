@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+int now();
+#include <cstddef>  // flagged
+std::size_t size();

@@ -1,0 +1,4 @@
+// Nothing here may be flagged.
+// A comment may come first.
+#include <cstddef>
+std::size_t size();

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#undef NULL  // flagged
+int now();

@@ -1,0 +1,4 @@
+// Nothing here may be flagged.
+#if defined(HERE)
+#endif
+int now();

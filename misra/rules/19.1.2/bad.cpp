@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+#if 1    // flagged
+#endif   // flagged
+int now();

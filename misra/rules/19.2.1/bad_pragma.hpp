@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#pragma once  // flagged
+int now();

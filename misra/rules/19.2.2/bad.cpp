@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+#define HEADER <cstddef>
+#include HEADER  // flagged
+std::size_t now();

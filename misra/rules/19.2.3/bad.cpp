@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#if 0
+#include "sub\dir.hpp"  // flagged
+#endif
+int now();

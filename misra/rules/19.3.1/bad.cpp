@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#define NAME(value) #value  // flagged
+const char* now() { return NAME(word); }

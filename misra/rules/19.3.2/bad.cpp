@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#define NAME(one, two) #one##two  // flagged
+int now();

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#define BOTH(value) (value) + value##1  // flagged
+int now();

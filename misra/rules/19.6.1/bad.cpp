@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#pragma GCC optimize("O0")  // flagged
+int now();

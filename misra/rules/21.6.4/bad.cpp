@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+void operator delete(void* place) noexcept;  // flagged

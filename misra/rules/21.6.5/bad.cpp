@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+struct Unknown;
+void drop(Unknown* const place) {
+    delete place;  // flagged
+}

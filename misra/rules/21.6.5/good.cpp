@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+struct Unknown;
+void keep(Unknown* place);

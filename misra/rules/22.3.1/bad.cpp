@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cassert>
+void check() {
+    assert(sizeof(int) == 4U);  // flagged
+}

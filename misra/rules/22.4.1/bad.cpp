@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cerrno>
+void spoil() {
+    errno = 3;  // flagged
+}

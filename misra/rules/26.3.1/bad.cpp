@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <vector>
+bool first(const std::vector<bool>& row) {  // flagged
+    return row.front();
+}

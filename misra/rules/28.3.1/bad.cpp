@@ -1,0 +1,10 @@
+// Each marked line must be flagged.
+#include <algorithm>
+#include <array>
+bool third(const std::array<int, 4>& row) {
+    int seen{0};
+    return std::any_of(row.begin(), row.end(), [seen](const int) mutable {  // flagged
+        ++seen;
+        return seen == 3;
+    });
+}

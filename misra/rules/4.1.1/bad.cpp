@@ -1,0 +1,11 @@
+// Each marked line must be flagged.
+struct Point {
+    int x;
+    int y;
+};
+Point corner() {
+    return Point{.x = 1, .y = 2};  // flagged
+}
+int shorter(const int value) {
+    return value ?: 3;  // flagged
+}

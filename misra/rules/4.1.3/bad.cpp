@@ -1,0 +1,14 @@
+// Each marked line must be flagged.
+int shares(const int value) {
+    return value / 0;  // flagged
+}
+unsigned shifted(const unsigned value) {
+    return value << 40U;  // flagged
+}
+int follow(const bool set, const int& other) {
+    const int* place = nullptr;
+    if (set) {
+        place = &other;
+    }
+    return *place;  // flagged
+}

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+int shares(const int value, const int by) { return (by == 0) ? 0 : (value / by); }
+int follow(const int* const place) { return (place == nullptr) ? 0 : *place; }

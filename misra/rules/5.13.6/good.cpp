@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+long long big() { return 12345678998LL; }

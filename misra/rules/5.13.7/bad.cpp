@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+const char16_t* name() {
+    return "a" u"b";  // flagged
+}

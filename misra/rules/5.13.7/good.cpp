@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+const char16_t* name() { return u"ab"; }

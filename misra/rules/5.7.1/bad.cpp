@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+/* outer
+   /* inner // flagged
+*/
+int after();

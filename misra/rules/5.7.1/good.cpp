@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+/* outer */
+int after();

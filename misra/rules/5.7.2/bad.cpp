@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+int now() {
+    // return 3;  // flagged
+    return 4;
+}

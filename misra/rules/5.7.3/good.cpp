@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+// A path a\b within a comment is no joint.
+int later();

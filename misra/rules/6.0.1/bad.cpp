@@ -1,0 +1,6 @@
+// Each marked line must be flagged.
+struct Lock {};
+int held() {
+    Lock lock();  // flagged
+    return 3;
+}

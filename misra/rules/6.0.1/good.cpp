@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+struct Lock {};
+int held() {
+    const Lock lock{};
+    static_cast<void>(lock);
+    return 3;
+}

@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+extern int row[];  // flagged

@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+int everywhere();  // flagged

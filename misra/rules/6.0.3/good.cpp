@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+namespace own {
+int within();
+}
+int main() { return own::within(); }

@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+namespace own {
+int main();  // flagged
+}

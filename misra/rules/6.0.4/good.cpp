@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+namespace own {
+int begin();
+}
+int main() { return own::begin(); }

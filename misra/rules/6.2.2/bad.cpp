@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+extern short shared_count;  // flagged

@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+int twice(const int value) { return 2 * value; }  // flagged
+int counter = 0;                                  // flagged

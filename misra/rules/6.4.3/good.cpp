@@ -1,0 +1,9 @@
+// Nothing here may be flagged.
+struct Base {
+    int read();
+};
+template <typename T>
+struct Held {
+    Base base;
+    T value;
+};

@@ -1,0 +1,2 @@
+// Each marked line must be flagged.
+int helper() { return 1; }  // flagged

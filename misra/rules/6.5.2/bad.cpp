@@ -1,0 +1,3 @@
+// Each marked line must be flagged.
+static int helper() { return 1; }  // flagged
+static int count{helper()};        // flagged

@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+namespace {
+int helper() { return 1; }
+}  // namespace
+struct Row {
+    static int first() { return helper(); }
+};

@@ -1,0 +1,6 @@
+// Each marked line must be flagged.
+int next() {
+    static int count{0};  // flagged
+    ++count;
+    return count;
+}

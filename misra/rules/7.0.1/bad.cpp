@@ -1,0 +1,7 @@
+// Each marked line must be flagged.
+int as_number(const bool set) {
+    return set;  // flagged
+}
+int as_number_too(const bool set) {
+    return static_cast<int>(set);  // flagged
+}

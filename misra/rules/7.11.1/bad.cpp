@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+const int* nothing() {
+    return 0;  // flagged
+}

@@ -1,0 +1,6 @@
+// Each marked line must be flagged.
+int work();
+using Work = int (*)();
+Work choose() {
+    return work;  // flagged
+}

@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+int work();
+using Work = int (*)();
+Work choose() { return &work; }
+int call() { return work(); }

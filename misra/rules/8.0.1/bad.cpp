@@ -1,0 +1,7 @@
+// Each marked line must be flagged.
+int sum(const int one, const int two, const int three) {
+    return one + two * three;  // flagged
+}
+bool either(const bool one, const bool two, const bool three) {
+    return one || two && three;  // flagged
+}

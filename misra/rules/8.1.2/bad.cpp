@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+int read(const int value) {
+    const auto get = [&] { return value + 1; };  // flagged
+    return get();
+}

@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+void chain(int& one, int& other) {
+    other = 3;
+    one = other;
+}

@@ -1,0 +1,6 @@
+// Each marked line must be flagged.
+struct Base {
+    virtual ~Base();
+};
+struct Derived : virtual Base {  // flagged
+};

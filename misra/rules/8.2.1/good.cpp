@@ -1,0 +1,5 @@
+// Nothing here may be flagged.
+struct Base {
+    virtual ~Base();
+};
+struct Derived : Base {};

@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+int whole(const double value) { return static_cast<int>(value); }
+long wide(const int value) { return long{value}; }

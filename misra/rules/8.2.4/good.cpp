@@ -1,0 +1,3 @@
+// Nothing here may be flagged.
+using One = int (*)();
+One keep(const One one) { return one; }

@@ -1,0 +1,5 @@
+// Each marked line must be flagged.
+#include <cstdint>
+std::uintptr_t address(const int* const place) {
+    return reinterpret_cast<std::uintptr_t>(place);  // flagged
+}

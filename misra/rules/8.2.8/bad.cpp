@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+unsigned long long address(const int* const place) {
+    return reinterpret_cast<unsigned long long>(place);  // flagged
+}

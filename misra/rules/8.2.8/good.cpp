@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+const int* same(const int* const place) { return place; }

@@ -1,0 +1,8 @@
+// Each marked line must be flagged.
+#include <typeinfo>
+struct Base {
+    virtual ~Base();
+};
+bool same(Base& one, Base& other) {
+    return typeid(one) == typeid(other);  // flagged
+}

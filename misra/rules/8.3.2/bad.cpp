@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+int same(const int value) {
+    return +value;  // flagged
+}

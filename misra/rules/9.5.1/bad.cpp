@@ -1,0 +1,9 @@
+// Each marked line must be flagged.
+int sum(int value) {
+    for (; value < 3; ++value) {  // flagged
+    }
+    for (int i = 1; i < 64; i *= 2) {  // flagged
+        value += i;
+    }
+    return value;
+}

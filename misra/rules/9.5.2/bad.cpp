@@ -1,0 +1,13 @@
+// Each marked line must be flagged.
+#include <array>
+struct Row {
+    std::array<int, 3> cells() const;
+};
+Row row();
+int sum() {
+    int total{0};
+    for (const int cell : row().cells()) {  // flagged
+        total += cell;
+    }
+    return total;
+}

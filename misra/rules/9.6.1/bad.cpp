@@ -1,0 +1,9 @@
+// Each marked line must be flagged.
+int leave(const int value) {
+    if (value > 3) {
+        goto end;  // flagged
+    }
+    return value;
+end:
+    return 3;
+}

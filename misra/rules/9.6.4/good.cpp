@@ -1,0 +1,7 @@
+// Nothing here may be flagged.
+[[noreturn]] void stop();
+void go(const bool now) {
+    if (now) {
+        stop();
+    }
+}

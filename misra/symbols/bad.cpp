@@ -1,0 +1,15 @@
+// Needs what the firmware library must not: the heap, exceptions, run-time type information.
+struct Base {
+    virtual int read();
+};
+struct Derived : Base {
+    int kept;
+};
+
+int use(Base* const base) {
+    if (base == nullptr) {
+        throw 3;
+    }
+    const auto* const derived = dynamic_cast<Derived*>(base);
+    return (derived == nullptr) ? *new int(4) : derived->kept;
+}
