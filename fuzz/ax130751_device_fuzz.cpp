@@ -89,7 +89,7 @@ class Bench {
             case 4:
                 return supply(data);
             case 5:
-                return send((data[0] | (data[1] << 8U)) & 0x7FFU, data[2] % 8U, data + 3);
+                return send((data[0] + 256U * data[1]) & 0x7FFU, data[2] % 8U, data + 3);
             case 6:
                 return send(0x7E5U, 8, data);
             default:

@@ -985,6 +985,16 @@ TEST_F(Unconfigured, AFastscanThatAResetInterruptsBeginsAnew) {
     EXPECT_FALSE(is_configuring());
 }
 
+TEST_F(Unconfigured, AFastscanGoesOnAfterAVisitToLssConfiguration) {
+    verifies<req::CO_LSS_054>();
+    const Frames yes{"7E4#4F00000000000000"};
+    talk({{"7E5#515F000000000001", yes},
+          {"7E5#0401000000000000", {}},
+          {"7E5#0400000000000000", {}},  // no node-ID was given: nothing is reset
+          {"7E5#515F000000000001", {}},  // the product code is asked for
+          {"7E5#51010302AA000102", yes}});
+}
+
 TEST_F(Unconfigured, FastscanIgnoresWhatDoesNotExist) {
     verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};

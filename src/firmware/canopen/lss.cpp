@@ -124,7 +124,9 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
         static_cast<void>(queue_.push(answer));
     }
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
-    return left && (profile_.resets_when_left() || (active_.node_id == unconfigured_node_id));
+    const bool has_got_node_id =
+        (active_.node_id == unconfigured_node_id) && (pending_.node_id != unconfigured_node_id);
+    return left && (profile_.resets_when_left() || has_got_node_id);
 }
 
 static_assert(implements<req::CO_LSS_005> && implements<req::CO_LSS_006>);
