@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "host/bus/candump.hpp"
@@ -52,11 +53,23 @@ int print_story(const AuditedItem& audited, const Part& part, const Evidence& ev
     return open ? 1 : 0;
 }
 
+/// The names of the SVG files in a folder, in order.
+std::vector<std::string> plots_in(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator{folder}) {
+        if (file.path().extension() == ".svg") {
+            names.push_back(file.path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 void write_page(const std::string& folder, const std::vector<PartAudit>& audits, const Evidence& evidence) {
     std::filesystem::create_directories(folder);
     const auto page = std::filesystem::path{folder} / "index.html";
     std::ofstream out{page};
-    out << write_audit_html(audits, evidence);
+    out << write_audit_html(audits, evidence, plots_in(folder));
     if (!out.flush()) {
         throw InputError{fmt::format("cannot write {}", page.string())};
     }

@@ -38,6 +38,8 @@ const char* const head =
 :root{color-scheme:light dark}body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem}
 h1,h2{line-height:1.2}table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid #8884}
 code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}small{opacity:.75}
+.items{min-width:60rem;table-layout:fixed}.items td{overflow-wrap:anywhere}.items th:nth-child(1){width:15%}.items th:nth-child(2){width:36%}.items th:nth-child(3){width:18%}.items th:nth-child(5){width:6rem}
+figure{margin:1rem 0}figure img{width:100%;background:#fff}
 @media(prefers-color-scheme:dark){.open{color:#f77}.shown{color:#7c7}}@media print{body{max-width:none}}
 </style>
 )";
@@ -77,7 +79,18 @@ std::string decision_row(const Decision& decision) {
         escape(decision.because));
 }
 
-std::string part_section(const PartAudit& audit, const Evidence& evidence) {
+/// The plots of a device: files that begin with its name.
+std::string figures_of(const std::string& device, const std::vector<std::string>& figures) {
+    std::string text;
+    for (const auto& figure : figures) {
+        if (figure.rfind(device + "-", 0) == 0) {
+            text += fmt::format("<figure><img src=\"{0}\" alt=\"{0}\" loading=lazy></figure>\n", escape(figure));
+        }
+    }
+    return text;
+}
+
+std::string part_section(const PartAudit& audit, const Evidence& evidence, const std::vector<std::string>& figures) {
     std::string text = fmt::format("<h2 id=\"{0}\">{0}</h2>\n", audit.part->name);
     const auto shown = std::count_if(audit.items.begin(), audit.items.end(),
                                      [](const AuditedItem& one) { return !one.failed && one.missing.empty(); });
@@ -92,7 +105,8 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence) {
         }
         text += "</ul></details>\n";
     }
-    text += "<div class=wrap><table><tr><th>Item<th>Says<th>Code<th>Tests<th>\n";
+    text += figures_of(audit.part->name, figures);
+    text += "<div class=wrap><table class=items><tr><th>Item<th>Says<th>Code<th>Tests<th>\n";
     for (const auto& item : audit.items) {
         text += item_row(item, evidence);
     }
@@ -114,7 +128,8 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence) {
 
 }  // namespace
 
-std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidence& evidence) {
+std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidence& evidence,
+                             const std::vector<std::string>& figures) {
     std::string text = head;
     std::size_t gaps = 0;
     for (const auto& audit : audits) {
@@ -132,7 +147,7 @@ std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidenc
     }
     text += "</table></div>\n";
     for (const auto& audit : audits) {
-        text += part_section(audit, evidence);
+        text += part_section(audit, evidence, figures);
     }
     return text + "</html>\n";
 }
