@@ -282,6 +282,12 @@ void Node::set_overrun(const bool lost, const Instant now) noexcept {
     emcy_.set(ErrorId::can_overrun, lost, now);
 }
 
+void Node::set_controller(const std::uint8_t state, const bool overrun, const Instant now) noexcept {
+    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
+    set_can_state(static_cast<CanState>((state < worst) ? state : worst), now);
+    set_overrun(overrun, now);
+}
+
 void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (state == can_state_) {
         return;

@@ -104,6 +104,8 @@ class Node final : private ObjectAccess {
     Instant next_deadline() const noexcept;
 
     void set_can_state(CanState state, Instant now) noexcept;
+    /// The CAN controller as a physical input tells of it: `state` numbers CanState, whatever is beyond is bus-off.
+    void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
     /// A frame was lost because the controller or a queue could not take it; false when that has ended.
     void set_overrun(bool lost, Instant now) noexcept;
     /// An error of the device begins or ends.

@@ -4,6 +4,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/count_value.hpp"
+#include "firmware/devices/axiomatic.hpp"
 #include "generated/ax060805/constants.hpp"
 #include "generated/requirements.hpp"
 
@@ -48,17 +49,7 @@ static_assert(implements<req::INC_ERR_002> && implements<req::INC_ERR_003> && im
 static_assert(implements<req::INC_PDO_001> && implements<req::INC_PDO_002> && implements<req::INC_PDO_003> &&
               implements<req::INC_PDO_004> && implements<req::INC_PDO_005> && implements<req::INC_PDO_006> &&
               implements<req::INC_PDO_007> && implements<req::INC_OD_LIST> && implements<req::INC_FILTER_006>);
-constexpr NodeProfile make_profile() noexcept {
-    NodeProfile profile{};
-    profile.limit_abort = LimitAbort::high_low;
-    profile.error_list = ErrorList::active;
-    profile.emcy_content = EmcyContent::detail;
-    profile.stored_node_id = StoredNodeId::follows;
-    profile.lss = LssProfile{bit_rates, true};
-    profile.tpdo_trigger = TpdoTrigger::event_timer;
-    return profile;
-}
-constexpr NodeProfile profile = make_profile();
+constexpr NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId id_of(const own::t_inc_t22::Error error) noexcept {
     using own::t_inc_t22::Error;
@@ -147,10 +138,7 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     measure_due(now);
     inputs_ = inputs;
-    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
-    const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
-    node_.set_can_state(static_cast<CanState>(can), now);
-    node_.set_overrun(inputs.can_overrun, now);
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
 }
 
 void Device::advance(const Instant now) noexcept {

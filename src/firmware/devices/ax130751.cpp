@@ -1,6 +1,7 @@
 #include "firmware/devices/ax130751.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/devices/axiomatic.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/requirements.hpp"
 
@@ -45,17 +46,7 @@ static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && im
               implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
 static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
               implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
-constexpr NodeProfile make_profile() noexcept {
-    NodeProfile profile{};
-    profile.limit_abort = LimitAbort::high_low;
-    profile.error_list = ErrorList::active;
-    profile.emcy_content = EmcyContent::detail;
-    profile.stored_node_id = StoredNodeId::follows;
-    profile.lss = LssProfile{bit_rates, true};
-    profile.tpdo_trigger = TpdoTrigger::event_timer;
-    return profile;
-}
-constexpr NodeProfile profile = make_profile();
+constexpr NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t23::Row& row) noexcept {
     const auto detail = static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
@@ -162,10 +153,7 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     advance(now);
     inputs_ = inputs;
-    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
-    const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
-    node_.set_can_state(static_cast<CanState>(can), now);
-    node_.set_overrun(inputs.can_overrun, now);
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
     wake(now);
 }
 

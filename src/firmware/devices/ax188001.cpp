@@ -2,6 +2,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/nmt.hpp"
+#include "firmware/devices/axiomatic.hpp"
 #include "generated/ax188001/constants.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "generated/canopen/constants.hpp"
@@ -34,17 +35,7 @@ static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && im
               implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
               implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
 /// What the node does for this device, beside its objects.
-constexpr NodeProfile make_profile() noexcept {
-    NodeProfile profile{};
-    profile.limit_abort = LimitAbort::high_low;
-    profile.error_list = ErrorList::active;
-    profile.emcy_content = EmcyContent::detail;
-    profile.stored_node_id = StoredNodeId::follows;
-    profile.lss = LssProfile{bit_rates, true};
-    profile.tpdo_trigger = TpdoTrigger::event_timer;
-    return profile;
-}
-constexpr NodeProfile profile = make_profile();
+constexpr NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
     return error_after(ErrorId::first_of_device, (static_cast<std::size_t>(fault) * channel_count) + channel);
@@ -155,12 +146,9 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
-    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
     advance(now);  // a reading that is due sees what was there before
     inputs_ = inputs;
-    const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
-    node_.set_can_state(static_cast<CanState>(can), now);
-    node_.set_overrun(inputs.can_overrun, now);
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
 }
 
 void Device::advance(const Instant now) noexcept {

@@ -115,10 +115,7 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     if (runs_) {
-        constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
-        const std::uint8_t can = (inputs.can_state < worst) ? inputs.can_state : worst;
-        node_.set_can_state(static_cast<CanState>(can), now);
-        node_.set_overrun(inputs.can_overrun, now);
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);
         watch_internal_fault(now);
         set_failed(communication_failed_, inputs.internal_fault);
     }

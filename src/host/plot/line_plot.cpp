@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/plot/markup.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -18,29 +20,6 @@ constexpr double bottom = 360.0;
 
 // Distinct in colour and in lightness, so that they can be told apart without colour as well.
 constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
 
 struct Range {
     double low{0.0};

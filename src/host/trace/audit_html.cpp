@@ -3,34 +3,12 @@
 
 #include <algorithm>
 
+#include "host/plot/markup.hpp"
 #include "host/trace/audit.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-std::string escape(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
 
 const char* const head =
     R"(<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -50,7 +28,7 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
     if (found != evidence.verdicts.end()) {
         for (const auto& verdict : found->second) {
             text += fmt::format("<span class={}>{} {}</span> <small>{}</small><br>", verdict.passed ? "shown" : "open",
-                                verdict.passed ? "✓" : "✗", escape(verdict.test), verdict.kind);
+                                verdict.passed ? "✓" : "✗", escaped(verdict.test), verdict.kind);
         }
     }
     return text;
@@ -63,20 +41,20 @@ std::string item_row(const AuditedItem& audited, const Evidence& evidence) {
     return fmt::format(
         "<tr id=\"{0}\"><td><code>{0}</code><br><small>{1}</small><td>{2}<br><small>{3}</small><td>{4}<td>{5}<td "
         "class={6}>{7}\n",
-        item.id, audited.word, escape(item.text), escape(fmt::format("{}", fmt::join(item.sources, ", "))),
-        code == evidence.implemented.end() ? "" : escape(fmt::format("{}", fmt::join(code->second, ", "))),
+        item.id, audited.word, escaped(item.text), escaped(fmt::format("{}", fmt::join(item.sources, ", "))),
+        code == evidence.implemented.end() ? "" : escaped(fmt::format("{}", fmt::join(code->second, ", "))),
         tests_of(item.id, evidence), open ? "open" : "shown", open ? "open" : "shown");
 }
 
 std::string decision_row(const Decision& decision) {
     std::string readings;
     for (const auto& reading : decision.readings) {
-        readings += fmt::format("{} <small>{}</small><br>", escape(reading.says), escape(reading.source));
+        readings += fmt::format("{} <small>{}</small><br>", escaped(reading.says), escaped(reading.source));
     }
     return fmt::format(
         "<tr id=\"{0}\"><td><code>{0}</code><br><small>{1} {2}</small><td>{3}<td>{4}<td><b>{5}</b><br>{6}\n",
-        decision.id, decision.severity, escape(decision.ref), escape(decision.text), readings, escape(decision.chosen),
-        escape(decision.because));
+        decision.id, decision.severity, escaped(decision.ref), escaped(decision.text), readings,
+        escaped(decision.chosen), escaped(decision.because));
 }
 
 /// The plots of a device: files that begin with its name.
@@ -84,7 +62,7 @@ std::string figures_of(const std::string& device, const std::vector<std::string>
     std::string text;
     for (const auto& figure : figures) {
         if (figure.rfind(device + "-", 0) == 0) {
-            text += fmt::format("<figure><img src=\"{0}\" alt=\"{0}\" loading=lazy></figure>\n", escape(figure));
+            text += fmt::format("<figure><img src=\"{0}\" alt=\"{0}\" loading=lazy></figure>\n", escaped(figure));
         }
     }
     return text;
@@ -101,7 +79,7 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence, const
     if (!audit.gaps.empty()) {
         text += "<details open><summary>Gaps</summary><ul>\n";
         for (const auto& gap : audit.gaps) {
-            text += fmt::format("<li>{}\n", escape(gap));
+            text += fmt::format("<li>{}\n", escaped(gap));
         }
         text += "</ul></details>\n";
     }
@@ -113,9 +91,9 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence, const
     text += "</table></div>\n<h3>Sections</h3><div class=wrap><table><tr><th>Section<th>Covered by\n";
     for (const auto& section : audit.sections) {
         text += fmt::format(
-            "<tr><td>{} <small>{}</small><td>{}\n", escape(section.section->ref), escape(section.section->title),
+            "<tr><td>{} <small>{}</small><td>{}\n", escaped(section.section->ref), escaped(section.section->title),
             section.covered_by.empty() ? "<span class=open>nothing</span>"
-                                       : escape(fmt::format("{}", fmt::join(section.covered_by, ", "))));
+                                       : escaped(fmt::format("{}", fmt::join(section.covered_by, ", "))));
     }
     text +=
         "</table></div>\n<h3>Decisions</h3><div class=wrap><table><tr><th>Decision<th>Question<th>Readings<th>Chosen, "
