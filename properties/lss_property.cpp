@@ -450,19 +450,19 @@ void happen(const Event& event, LssBench& bench, NaiveSlave& naive) {
             naive.pass(event.value);
             break;
         case Event::Kind::store_result:
-            bench.slave->answer_store_with(std::array<LssError, 3>{LssError::none, LssError::not_supported,
-                                                                   LssError::storage_failed}[event.value]);
+            bench.device->answer_store_with(std::array<LssError, 3>{LssError::none, LssError::not_supported,
+                                                                    LssError::storage_failed}[event.value]);
             naive.store_result = static_cast<std::uint8_t>(event.value);
             break;
         case Event::Kind::power_cycle:
-            RC_ASSERT(bench.start(bench.slave->stored()) == naive.power_on(naive.stored));
+            RC_ASSERT(bench.start(bench.device->stored()) == naive.power_on(naive.stored));
             naive.store_result = 0;
             break;
     }
     RC_ASSERT(bench.bit_rate() == naive.rate);
-    RC_ASSERT(bench.slave->stored().node_id == naive.stored.node_id);
-    RC_ASSERT(bench.slave->stored().bit_rate == naive.stored.bit_rate);
-    RC_ASSERT(bench.slave->node().node_id() == naive.active);
+    RC_ASSERT(bench.device->stored().node_id == naive.stored.node_id);
+    RC_ASSERT(bench.device->stored().bit_rate == naive.stored.bit_rate);
+    RC_ASSERT(bench.device->node().node_id() == naive.active);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ bool fits(const Mappable& line, std::uint64_t value) {
 }
 
 std::uint64_t value_in(SlaveBench& bench, unsigned index, unsigned subindex) {
-    auto& objects = bench.slave->objects();
+    auto& objects = bench.device->objects();
     const auto entry = objects.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex));
     const ByteView bytes = objects.value(entry.value());
     std::uint64_t value = 0;
@@ -118,7 +118,7 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
     for (unsigned i = 0; i < (line.bits + 7) / 8; ++i) {
         bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
     }
-    auto& objects = bench.slave->objects();
+    auto& objects = bench.device->objects();
     const auto entry = objects.find(static_cast<std::uint16_t>(line.index), static_cast<std::uint8_t>(line.subindex));
     objects.put(entry.value(), ByteView{bytes.data(), bytes.size()});
     return value;

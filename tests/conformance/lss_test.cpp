@@ -223,7 +223,7 @@ TEST_F(Lss, NothingIsConfiguredInOperational) {
           {"7E5#1500000000000000", {}},
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
-    EXPECT_EQ(slave->stored().node_id, 5);
+    EXPECT_EQ(device->stored().node_id, 5);
     // What was refused there is not done later either.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
@@ -296,7 +296,7 @@ TEST_F(Lss, ANewNodeIdIsPendingUntilResetCommunication) {
     EXPECT_EQ(state(), NmtState::pre_operational);
     send("000#010A");
     EXPECT_EQ(state(), NmtState::operational);
-    EXPECT_EQ(slave->node().node_id(), 10);
+    EXPECT_EQ(device->node().node_id(), 10);
 }
 
 // 6.4.3, table 0: 1000, 800, 500, 250, 125, reserved, 50, 20 and 10 kbit/s
@@ -433,7 +433,7 @@ TEST_F(Lss, WhatWaitsToBeSentIsDroppedAtActivation) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
-        slave->receive(host::parse_frame(frame, "test"), now);  // the driver sends nothing meanwhile
+        device->receive(host::parse_frame(frame, "test"), now);  // the driver sends nothing meanwhile
     }
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(2), Frames{});
@@ -443,7 +443,7 @@ TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
-    slave->node().set_overrun(true, now);
+    device->node().set_overrun(true, now);
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(19), Frames{});
     const Frames told = pass(1);
@@ -455,8 +455,8 @@ TEST_F(Lss, AStartDuringTheDelaysBreaksNoSilence) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
-    slave->node().set_overrun(true, now);
-    slave->node().start_at(now + milliseconds(5));  // a self-start
+    device->node().set_overrun(true, now);
+    device->node().start_at(now + milliseconds(5));  // a self-start
     EXPECT_EQ(pass(19), Frames{});
     EXPECT_EQ(state(), NmtState::operational);
     const Frames told = pass(1);
@@ -482,9 +482,9 @@ TEST_F(Lss, TheEndOfBusOffDoesNotEndTheSilence) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2B17100003000000", {"585#6017100000000000"}}, {"7E5#0401000000000000", {}}});
     talk({{"7E5#150A000000000000", {}}});
-    slave->node().set_can_state(CanState::bus_off, now);
+    device->node().set_can_state(CanState::bus_off, now);
     pass(5);
-    slave->node().set_can_state(CanState::error_active, now);
+    device->node().set_can_state(CanState::error_active, now);
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(14), Frames{});
     EXPECT_FALSE(pass(10).empty());
@@ -495,7 +495,7 @@ TEST_F(Lss, PowerOnEndsTheSilence) {
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
     pass(50);
-    slave->power_on({5, 125000}, now);  // the same device, off and on again
+    device->power_on({5, 125000}, now);  // the same device, off and on again
     EXPECT_EQ(sent(), (Frames{"705#00"}));
     EXPECT_EQ(pass(200), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
@@ -506,10 +506,10 @@ TEST_F(Lss, BusOffOutlastsTheSilence) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
-    slave->node().set_can_state(CanState::bus_off, now);
+    device->node().set_can_state(CanState::bus_off, now);
     EXPECT_EQ(pass(100), Frames{});
     talk({{"7E5#5E00000000000000", {}}});
-    slave->node().set_can_state(CanState::error_active, now);
+    device->node().set_can_state(CanState::error_active, now);
     sent();
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
@@ -521,7 +521,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1700000000000000", {"7E4#1700000000000000"}}});
-    const LssConfiguration kept = slave->stored();
+    const LssConfiguration kept = device->stored();
     EXPECT_EQ(kept.node_id, 32);
     EXPECT_EQ(kept.bit_rate, 500000U);
     EXPECT_EQ(bit_rate(), 125000U);  // stored, not activated
@@ -533,9 +533,9 @@ TEST_F(Lss, StoreConfigurationSaysWhenItFails) {
     verifies<req::CO_LSS_016, req::CO_LSS_017, req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}}});
-    slave->answer_store_with(LssError::not_supported);
+    device->answer_store_with(LssError::not_supported);
     talk({{"7E5#1700000000000000", {"7E4#1701000000000000"}}});
-    slave->answer_store_with(LssError::storage_failed);
+    device->answer_store_with(LssError::storage_failed);
     talk({{"7E5#1700000000000000", {"7E4#1702000000000000"}},
           {"000#8105", {"705#00"}}});  // reset node: nothing was stored
 }
@@ -599,8 +599,8 @@ TEST_F(AxLss, TheCapturedSessionTo250KbitPerSecond) {
     EXPECT_EQ(pass(6438), Frames{});                    //
     EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));    // 101 and 102, 11:43:23.017
     EXPECT_EQ(state(), NmtState::pre_operational);
-    EXPECT_EQ(slave->stored().node_id, 80);
-    EXPECT_EQ(slave->stored().bit_rate, 250000U);
+    EXPECT_EQ(device->stored().node_id, 80);
+    EXPECT_EQ(device->stored().bit_rate, 250000U);
 }
 
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
@@ -613,7 +613,7 @@ TEST_F(AxLss, TheManualsStepsForTheNodeId) {
           {"7E5#0400", {"750#00"}},
           {"67F#4000100000000000", {}},
           {"650#4000100000000000", {"5D0#4300100078563412"}}});
-    EXPECT_EQ(start(slave->stored()), (Frames{"750#00"}));
+    EXPECT_EQ(start(device->stored()), (Frames{"750#00"}));
 }
 
 TEST_F(AxLss, LeavingConfigurationResetsEvenWhenNothingWasConfigured) {
@@ -646,7 +646,7 @@ TEST_F(Lss, ADeviceThatDoesNotDeclareItIsNotReset) {
     verifies<req::CO_LSS_018>();
     configure();
     talk({{"7E5#1107000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});
-    EXPECT_EQ(slave->node().node_id(), 5);
+    EXPECT_EQ(device->node().node_id(), 5);
 }
 
 // -- a node without a node-ID -----------------------------------------------------------------------------------------
@@ -675,10 +675,10 @@ TEST_F(Unconfigured, NothingButLssIsServed) {
           {"700#R", {}},
           {"080#", {}}});
     EXPECT_EQ(state(), NmtState::initialising);
-    slave->node().set_overrun(true, now);
+    device->node().set_overrun(true, now);
     EXPECT_EQ(sent(), Frames{});
     talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
-    EXPECT_EQ(slave->next_deadline(), never);
+    EXPECT_EQ(device->next_deadline(), never);
 }
 
 TEST_F(Unconfigured, ANodeIdIsTakenAtTheSwitchToWaiting) {

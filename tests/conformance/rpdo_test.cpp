@@ -307,18 +307,18 @@ TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
 TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
     verifies<req::CO_PDO_032>();
     send("605#2B00140532000000");
-    const int before = slave->communication_errors();
+    const int before = device->communication_errors();
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
-    EXPECT_EQ(slave->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
-    EXPECT_EQ(slave->communication_errors(), before + 1);
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
+    EXPECT_EQ(device->communication_errors(), before + 1);
     send("000#0105");
-    EXPECT_EQ(slave->node().state(), NmtState::operational);
+    EXPECT_EQ(device->node().state(), NmtState::operational);
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
-    EXPECT_EQ(slave->communication_errors(), before + 2);
+    EXPECT_EQ(device->communication_errors(), before + 2);
     send("605#2F29100102000000");  // stopped
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110200000000"}));
-    EXPECT_EQ(slave->node().state(), NmtState::stopped);
+    EXPECT_EQ(device->node().state(), NmtState::stopped);
 }
 
 TEST_F(Rpdo, EachPdoHasItsOwnTimer) {

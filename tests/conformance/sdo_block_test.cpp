@@ -17,10 +17,10 @@ const std::string stray = "585#8000000001000405";  // 05040001h, and no object t
 class SdoBlock : public testing::Test, public SlaveBench {
   protected:
     Bytes held() const {
-        const ByteView view = slave->held(program_index, 0);
+        const ByteView view = device->held(program_index, 0);
         return {view.data(), view.data() + view.size()};
     }
-    void hold(const Bytes& bytes) { slave->fill(program_index, 0, bytes); }
+    void hold(const Bytes& bytes) { device->fill(program_index, 0, bytes); }
 
     /// The segments that leave when nothing is lost: the first eight at once, the rest as the queue empties.
     Frames all_segments(const std::string& request) {
@@ -242,20 +242,20 @@ TEST_F(SdoBlock, NoMoreThanEightSegmentsWait) {
     verifies<req::CO_SDO_039, req::CO_K_SDO_BLOCK_QUEUED>();
     hold(counting(140));  // 20 segments
     send("605#A40024007F000000");
-    slave->receive(host::parse_frame("605#A300000000000000", "test"), now);
+    device->receive(host::parse_frame("605#A300000000000000", "test"), now);
     EXPECT_EQ(queue.size(), 8U);
-    slave->advance(now);
+    device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
     queue.pop();
-    EXPECT_EQ(slave->next_deadline().us, now.us);  // room again: due at once
-    slave->advance(now);
+    EXPECT_EQ(device->next_deadline().us, now.us);  // room again: due at once
+    device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
     // the time-out counts from the last segment queued, however slowly the bus takes them
     now = now + milliseconds(900);
     EXPECT_EQ(sent().size(), 8U);
-    slave->advance(now);
+    device->advance(now);
     EXPECT_EQ(sent().size(), 8U);
-    slave->advance(now);
+    device->advance(now);
     EXPECT_EQ(sent().size(), 3U);  // 8 + 1 + 8 + 3
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
@@ -308,7 +308,7 @@ TEST_F(SdoBlock, AShortValueIsSentAsItWasWhenTheUploadBegan) {
                     {"605#A40121017F000000", {"585#C601210102000000"}},  // 2101h:1 = 0
                     {"605#A300000000000000", {"585#8100000000000000"}},
                 });
-    slave->objects().write(0x2101, 1, 0x1234);  // the device changes it
+    device->objects().write(0x2101, 1, 0x1234);  // the device changes it
     EXPECT_EQ(send("605#A2007F0000000000"), (Frames{"585#8100000000000000"}));
     EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));  // five unused, CRC of 0000h
 }
@@ -640,7 +640,7 @@ TEST_F(SdoBlock, PairsOf1And127CannotRunOutOfTheMemory) {
         ASSERT_EQ(send("605#7F42424242424242"), (Frames{"585#A2017F0000000000"}));
     }
     EXPECT_EQ(send("605#0141414141414141"), (Frames{"585#8000240012000706"}));
-    EXPECT_EQ(slave->held(program_index, 0).size(), 0U);
+    EXPECT_EQ(device->held(program_index, 0).size(), 0U);
 }
 
 TEST_F(SdoBlock, SequenceNumberZero) {
@@ -733,7 +733,7 @@ TEST_F(SdoBlock, AStalledDownloadIsAborted) {
 TEST_F(SdoBlock, TheDeviceMayRefuseTheWhole) {
     verifies<req::CO_SDO_033>();
     hold({7});
-    slave->refuse_domains_with(AbortCode::hardware_error);
+    device->refuse_domains_with(AbortCode::hardware_error);
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},

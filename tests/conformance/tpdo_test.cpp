@@ -135,16 +135,16 @@ TEST_F(Tpdo, ValuesThatChangeTogetherLeaveTogether) {
 TEST_F(Tpdo, TheDeviceTellsOfItsOwnChanges) {
     verifies<req::CO_PDO_015>();
     start();
-    slave->objects().write(0x2001, 2, 0x77);
-    slave->node().process_value_changed(0x2001, 2, now);
-    EXPECT_LE(slave->next_deadline(), now);
-    slave->advance(now);
+    device->objects().write(0x2001, 2, 0x77);
+    device->node().process_value_changed(0x2001, 2, now);
+    EXPECT_LE(device->next_deadline(), now);
+    device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0077"}));
-    slave->node().process_value_changed(0x2001, 3, now);  // mapped nowhere
-    slave->node().process_value_changed(0x2101, 1, now);  // TPDO2 is of type 1
-    slave->advance(now);
+    device->node().process_value_changed(0x2001, 3, now);  // mapped nowhere
+    device->node().process_value_changed(0x2101, 1, now);  // TPDO2 is of type 1
+    device->advance(now);
     EXPECT_TRUE(sent().empty());
-    EXPECT_EQ(slave->next_deadline(), never);
+    EXPECT_EQ(device->next_deadline(), never);
 }
 
 TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
@@ -156,7 +156,7 @@ TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
                     {"205#22", {}},
                     {"205#1122", {"085#0000000100000000", "385#00"}},
                 });
-    slave->node().set_overrun(true, now);
+    device->node().set_overrun(true, now);
     EXPECT_EQ(sent().size(), 1U);  // 8110h
     EXPECT_EQ(pass(1), (Frames{"0:385#11"}));
 }
@@ -174,7 +174,7 @@ class TimeDriven : public Tpdo {
         service.advance(now);
     }
     TransmitQueue own_queue;
-    TransmitPdos service{slave->objects(), own_queue, TpdoTrigger::event_timer};
+    TransmitPdos service{device->objects(), own_queue, TpdoTrigger::event_timer};
 };
 
 }  // namespace
@@ -184,7 +184,7 @@ TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
     begin();
     EXPECT_TRUE(own_queue.empty());
     EXPECT_EQ(service.next_deadline(), never);
-    slave->objects().write(0x2001, 1, 0x11);
+    device->objects().write(0x2001, 1, 0x11);
     service.value_changed(0x2001, 1, now);
     service.advance(now);
     EXPECT_TRUE(own_queue.empty());
@@ -192,11 +192,11 @@ TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
 
 TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
     verifies<req::CO_PDO_018, req::CO_PDO_017>();
-    slave->objects().write(0x1800, 5, 100);  // ms
+    device->objects().write(0x1800, 5, 100);  // ms
     begin();
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");
     EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
-    slave->objects().write(0x2001, 1, 0x11);
+    device->objects().write(0x2001, 1, 0x11);
     service.value_changed(0x2001, 1, now);
     service.advance(now);
     EXPECT_TRUE(own_queue.empty());  // a change is no event
@@ -213,15 +213,15 @@ TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
 
 TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
     verifies<req::CO_PDO_017>();
-    slave->objects().write(0x1800, 5, 5);   // 5 ms
-    slave->objects().write(0x1800, 3, 80);  // 8 ms
+    device->objects().write(0x1800, 5, 5);   // 5 ms
+    device->objects().write(0x1800, 3, 80);  // 8 ms
     begin();
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
 TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
     verifies<req::CO_PDO_027>();
-    TransmitPdos unused{slave->objects(), own_queue, TpdoTrigger::value_change};
+    TransmitPdos unused{device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO is known
     unused.sync(0);
     unused.value_changed(0x2001, 1, now);
@@ -260,14 +260,14 @@ TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
     send("605#2B0018050A000000");  // 10 ms
     start();
     now = now + milliseconds(13);
-    slave->advance(now);
+    device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
     EXPECT_EQ(pass(10), (Frames{"7:185#0000"}));
     pass(7);
     now = now + milliseconds(100);  // what was missed is not made up for
-    slave->advance(now);
+    device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
-    slave->advance(now);
+    device->advance(now);
     EXPECT_TRUE(sent().empty());
 }
 

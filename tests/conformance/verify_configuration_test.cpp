@@ -110,7 +110,7 @@ TEST_F(VerifyConfiguration, TimeHasNoEffect) {
     talk(kept);
     send("000#0105");
     talk({{"100#002E93023075", {}}});
-    EXPECT_EQ(slave->node().state(), NmtState::operational);
+    EXPECT_EQ(device->node().state(), NmtState::operational);
 }
 
 }  // namespace canproof::test

@@ -253,8 +253,8 @@ TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
         "7E5#4C00000000000000",
         "7E5#5100000000800000",
     });
-    bench.slave->fill(SlaveBench::program_index, 0, {1, 2, 3});
-    const Tally tally = session(*bench.slave, bench.queue, frames, bench.now);
+    bench.device->fill(SlaveBench::program_index, 0, {1, 2, 3});
+    const Tally tally = session(*bench.device, bench.queue, frames, bench.now);
     EXPECT_EQ(refused, 0);
     // the session did happen: most SDO requests were confirmed, and the other services spoke
     EXPECT_GE(tally.sdo_answers, 35);

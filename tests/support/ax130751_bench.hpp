@@ -4,57 +4,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "firmware/devices/ax130751.hpp"
-#include "host/bus/candump.hpp"
-#include "host/devices/memory.hpp"
+#include "support/frame_bench.hpp"
 
 namespace canproof::test {
 
-class Ax130751Bench {
+class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130751::FactoryData> {
   public:
-    using Frames = std::vector<std::string>;
-
-    /// Makes a device on the same memory and switches it on: what a power cycle is. Returns what it sends.
-    Frames power_on() {
-        queue = TransmitQueue{};
-        device = std::make_unique<ax130751::Device>(memory, queue, factory);
-        device->power_on(inputs, now);
-        return sent();
-    }
-    Frames send(const std::string& frame) {
-        device->receive(host::parse_frame(frame, "test"), now);
-        return sent();
-    }
-    /// Lets time pass; every deadline on the way is kept. Frames as `milliseconds:frame`, counted from the call.
-    Frames pass(std::uint64_t ms) {
-        const Instant start = now;
-        const Instant end = now + milliseconds(ms);
-        Frames all;
-        while (device->next_deadline() <= end) {
-            now = device->next_deadline() < now ? now : device->next_deadline();
-            device->advance(now);
-            for (const auto& frame : sent()) {
-                all.push_back(std::to_string(elapsed(start, now).us / 1000) + ":" + frame);
-            }
-        }
-        now = end;
-        return all;
-    }
-    Frames set_inputs() {
-        device->set_inputs(inputs, now);
-        return sent();
-    }
-    Frames sent() {
-        Frames all;
-        while (!queue.empty()) {
-            all.push_back(host::format_frame(queue.pop()));
-        }
-        return all;
-    }
+    Ax130751Bench() : UnitBench{8192} {}
 
     /// The low digits of an identifier: "67F" is the SDO request of node 127.
     std::string id(unsigned function) const { return fmt::format("{:03X}", function + node); }
@@ -117,13 +77,7 @@ class Ax130751Bench {
         return text;
     }
 
-    host::Memory memory{8192};
-    TransmitQueue queue;
-    ax130751::FactoryData factory{};
-    ax130751::Inputs inputs{};
-    Instant now{};
     unsigned node{127};  ///< the node-ID that this side uses
-    std::unique_ptr<ax130751::Device> device;
 };
 
 /// A bench whose device has booted.

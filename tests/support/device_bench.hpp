@@ -1,22 +1,16 @@
-// One way to run a device in a test: frames as in a candump log, a fake clock, a memory that survives, SDO by name.
+// A bench that reads and writes objects by SDO.
 #pragma once
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "firmware/base/time.hpp"
-#include "firmware/canopen/transmit_queue.hpp"
-#include "host/bus/candump.hpp"
-#include "host/devices/memory.hpp"
+#include "support/frame_bench.hpp"
 
 namespace canproof::test {
-
-using Frames = std::vector<std::string>;
 
 /// What an SDO access came to: the value and its length in bytes, or the abort code.
 struct SdoAnswer {
@@ -34,57 +28,20 @@ struct SdoAnswer {
 
 /// A device of type `Device` at node-ID `node`.
 template <typename Device, typename Inputs, typename FactoryData>
-class DeviceBench {
+class DeviceBench : public UnitBench<Device, Inputs, FactoryData> {
   public:
-    DeviceBench(std::size_t memory_size, int node_id) : node{node_id}, memory{memory_size} {}
-
-    /// Makes a device on the same memory and switches it on: what a power cycle is. Returns what it sends.
-    Frames power_on() {
-        queue = TransmitQueue{};
-        device = std::make_unique<Device>(memory, queue, factory);
-        device->power_on(inputs, now);
-        return sent();
-    }
-    Frames send(const std::string& frame) {
-        device->receive(host::parse_frame(frame, "test"), now);
-        return sent();
-    }
-    /// Lets time pass; every deadline on the way is kept. Frames as `milliseconds:frame`, counted from the call.
-    Frames pass(std::uint64_t ms) {
-        const Instant start = now;
-        const Instant end = now + milliseconds(ms);
-        Frames all;
-        while (device->next_deadline() <= end) {
-            now = device->next_deadline() < now ? now : device->next_deadline();
-            device->advance(now);
-            for (const auto& frame : sent()) {
-                all.push_back(std::to_string(elapsed(start, now).us / 1000) + ":" + frame);
-            }
-        }
-        now = end;
-        return all;
-    }
-    Frames set_inputs() {
-        device->set_inputs(inputs, now);
-        return sent();
-    }
-    Frames sent() {
-        Frames all;
-        while (!queue.empty()) {
-            all.push_back(host::format_frame(queue.pop()));
-        }
-        return all;
-    }
+    DeviceBench(std::size_t memory_size, int node_id)
+        : UnitBench<Device, Inputs, FactoryData>{memory_size}, node{node_id} {}
 
     SdoAnswer read(int index, int sub = 0) {
-        return answer_of(
-            send(fmt::format("{:03X}#40{:02X}{:02X}{:02X}00000000", 0x600 + node, index & 0xFF, index >> 8, sub)));
+        return answer_of(this->send(
+            fmt::format("{:03X}#40{:02X}{:02X}{:02X}00000000", 0x600 + node, index & 0xFF, index >> 8, sub)));
     }
     /// Writes `size` bytes of `value`; the abort code, 0 when done.
     std::uint32_t write(int index, int sub, int size, std::uint32_t value) {
         const int command = 0x23 | ((4 - size) << 2);
-        return answer_of(send(fmt::format("{:03X}#{:02X}{:02X}{:02X}{:02X}{}", 0x600 + node, command, index & 0xFF,
-                                          index >> 8, sub, little_endian(value))))
+        return answer_of(this->send(fmt::format("{:03X}#{:02X}{:02X}{:02X}{:02X}{}", 0x600 + node, command,
+                                                index & 0xFF, index >> 8, sub, little_endian(value))))
             .abort;
     }
     std::uint32_t write_real(int index, int sub, float value) {
@@ -99,12 +56,6 @@ class DeviceBench {
     }
 
     int node;
-    host::Memory memory;
-    TransmitQueue queue;
-    FactoryData factory{};
-    Inputs inputs{};
-    Instant now{};
-    std::unique_ptr<Device> device;
 
   private:
     /// The SDO response among what was sent; other frames are passed over.

@@ -6,57 +6,18 @@
 
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "firmware/devices/ax060805.hpp"
-#include "host/bus/candump.hpp"
-#include "host/devices/memory.hpp"
-#include "support/bench.hpp"
+#include "support/frame_bench.hpp"
 #include "support/sdo_text.hpp"
 
 namespace canproof::test {
 
-class InclinometerBench {
+class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, ax060805::FactoryData> {
   public:
-    /// Makes a device on the same memory and switches it on: what a power cycle is. Returns what it sends.
-    Frames power_on() {
-        queue = TransmitQueue{};
-        device = std::make_unique<ax060805::Device>(memory, queue, factory);
-        device->power_on(inputs, now);
-        return sent();
-    }
-    Frames send(const std::string& frame) {
-        device->receive(host::parse_frame(frame, "test"), now);
-        return sent();
-    }
-    /// Lets time pass; every deadline on the way is kept. Frames as `milliseconds:frame`, counted from the call.
-    Frames pass(std::uint64_t ms) {
-        const Instant start = now;
-        const Instant end = now + milliseconds(ms);
-        Frames all;
-        while (device->next_deadline() <= end) {
-            now = device->next_deadline() < now ? now : device->next_deadline();
-            device->advance(now);
-            for (const auto& frame : sent()) {
-                all.push_back(std::to_string(elapsed(start, now).us / 1000) + ":" + frame);
-            }
-        }
-        now = end;
-        return all;
-    }
-    Frames set_inputs() {
-        device->set_inputs(inputs, now);
-        return sent();
-    }
-    Frames sent() {
-        Frames all;
-        while (!queue.empty()) {
-            all.push_back(host::format_frame(queue.pop()));
-        }
-        return all;
-    }
+    InclinometerBench() : UnitBench{4096} {}
 
     /// Accelerations that a resting sensor feels, in g; noticed with the next sample.
     void feel(double x, double y, double z) {
@@ -141,13 +102,7 @@ class InclinometerBench {
     /// Lets every sample pass as it is.
     void switch_filter_off() { write(0x2002, 0, 0, 1); }
 
-    host::Memory memory{4096};
-    TransmitQueue queue;
-    ax060805::FactoryData factory{};
-    ax060805::Inputs inputs{};
-    Instant now{};
     unsigned node{127};
-    std::unique_ptr<ax060805::Device> device;
 };
 
 /// A bench whose device has booted.

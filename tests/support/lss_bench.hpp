@@ -15,15 +15,15 @@ class LssBench : public SlaveBench {
     /// A power cycle with this in the device's memory. Returns what it sends.
     Frames start(const LssConfiguration& stored) {
         queue = TransmitQueue{};
-        slave = resets_itself
-                    ? std::make_unique<host::GenericDevice>(slave_part(), memory, queue, LssProfile{ax_bit_rates, true})
-                    : std::make_unique<host::GenericDevice>(slave_part(), memory, queue);
-        slave->power_on(stored, now);
+        device = resets_itself ? std::make_unique<host::GenericDevice>(slave_part(), memory, queue,
+                                                                       LssProfile{ax_bit_rates, true})
+                               : std::make_unique<host::GenericDevice>(slave_part(), memory, queue);
+        device->power_on(stored, now);
         return sent();
     }
 
-    NmtState state() { return slave->node().state(); }
-    std::uint32_t bit_rate() const { return slave->bit_rate(); }
+    NmtState state() { return device->node().state(); }
+    std::uint32_t bit_rate() const { return device->bit_rate(); }
     /// The LSS state, by a service that only LSS configuration has.
     bool is_configuring() { return !send("7E5#5E").empty(); }
 

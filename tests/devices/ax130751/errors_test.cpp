@@ -7,8 +7,6 @@ namespace canproof::test {
 
 namespace {
 
-using Frames = Ax130751Bench::Frames;
-
 class Ax130751Errors : public Ax130751Test {
   protected:
     void SetUp() override {

@@ -8,7 +8,6 @@ namespace canproof::test {
 namespace {
 
 using Ax130751Pdo = Ax130751Test;
-using Frames = Ax130751Bench::Frames;
 
 constexpr std::int64_t no_rtr = 0x40000000;
 

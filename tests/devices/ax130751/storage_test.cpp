@@ -7,8 +7,6 @@ namespace canproof::test {
 
 namespace {
 
-using Frames = Ax130751Bench::Frames;
-
 class Ax130751Storage : public Ax130751Test {
   protected:
     /// LSS as in 3.1.2: configuration, node-ID, store, waiting.
