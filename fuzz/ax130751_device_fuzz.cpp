@@ -1,27 +1,22 @@
 // A whole AX130751 under anything that can happen to it: SDO writes to each of its entries, any frames, any supply,
 // temperature and load, power cycles, time between them.
 // Input: records of twelve bytes: what happens, milliseconds before it, ten bytes for it.
-#include <cstdlib>
 #include <optional>
 
 #include "firmware/devices/ax130751.hpp"
 #include "generated/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 
 constexpr std::size_t record_size = 12;
 constexpr std::size_t most_records = 200;  // longer inputs find nothing that shorter ones do not
 constexpr std::size_t memory_size = 8192;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 /// 1.3 Table 3, section 4: no output leaves the range of any type, and without a supply nothing is driven.
 void check_outputs(const ax130751::Outputs& outputs, const ax130751::Inputs& inputs, bool settled) {

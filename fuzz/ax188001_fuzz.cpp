@@ -2,7 +2,6 @@
 // Input: records of ten bytes: what happens, which (identifier, input, or time), and eight bytes of data.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -11,18 +10,14 @@
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/record_mutator.hpp"
+#include "support/require.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 
 constexpr std::size_t record_size = 10;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 class World {
   public:

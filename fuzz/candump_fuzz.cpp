@@ -1,21 +1,16 @@
 // Logs of any bytes: read or refused with a place; what was read is written so that it reads the same.
-#include <cstdlib>
 #include <sstream>
 
 #include "host/bus/candump.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 
 namespace {
 
 using namespace canproof;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
+using fuzz::require;
 
 void check_line(const host::LoggedFrame& one) {
     require(one.frame.length <= max_frame_length && one.frame.id <= (one.frame.extended ? 0x1FFFFFFFU : 0x7FFU));

@@ -1,25 +1,20 @@
 // SDO requests of any bytes, in any order, with time passing between them, to a whole CAN-CBX-AO412.
 // Input: records of nine bytes, a time step of 16 ms each unit and eight bytes of request.
-#include <cstdlib>
 
 #include "firmware/devices/cbx_ao412.hpp"
 #include "generated/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 
 constexpr std::size_t record_size = 9;
 constexpr std::uint32_t request_id = 0x603;
 constexpr std::uint32_t response_id = 0x583;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 /// At most one answer a request, eight bytes, with a server's command specifier; frames on the device's own identifiers
 /// only.

@@ -1,24 +1,19 @@
 // EDS files of any bytes: refused with lines and mends, or a device that switches on, runs and is written and read back
 // the same.
 #include <algorithm>
-#include <cstdlib>
 
 #include "host/devices/generic_simulation.hpp"
 #include "host/eds/read_eds.hpp"
 #include "host/speccompiler/writers.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 
 namespace {
 
 using namespace canproof;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
+using fuzz::require;
 
 void run(const host::Part& part) {
     host::GenericSimulation device{part};

@@ -1,7 +1,6 @@
 // Frames of an LSS master, of any bytes and lengths, with time passing between them, to a node without a node-ID and
 // then with whatever it was given. Input: records of ten bytes: what happens, length or time, and eight bytes of data.
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 
 #include "generated/requirements.hpp"
@@ -9,21 +8,17 @@
 #include "host/devices/memory.hpp"
 #include "host/speccompiler/register.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 
 constexpr std::size_t record_size = 10;
 constexpr std::uint32_t request_id = 0x7E5;
 constexpr std::uint32_t response_id = 0x7E4;
 constexpr std::array<std::uint32_t, 4> address{0x00000055, 0xAA020301, 0x00010002, 0x20261121};
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 /// Nothing but an LSS address.
 const host::Part& part() {

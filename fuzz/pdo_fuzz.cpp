@@ -3,7 +3,6 @@
 // Input: records of ten bytes: what happens, how (length, number or milliseconds), and eight bytes of data.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -14,23 +13,19 @@
 #include "support/frame_probe.hpp"
 #include "support/naive_pdo.hpp"
 #include "support/record_mutator.hpp"
+#include "support/require.hpp"
 #include "support/slave_register.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 using naive_pdo::Bytes;
 using naive_pdo::Mapping;
 using naive_pdo::Values;
 
 constexpr std::size_t record_size = 10;
 constexpr unsigned pdo_count = 4;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 /// One PDO as the dictionary has it.
 struct Pdo {

@@ -1,23 +1,18 @@
 // A socketcand client that says anything, in pieces of any size: what goes onto the bus are CAN frames, what is held
 // stays bounded. Input: a byte that gives the size of a piece, then so many bytes.
 #include <algorithm>
-#include <cstdlib>
 #include <string_view>
 
 #include "host/bus/socketcand_session.hpp"
 #include "support/claims.hpp"
+#include "support/require.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 
 namespace {
 
 using namespace canproof;
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
+using fuzz::require;
 
 }  // namespace
 

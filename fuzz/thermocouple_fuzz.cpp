@@ -2,28 +2,23 @@
 // Input: records of ten bytes: the type, what is asked, and eight bytes of a double.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 #include "firmware/blocks/thermocouple_curves.hpp"
 #include "generated/requirements.hpp"
 #include "support/claims.hpp"
 #include "support/record_mutator.hpp"
+#include "support/require.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::require;
 using generated::ax188001::SensorType;
 
 constexpr std::size_t record_size = 10;
 constexpr SensorType types[]{SensorType::j, SensorType::k, SensorType::n, SensorType::r,
                              SensorType::s, SensorType::t, SensorType::e, SensorType::b};
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 long double exact_mv(const ThermocoupleCurve& curve, long double celsius) {
     std::size_t at = 0;
