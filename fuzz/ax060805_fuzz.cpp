@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "firmware/devices/ax060805.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/record_mutator.hpp"

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "firmware/devices/ax130751.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/require.hpp"

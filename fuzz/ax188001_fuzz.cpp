@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "firmware/devices/ax188001.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/record_mutator.hpp"

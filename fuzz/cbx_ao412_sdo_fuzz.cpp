@@ -2,7 +2,7 @@
 // Input: records of nine bytes, a time step of 16 ms each unit and eight bytes of request.
 
 #include "firmware/devices/cbx_ao412.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/require.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/generic_device.hpp"
 #include "host/devices/memory.hpp"
 #include "host/speccompiler/register.hpp"

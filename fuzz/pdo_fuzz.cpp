@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/generic_device.hpp"
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/claims.hpp"
 #include "support/frame_probe.hpp"
 #include "support/naive_sdo_client.hpp"

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "firmware/blocks/thermocouple_curves.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "support/claims.hpp"
 #include "support/record_mutator.hpp"
 #include "support/require.hpp"

@@ -9,6 +9,7 @@
 #include "firmware/blocks/logic_block.hpp"
 #include "firmware/blocks/lookup_table.hpp"
 #include "firmware/blocks/math_block.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

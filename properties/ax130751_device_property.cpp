@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_bench.hpp"
 #include "support/verifies.hpp"
 

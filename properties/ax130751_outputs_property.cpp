@@ -11,6 +11,7 @@
 #include "firmware/blocks/digital_reading.hpp"
 #include "firmware/blocks/limit_fault.hpp"
 #include "firmware/blocks/linear_scaling.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

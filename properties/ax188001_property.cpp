@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "generated/ax188001/requirements.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/devices/ax060805.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "host/bus/candump.hpp"
 #include "host/devices/memory.hpp"
 #include "support/verifies.hpp"

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/lss_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "firmware/blocks/voltage_output.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/naive_pdo.hpp"
 #include "support/sdo_text.hpp"
 #include "support/slave_bench.hpp"

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/naive_sdo_client.hpp"
 #include "support/sdo_pair.hpp"
 #include "support/verifies.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

@@ -3,6 +3,7 @@
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

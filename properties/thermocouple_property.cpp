@@ -11,6 +11,7 @@
 #include "firmware/blocks/limit_condition.hpp"
 #include "firmware/blocks/process_value.hpp"
 #include "firmware/blocks/thermocouple_curves.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "support/its90.hpp"
 #include "support/verifies.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "firmware/blocks/angle_range.hpp"
 #include "firmware/blocks/tilt.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

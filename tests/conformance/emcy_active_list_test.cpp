@@ -1,4 +1,5 @@
 // The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
+#include "generated/canopen/requirements.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "host/replay/replay.hpp"
 #include "support/verifies.hpp"

@@ -1,4 +1,5 @@
 // NMT as CiA 301, 7.2.8 and 7.3.2 ask it of a slave; run on a CAN-CBX-AO412 as node 3.
+#include "generated/canopen/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,5 +1,6 @@
 // The parameters of PDOs and the order in which one is mapped anew (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to
 // e) of the manuals), held against the conformance slave, node 5. Receive and transmit PDOs obey the same rules.
+#include "generated/canopen/requirements.hpp"
 #include "support/exchange.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"

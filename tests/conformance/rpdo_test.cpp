@@ -1,5 +1,6 @@
 // Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave, node 5. It has
 //   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
+#include "generated/canopen/requirements.hpp"
 #include "support/exchange.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generated/canopen/requirements.hpp"
 #include "support/exchange.hpp"
 #include "support/sdo_text.hpp"
 #include "support/slave_bench.hpp"

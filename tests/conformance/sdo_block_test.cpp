@@ -1,6 +1,7 @@
 // SDO block transfer (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): whole conversations with the conformance slave, node 5. 2400h
 // is its DOMAIN of 64 KiB. "123456789" has the CRC 31C3h.
 #include "firmware/base/crc16.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/exchange.hpp"
 #include "support/sdo_text.hpp"

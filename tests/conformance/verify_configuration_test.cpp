@@ -1,5 +1,6 @@
 // Verify configuration, 1020h (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
 // 1020h can be written, and the three devices whose 1020h tells the age of their software.
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "support/exchange.hpp"
 #include "support/slave_bench.hpp"

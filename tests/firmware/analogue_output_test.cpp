@@ -2,6 +2,7 @@
 #include "firmware/blocks/analogue_output.hpp"
 
 #include "firmware/blocks/current_loop.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

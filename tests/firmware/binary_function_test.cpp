@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/blocks/count_value.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

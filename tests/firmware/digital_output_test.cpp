@@ -1,6 +1,7 @@
 // The digital output block of AX130751, 1.2; polarities as Table 1 prints them.
 #include "firmware/blocks/digital_output.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generated/ax188001/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -5,6 +5,7 @@
 
 #include "firmware/blocks/angle_filter.hpp"
 #include "firmware/blocks/low_pass.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -1,6 +1,7 @@
 // The eight indicator states of the CAN-CBX-AO412 (3.2.1), each watched for two rounds in steps of 50 ms.
 #include "firmware/blocks/indicator.hpp"
 
+#include "generated/cbx_ao412/requirements.hpp"
 #include "generated/cbx_ao412/tables.hpp"
 #include "support/verifies.hpp"
 

@@ -1,6 +1,7 @@
 // Faults with hysteresis of AX130751, 1.8.
 #include "firmware/blocks/limit_fault.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -3,6 +3,7 @@
 
 #include "firmware/blocks/block_signal.hpp"
 #include "firmware/blocks/digital_reading.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -1,6 +1,7 @@
 // Programmable logic of AX130751, 1.6: tables 16 to 19 cell by cell.
 #include "firmware/blocks/logic_block.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -1,6 +1,7 @@
 // Lookup tables of AX130751, 1.5.
 #include "firmware/blocks/lookup_table.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/verifies.hpp"
 

@@ -1,6 +1,7 @@
 // Math blocks of AX130751, 1.7: the eighteen operators of Table 21 and how functions are chained.
 #include "firmware/blocks/math_block.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

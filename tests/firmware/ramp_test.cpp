@@ -1,6 +1,7 @@
 // Ramps of AX130751, 2330h and 2331h.
 #include "firmware/blocks/ramp.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

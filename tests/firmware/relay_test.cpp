@@ -1,6 +1,7 @@
 // The relay block of AX130751, 1.4; polarities as Table 10 prints them.
 #include "firmware/blocks/relay.hpp"
 
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/blocks/thermocouple_curves.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "support/its90.hpp"
 #include "support/verifies.hpp"

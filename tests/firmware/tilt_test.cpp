@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/blocks/angle_range.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

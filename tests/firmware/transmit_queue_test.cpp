@@ -1,6 +1,7 @@
 #include "firmware/canopen/transmit_queue.hpp"
 
 #include "firmware/base/crc32.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "generated/ax060805/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "generated/requirements.hpp"
-
 namespace canproof::test {
 
 /// Says that the running test shows these requirements; one that is retired or misspelt does not compile. `kind` is

@@ -1,7 +1,7 @@
 #include "firmware/blocks/analogue_output.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 
 namespace canproof {
 

@@ -2,8 +2,8 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/linear_scaling.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof {
 

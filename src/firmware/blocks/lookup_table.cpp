@@ -4,7 +4,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/linear_scaling.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof {
 

@@ -4,8 +4,8 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof {
 

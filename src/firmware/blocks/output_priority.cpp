@@ -1,7 +1,7 @@
 #include "firmware/blocks/output_priority.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof {
 

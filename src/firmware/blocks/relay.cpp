@@ -2,7 +2,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/blinking.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof {
 

@@ -1,7 +1,7 @@
 #include "firmware/blocks/signal.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 
 namespace canproof {
 

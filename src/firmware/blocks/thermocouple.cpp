@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax188001/requirements.hpp"
 
 namespace canproof {
 

@@ -2,8 +2,8 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof {
 

@@ -4,7 +4,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/angle_math.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 
 namespace canproof {
 

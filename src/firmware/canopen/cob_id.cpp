@@ -1,8 +1,8 @@
 #include "firmware/canopen/cob_id.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof::cob_id {
 

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

@@ -2,8 +2,8 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof {
 

@@ -1,7 +1,7 @@
 #include "firmware/canopen/node.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 namespace canproof {
 
 namespace {

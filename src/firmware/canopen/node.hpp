@@ -14,7 +14,7 @@
 #include "firmware/canopen/sdo_server.hpp"
 #include "firmware/canopen/sync.hpp"
 #include "firmware/canopen/transmit_pdo.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

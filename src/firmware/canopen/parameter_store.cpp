@@ -2,7 +2,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

@@ -1,6 +1,7 @@
 #include "firmware/canopen/sdo_block.hpp"
 
 #include "firmware/canopen/sdo_protocol.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

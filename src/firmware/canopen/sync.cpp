@@ -2,7 +2,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

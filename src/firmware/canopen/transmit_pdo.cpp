@@ -1,7 +1,7 @@
 #include "firmware/canopen/transmit_pdo.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 

@@ -6,7 +6,7 @@
 #include "firmware/blocks/count_value.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax060805/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 
 namespace canproof::ax060805 {
 

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax130751/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 

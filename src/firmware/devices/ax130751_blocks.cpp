@@ -4,7 +4,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 

@@ -5,7 +5,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/current_loop.hpp"
 #include "generated/ax130751/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 

@@ -1,7 +1,7 @@
 #include "firmware/devices/ax130751_relay.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 

@@ -4,9 +4,9 @@
 #include "firmware/canopen/nmt.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "generated/canopen/constants.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof::ax188001 {
 

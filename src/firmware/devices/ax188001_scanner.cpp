@@ -8,8 +8,8 @@
 #include "firmware/blocks/thermocouple_curves.hpp"
 #include "generated/ax188001/constants.hpp"
 #include "generated/ax188001/objects.hpp"
+#include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
-#include "generated/requirements.hpp"
 
 namespace canproof::ax188001 {
 

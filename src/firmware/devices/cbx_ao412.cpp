@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/indicator.hpp"
 #include "generated/cbx_ao412/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
 
 namespace canproof::cbx_ao412 {
 

@@ -6,7 +6,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/low_pass.hpp"
 #include "generated/ax060805/constants.hpp"
-#include "generated/requirements.hpp"
+#include "generated/ax060805/requirements.hpp"
 
 namespace canproof::host {
 

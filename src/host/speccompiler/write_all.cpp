@@ -26,10 +26,10 @@ void write_if_changed(const std::filesystem::path& path, const std::string& text
 }  // namespace
 
 void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out) {
-    write_if_changed(out / "requirements.hpp", write_requirements(content));
     write_if_changed(out / "embedded_spec.cpp", write_embedded(files));
     for (const auto& part : content.parts) {
         const auto folder = out / part.cpp_name();
+        write_if_changed(folder / "requirements.hpp", write_requirements(content, part));
         write_if_changed(folder / "constants.hpp", write_constants(part));
         write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
         write_if_changed(folder / "tables.hpp", write_tables(content, part));

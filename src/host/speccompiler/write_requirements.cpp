@@ -20,26 +20,24 @@ std::string id_type(const Item& item, const std::string& word) {
 
 }  // namespace
 
-std::string write_requirements(const Register& content) {
+std::string write_requirements(const Register& content, const Part& part) {
     std::string text =
-        "// Written by canproof's speccompiler from spec/: every id of the register in force as a type, for "
-        "implements<> and\n"
+        "// Written by canproof's speccompiler from spec/: every id of this part in force as a type, for implements<> "
+        "and\n"
         "// verifies<>. Retired ids are not here.\n#pragma once\n\nnamespace canproof::req {\n\n";
-    for (const Part& part : content.parts) {
-        std::set<std::string> retired;
-        for (const Requirement& requirement : part.requirements) {
-            if (!requirement.retired.empty()) {
-                retired.insert(requirement.id);
-            }
+    std::set<std::string> retired;
+    for (const Requirement& requirement : part.requirements) {
+        if (!requirement.retired.empty()) {
+            retired.insert(requirement.id);
         }
-        content.for_each_item(part, [&](const Item& item, const char* word) {
-            if (retired.count(item.id) == 0) {
-                text += id_type(item, word);
-            }
-        });
-        for (const Decision& decision : part.decisions) {
-            text += id_type(decision, "decision");
+    }
+    content.for_each_item(part, [&](const Item& item, const char* word) {
+        if (retired.count(item.id) == 0) {
+            text += id_type(item, word);
         }
+    });
+    for (const Decision& decision : part.decisions) {
+        text += id_type(decision, "decision");
     }
     return text + "\n}  // namespace canproof::req\n";
 }

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-std::string write_requirements(const Register& content);
+std::string write_requirements(const Register& content, const Part& part);
 std::string write_objects(const Part& part);
 std::string write_tables(const Register& content, const Part& part);
 std::string write_constants(const Part& part);

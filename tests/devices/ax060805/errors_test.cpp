@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generated/ax060805/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
 

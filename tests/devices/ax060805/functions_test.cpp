@@ -2,6 +2,7 @@
 // arithmetic is tested in tests/firmware/binary_function_test.cpp.
 #include <cmath>
 
+#include "generated/ax060805/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,5 +1,6 @@
 // The AX060805 on its network: PDOs, LSS, storing, identity, heartbeat, self-start, slew rate (3.9, 3.10, 4.1, 4.2,
 // 4.3.1), node 127.
+#include "generated/ax060805/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "generated/ax060805/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,4 +1,5 @@
 // How close an output of the AX130751 comes to what is commanded (manual, section 4).
+#include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,4 +1,5 @@
 // Supply, temperature and errors of the AX130751 (1.8, 3.2.4, chapter 4).
+#include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_blocks.hpp"
 #include "support/verifies.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "firmware/canopen/object_dictionary.hpp"
 #include "generated/ax130751/objects.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "generated/ax130751/requirements.hpp"
 #include "host/embedded_spec.hpp"
 #include "host/speccompiler/writers.hpp"
 #include "support/verifies.hpp"

@@ -1,5 +1,6 @@
 // PDOs of the AX130751 as shipped and as they can be changed (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh, 37Fh,
 // 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
+#include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_bench.hpp"
 #include "support/verifies.hpp"
 

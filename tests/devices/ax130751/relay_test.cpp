@@ -1,4 +1,5 @@
 // The relay of the AX130751 over SDO (1.4).
+#include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_blocks.hpp"
 #include "support/verifies.hpp"
 

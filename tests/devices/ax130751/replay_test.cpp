@@ -6,6 +6,7 @@
 
 #include <sstream>
 
+#include "generated/ax130751/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "support/verifies.hpp"
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {

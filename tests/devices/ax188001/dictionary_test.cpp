@@ -1,4 +1,5 @@
 // The dictionary of 3.2, 3.3 and 3.4, read entry by entry as a client sees it.
+#include "generated/ax188001/requirements.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,5 +1,7 @@
 // Emergency messages, 1001h, 1003h and 1029h (AX188001, 3.2.2, 3.2.4, 3.2.13).
+#include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 

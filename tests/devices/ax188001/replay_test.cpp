@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "generated/ax188001/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "support/verifies.hpp"
 

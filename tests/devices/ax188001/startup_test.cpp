@@ -1,6 +1,7 @@
 // Start, storing, LSS and PDOs (AX188001, 1.4, 3.1, 3.2.7, 3.2.8, 3.2.14, 3.2.15, 3.4.22, 3.4.23).
 #include <map>
 
+#include "generated/ax188001/requirements.hpp"
 #include "support/exchange.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,4 +1,5 @@
 // LEDs of the CAN-CBX-AO412 (3.2), node 3.
+#include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

@@ -1,4 +1,6 @@
 // Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

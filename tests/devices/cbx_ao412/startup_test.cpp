@@ -1,6 +1,7 @@
 // Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 
+#include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
 #include "support/verifies.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "generated/ax188001/requirements.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::host::test {

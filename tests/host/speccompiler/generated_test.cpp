@@ -349,10 +349,12 @@ TEST_F(Generated, ConstantsEnumerationsAndSignals) {
 }
 
 TEST_F(Generated, IdsInForceBecomeTypesAndRetiredOnesDoNot) {
-    const std::string text = write_requirements(loaded_.content);
-    for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1", "CO_E_STATE"}) {
+    const std::string text = write_requirements(loaded_.content, box());
+    for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1"}) {
         EXPECT_THAT(text, HasSubstr("struct " + std::string{id} + " { static constexpr bool in_force = true;"));
     }
+    EXPECT_THAT(text, Not(HasSubstr("CO_E_STATE")));
+    EXPECT_THAT(write_requirements(loaded_.content, canopen()), HasSubstr("struct CO_E_STATE {"));
     EXPECT_THAT(text, HasSubstr("static constexpr const char* id = \"AO4-R-1\";"));
     EXPECT_THAT(text, Not(HasSubstr("AO4_R_2")));
 }
@@ -386,9 +388,9 @@ TEST_F(Generated, FilesAreWrittenOnlyWhenTheyChange) {
     std::ostringstream tables;
     tables << std::ifstream{out / "box/tables.hpp"}.rdbuf();
     EXPECT_EQ(tables.str(), write_tables(loaded_.content, box()));
-    for (const char* file :
-         {"requirements.hpp", "embedded_spec.cpp", "canopen/enumerations.hpp", "canopen/constants.hpp",
-          "canopen/tables.hpp", "box/signals.hpp", "box/constants.hpp", "box/enumerations.hpp"}) {
+    for (const char* file : {"embedded_spec.cpp", "canopen/requirements.hpp", "box/requirements.hpp",
+                             "canopen/enumerations.hpp", "canopen/constants.hpp", "canopen/tables.hpp",
+                             "box/signals.hpp", "box/constants.hpp", "box/enumerations.hpp"}) {
         EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
     }
     std::filesystem::remove_all(out);
