@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/ax060805/requirements.hpp"
 
 namespace canproof {
@@ -95,8 +96,8 @@ Signal operand(const FunctionInput& input) noexcept {
 static_assert(implements<req::INC_BIN_003> && implements<req::INC_T9>);
 float apply_unary(const std::uint8_t number, const float x) noexcept {
     const auto* const row = table9::find(number);
-    const UnaryFunction function = (row == nullptr) ? UnaryFunction::none : row->function;
-    const bool of_integer = (row != nullptr) && (row->operand == table9::Operand::integer);
+    const UnaryFunction function = cell_or(row, &table9::Row::function, UnaryFunction::none);
+    const bool of_integer = cell_or(row, &table9::Row::operand, table9::Operand::real) == table9::Operand::integer;
     const std::uint32_t whole = of_integer ? to_discrete(x) : 0U;
     const float operand = of_integer ? static_cast<float>(whole) : x;
     switch (function) {

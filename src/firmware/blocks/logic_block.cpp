@@ -1,6 +1,7 @@
 #include "firmware/blocks/logic_block.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/blocks/linear_scaling.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
@@ -22,14 +23,12 @@ bool holds(const LogicCondition& condition) noexcept {
     } else {
         // equal
     }
-    const auto* const row = table::find(condition.comparison, relation);
-    return (row != nullptr) && row->holds;
+    return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
 }
 
 static_assert(implements<req::AOR_T19>);
 bool counts(const std::uint8_t logical, const ConditionResult result) noexcept {
-    const auto* const row = own::t_aor_t19::find(logical, result);
-    return (row != nullptr) && row->counts;
+    return cell_or(own::t_aor_t19::find(logical, result), &own::t_aor_t19::Row::counts, false);
 }
 
 }  // namespace
@@ -38,15 +37,15 @@ static_assert(implements<req::AOR_T17> && implements<req::AOR_E_CONDITION> && im
 ConditionResult evaluate(const LogicCondition& condition) noexcept {
     const bool in_error = condition.first.is_in_error() || condition.second.is_in_error();
     const bool unavailable = (!condition.first.is_available()) || (!condition.second.is_available());
-    const auto* const row = own::t_aor_t17::find(in_error, unavailable, holds(condition));
-    return (row == nullptr) ? ConditionResult::error : row->result;
+    return cell_or(own::t_aor_t17::find(in_error, unavailable, holds(condition)), &own::t_aor_t17::Row::result,
+                   ConditionResult::error);
 }
 
 static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004>);
 bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept {
     const auto* const row = own::t_aor_t18::find(logical, counts(logical, results[0U]), counts(logical, results[1U]),
                                                  counts(logical, results[2U]));
-    return (row != nullptr) && row->selects;
+    return cell_or(row, &own::t_aor_t18::Row::selects, false);
 }
 
 static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);

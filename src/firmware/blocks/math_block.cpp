@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
@@ -22,8 +23,8 @@ constexpr bool is_same(const double a, const double b) noexcept {
 }
 
 Operation operation_of(const std::uint8_t number) noexcept {
-    const auto* const row = generated::ax130751::t_aor_t21::find(number);
-    return (row == nullptr) ? Operation::plus : row->operation;
+    namespace table = generated::ax130751::t_aor_t21;
+    return cell_or(table::find(number), &table::Row::operation, Operation::plus);
 }
 
 double compare(const Operation operation, const double a, const double b) noexcept {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/blocks/count_value.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax060805/constants.hpp"
@@ -442,8 +443,8 @@ void Device::restart_filter(const std::size_t angle) noexcept {
 static_assert(implements<req::INC_T4>);
 AngleFilterKind Device::filter_kind(const std::uint8_t subindex) const noexcept {
     using own::t_inc_t4::Filter;
-    const auto* const row = own::t_inc_t4::find(objects_.get(field::o2050_angular_filter_type[subindex]));
-    switch ((row == nullptr) ? Filter::none : row->filter) {
+    const std::uint8_t type = objects_.get(field::o2050_angular_filter_type[subindex]);
+    switch (cell_or(own::t_inc_t4::find(type), &own::t_inc_t4::Row::filter, Filter::none)) {
         case Filter::moving_average:
             return AngleFilterKind::moving_average;
         case Filter::repeating:
@@ -553,19 +554,16 @@ static_assert(implements<req::INC_T1> && implements<req::INC_SIG_001> && impleme
               implements<req::INC_SIG_005> && implements<req::INC_GLOBAL_003>);
 Signal Device::signal_of(const std::uint8_t source) const noexcept {
     using Source = own::t_inc_t1::Signal;
-    const auto* const row = own::t_inc_t1::find(source);
-    if (row == nullptr) {
-        return undefined_signal();
-    }
-    const std::size_t function = distance(Source::binary_function_1, row->signal);
+    const Source chosen = cell_or(own::t_inc_t1::find(source), &own::t_inc_t1::Row::signal, Source::none);
+    const std::size_t function = distance(Source::binary_function_1, chosen);
     if (function < function_count) {
         return results_[function];
     }
-    const std::size_t received = distance(Source::received_1, row->signal);
+    const std::size_t received = distance(Source::received_1, chosen);
     if (received < received_count) {
         return received_signal(received);
     }
-    switch (row->signal) {
+    switch (chosen) {
         case Source::acceleration_x:
             return acceleration_signal(1U);
         case Source::acceleration_y:

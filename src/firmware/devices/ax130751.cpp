@@ -1,6 +1,7 @@
 #include "firmware/devices/ax130751.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
@@ -257,8 +258,8 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
         return universal_[entry.row->subindex - 1U].check_field_value(to_int16(value));
     }
     if (entry.index == bit_rate_index) {
-        const auto* const row = own::t_aor_t22::find(value[0U]);
-        const std::uint32_t bit_rate = (row == nullptr) ? 0U : row->bit_rate;
+        const auto bit_rate =
+            cell_or(own::t_aor_t22::find(value[0U]), &own::t_aor_t22::Row::bit_rate, std::uint32_t{0U});
         return (bit_rate == 0U) ? AbortCode::value_range
                                 : keep_configuration(LssConfiguration{kept_.node_id, bit_rate});
     }

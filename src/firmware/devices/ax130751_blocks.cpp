@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
 
@@ -15,8 +16,8 @@ namespace own = generated::ax130751;
 static_assert(implements<req::AOR_T14>);
 PointResponse point_response(const std::uint8_t value) noexcept {
     using Meaning = own::t_aor_t14::Meaning;
-    const auto* const row = own::t_aor_t14::find(value, own::t_aor_t14::Point::other);
-    switch ((row == nullptr) ? Meaning::ignore : row->meaning) {
+    switch (cell_or(own::t_aor_t14::find(value, own::t_aor_t14::Point::other), &own::t_aor_t14::Row::meaning,
+                    Meaning::ignore)) {
         case Meaning::ramp:
             return PointResponse::ramp;
         case Meaning::jump:
@@ -117,9 +118,10 @@ bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noe
 }  // namespace
 
 bool is_over_time(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
-    const auto* const row =
-        own::t_aor_t14::find(objects.get(lookup_fields[number - 1U].response[1U]), own::t_aor_t14::Point::first);
-    return (row != nullptr) && (row->meaning == own::t_aor_t14::Meaning::time);
+    namespace table = own::t_aor_t14;
+    const std::uint8_t response = objects.get(lookup_fields[number - 1U].response[1U]);
+    return cell_or(table::find(response, table::Point::first), &table::Row::meaning, table::Meaning::ignore) ==
+           table::Meaning::time;
 }
 
 void begin_time_response(ObjectDictionary& objects, const std::uint8_t number) noexcept {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/blocks/current_loop.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
@@ -16,8 +17,7 @@ namespace own = generated::ax130751;
 static_assert(implements<req::AOR_T07>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
     using Action = own::t_aor_t07::Action;
-    const auto* const row = own::t_aor_t07::find(response, on);
-    switch ((row == nullptr) ? Action::shut_off : row->action) {
+    switch (cell_or(own::t_aor_t07::find(response, on), &own::t_aor_t07::Row::action, Action::shut_off)) {
         case Action::run:
             return EnableAction::run;
         case Action::ramp_off:
@@ -33,8 +33,7 @@ EnableAction enable_action(const std::uint8_t response, const bool on) noexcept 
 static_assert(implements<req::AOR_T01>);
 SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool state) noexcept {
     using Drive = own::t_aor_t01::Drive;
-    const auto* const row = own::t_aor_t01::find(value, before, state);
-    switch ((row == nullptr) ? Drive::off : row->drive) {
+    switch (cell_or(own::t_aor_t01::find(value, before, state), &own::t_aor_t01::Row::drive, Drive::off)) {
         case Drive::on:
             return SwitchDrive::on;
         case Drive::keep:
@@ -60,15 +59,14 @@ bool follows_profile(const std::uint8_t response, const ScalingPosition position
     } else {
         // within
     }
-    const auto* const row = table::find(response, where);
-    return (row != nullptr) && (row->drive == table::Drive::profile);
+    using table::Drive;
+    return cell_or(table::find(response, where), &table::Row::drive, Drive::off) == Drive::profile;
 }
 
 /// The override input as Table 8 reads it.
 static_assert(implements<req::AOR_T08>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
-    const auto* const row = own::t_aor_t08::find(response, on);
-    return (row != nullptr) && row->overridden;
+    return cell_or(own::t_aor_t08::find(response, on), &own::t_aor_t08::Row::overridden, false);
 }
 
 OutputRange range_of(const own::t_aor_t03::Row& type) noexcept {
@@ -122,13 +120,16 @@ UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
 
 static_assert(implements<req::AOR_T02> && implements<req::AOR_T09>);
 FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
+    bool keeps{false};
     if (digital) {
-        const auto* const row = own::t_aor_t02::find(objects_.get(field::o6250_do_fault_mode_1_output_line[number_]));
-        const bool keeps = (row != nullptr) && (row->action == own::t_aor_t02::Action::keep);
-        return keeps ? FaultAction::keep : FaultAction::fault_value;
+        namespace table = own::t_aor_t02;
+        const std::uint8_t mode = objects_.get(field::o6250_do_fault_mode_1_output_line[number_]);
+        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_state) == table::Action::keep;
+    } else {
+        namespace table = own::t_aor_t09;
+        const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
+        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_value) == table::Action::keep;
     }
-    const auto* const row = own::t_aor_t09::find(objects_.get(field::o6340_ao_fault_mode[number_]));
-    const bool keeps = (row != nullptr) && (row->action == own::t_aor_t09::Action::keep);
     return keeps ? FaultAction::keep : FaultAction::fault_value;
 }
 
@@ -231,8 +232,9 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, const 
 
 static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
 double UniversalOutput::level() const noexcept {
-    const auto* const row = own::t_aor_t_digital_range::find(objects_.get(field::o2240_do_digital_range[number_]));
-    return (row == nullptr) ? 0.0 : static_cast<double>(row->level_v);
+    namespace table = own::t_aor_t_digital_range;
+    const std::uint8_t range = objects_.get(field::o2240_do_digital_range[number_]);
+    return static_cast<double>(cell_or(table::find(range), &table::Row::level_v, 0.0F));
 }
 
 SwitchPolarity UniversalOutput::polarity() const noexcept {

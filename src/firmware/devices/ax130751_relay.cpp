@@ -1,6 +1,7 @@
 #include "firmware/devices/ax130751_relay.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
@@ -12,8 +13,7 @@ namespace own = generated::ax130751;
 static_assert(implements<req::AOR_T10>);
 SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool control) noexcept {
     using Drive = own::t_aor_t10::Drive;
-    const auto* const row = own::t_aor_t10::find(value, before, control);
-    switch ((row == nullptr) ? Drive::off : row->drive) {
+    switch (cell_or(own::t_aor_t10::find(value, before, control), &own::t_aor_t10::Row::drive, Drive::off)) {
         case Drive::on:
             return SwitchDrive::on;
         case Drive::keep:
@@ -30,8 +30,7 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
 
 UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
     using Unlatch = own::t_aor_t10::Unlatch;
-    const auto* const row = own::t_aor_t10::find(value, false, false);
-    switch ((row == nullptr) ? Unlatch::ignored : row->unlatch) {
+    switch (cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::unlatch, Unlatch::ignored)) {
         case Unlatch::to_off:
             return UnlatchEffect::to_off;
         case Unlatch::to_on:
@@ -45,8 +44,7 @@ UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
 static_assert(implements<req::AOR_T11>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
     using Action = own::t_aor_t11::Action;
-    const auto* const row = own::t_aor_t11::find(response, on);
-    switch ((row == nullptr) ? Action::off : row->action) {
+    switch (cell_or(own::t_aor_t11::find(response, on), &own::t_aor_t11::Row::action, Action::off)) {
         case Action::run:
             return EnableAction::run;
         case Action::keep:
@@ -59,14 +57,12 @@ EnableAction enable_action(const std::uint8_t response, const bool on) noexcept 
 
 static_assert(implements<req::AOR_T12>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
-    const auto* const row = own::t_aor_t12::find(response, on);
-    return (row != nullptr) && row->overridden;
+    return cell_or(own::t_aor_t12::find(response, on), &own::t_aor_t12::Row::overridden, false);
 }
 
 static_assert(implements<req::AOR_T11B>);
 bool override_state(const std::uint8_t value) noexcept {
-    const auto* const row = own::t_aor_t11b::find(value);
-    return (row != nullptr) && row->on;
+    return cell_or(own::t_aor_t11b::find(value), &own::t_aor_t11b::Row::on, false);
 }
 
 }  // namespace
@@ -139,8 +135,8 @@ static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_T_CONTACT>);
 void RelayOutput::show(const bool on, Outputs& outputs) noexcept {
     shown_ = on;
     const auto* const row = own::t_aor_t_contact::find(on);
-    outputs.relay_nc = (row != nullptr) && row->normally_closed;
-    outputs.relay_no = (row != nullptr) && row->normally_open;
+    outputs.relay_nc = cell_or(row, &own::t_aor_t_contact::Row::normally_closed, false);
+    outputs.relay_no = cell_or(row, &own::t_aor_t_contact::Row::normally_open, false);
 }
 
 }  // namespace canproof::ax130751

@@ -1,6 +1,7 @@
 #include "firmware/devices/ax188001.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/canopen/nmt.hpp"
 #include "firmware/devices/axiomatic.hpp"
 #include "generated/ax188001/constants.hpp"
@@ -112,8 +113,7 @@ constexpr ErrorTable make_error_table() noexcept {
 static_assert(implements<req::TCS_T_REACTION>);
 /// Sub-index of 1029h; the node itself obeys that of communication errors.
 constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) noexcept {
-    const auto* const row = own::t_tcs_t_reaction::find(errors);
-    return (row == nullptr) ? std::uint8_t{0U} : row->subindex;
+    return cell_or(own::t_tcs_t_reaction::find(errors), &own::t_tcs_t_reaction::Row::subindex, std::uint8_t{0U});
 }
 
 }  // namespace
@@ -246,9 +246,9 @@ static_assert(implements<req::TCS_T3> && implements<req::TCS_START_001> && imple
 void Device::booted(const Instant now) {
     start_others_at_ = never;
     const auto* const row = own::t_tcs_t3::find(objects_.get(field::o5555_start_in_operational_mode));
-    if ((row != nullptr) && row->start) {
+    if (cell_or(row, &own::t_tcs_t3::Row::start, false)) {
         node_.start_at(now);
-        if (row->others) {
+        if (cell_or(row, &own::t_tcs_t3::Row::others, false)) {
             start_others_at_ = now + milliseconds(objects_.get(field::o5556_start_in_operational_nmt_delay));
         }
     }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/blocks/limit_condition.hpp"
 #include "firmware/blocks/thermocouple_curves.hpp"
 #include "generated/ax188001/constants.hpp"
@@ -58,8 +59,7 @@ double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
     } else {
         // no hum
     }
-    const auto* const row = table::find(selected, frequency);
-    return (row == nullptr) ? 0.0 : static_cast<double>(row->left);
+    return static_cast<double>(cell_or(table::find(selected, frequency), &table::Row::left, 0.0F));
 }
 
 double limit_c(const std::int16_t threshold) noexcept {
@@ -245,8 +245,9 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
 static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
               implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
 void Scanner::evaluate_average(const std::array<Measurement, channel_count>& channels) noexcept {
-    const auto* const row = own::t_tcs_t2::find(objects_.get(field::o2112_avg_operating_mode));
-    const bool enabled = (row != nullptr) && (row->mode == own::t_tcs_t2::Mode::normal);
+    using own::t_tcs_t2::Mode;
+    const std::uint8_t mode = objects_.get(field::o2112_avg_operating_mode);
+    const bool enabled = cell_or(own::t_tcs_t2::find(mode), &own::t_tcs_t2::Row::mode, Mode::disabled) == Mode::normal;
     const Measurement mean = enabled ? average(channels) : Measurement{};
     if (mean.valid) {
         const float field_value = static_cast<float>(mean.value);

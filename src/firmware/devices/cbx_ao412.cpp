@@ -1,6 +1,7 @@
 #include "firmware/devices/cbx_ao412.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/blocks/indicator.hpp"
 #include "generated/cbx_ao412/constants.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
@@ -80,7 +81,7 @@ Duration red_shift() noexcept {
 
 template <typename Row>
 IndicatorState led_of(const Row* const row) noexcept {
-    return (row == nullptr) ? IndicatorState::off : row->led;
+    return cell_or(row, &Row::led, IndicatorState::off);
 }
 
 }  // namespace
@@ -95,8 +96,7 @@ static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && impl
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
-    const auto* const row = own::t_ao4_t11::find(inputs.switch_baud);
-    bit_rate_ = (row == nullptr) ? 0U : row->bit_rate;
+    bit_rate_ = cell_or(own::t_ao4_t11::find(inputs.switch_baud), &own::t_ao4_t11::Row::bit_rate, std::uint32_t{0U});
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
         node_.power_on(node_id_, now);
@@ -213,8 +213,8 @@ void Device::set_failed(const bool communication, const bool internal) noexcept 
 static_assert(implements<req::AO4_T_ERROR_MODE> && implements<req::AO4_AOUT_007>);
 void Device::apply_error_mode(const std::uint8_t number) noexcept {
     namespace modes = own::t_ao4_t_error_mode;
-    const auto* const row = modes::find(objects_.get(field::o6443_analogue_output_error_mode[number]));
-    const modes::Action action = (row == nullptr) ? modes::Action::zero : row->action;
+    const std::uint8_t mode = objects_.get(field::o6443_analogue_output_error_mode[number]);
+    const modes::Action action = cell_or(modes::find(mode), &modes::Row::action, modes::Action::zero);
     if (action == modes::Action::zero) {
         driven_[number - 1U] = Driven{};
         drive_output(number);
