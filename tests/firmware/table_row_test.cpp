@@ -1,0 +1,26 @@
+// A decision table read cell by cell (firmware/base/table_row.hpp).
+#include "firmware/base/table_row.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace canproof::test {
+
+namespace {
+
+struct Row {
+    std::uint8_t input;
+    std::int16_t answer;
+};
+
+}  // namespace
+
+TEST(TableRow, ARowAnswersAndAMissingOneGivesTheSafeValue) {
+    const Row row{3U, -7};
+    const Row* const missing = nullptr;
+    EXPECT_EQ(cell_or(&row, &Row::answer, std::int16_t{100}), -7);
+    EXPECT_EQ(cell_or(missing, &Row::answer, std::int16_t{100}), 100);
+}
+
+}  // namespace canproof::test
