@@ -8,6 +8,8 @@
 #include "host/devices/memory.hpp"
 #include "host/speccompiler/register.hpp"
 #include "support/claims.hpp"
+#include "support/frame_probe.hpp"
+#include "support/replays_as.hpp"
 #include "support/require.hpp"
 
 namespace {
@@ -152,6 +154,7 @@ void check_answers(TransmitQueue& queue, const Frame& request, Watch& watch, Ins
 
 }  // namespace
 
+CANPROOF_FUZZ_REPLAYS_AS_PART(part(), "--node 255")
 CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -177,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto length = static_cast<std::uint8_t>(is_nmt ? 2 : std::min(data[1] & 0x0F, 8));
         Frame frame = data_frame(is_nmt ? 0U : request_id, length);
         std::copy_n(data + 2, length, frame.data.begin());
-        device.receive(frame, now);
+        fuzz::deliver(device, frame, now);
         check_answers(queue, frame, watch, now);
     }
     return 0;

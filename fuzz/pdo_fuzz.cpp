@@ -13,6 +13,7 @@
 #include "support/frame_probe.hpp"
 #include "support/naive_pdo.hpp"
 #include "support/record_mutator.hpp"
+#include "support/replays_as.hpp"
 #include "support/require.hpp"
 #include "support/slave_register.hpp"
 
@@ -297,6 +298,7 @@ void step(Slave& slave, const std::uint8_t* record) {
 
 }  // namespace
 
+CANPROOF_FUZZ_REPLAYS_AS_PART(test::slave_part(), "--node 5")
 CANPROOF_FUZZ_CLAIMS(req::CO_PDO_001, req::CO_PDO_011, req::CO_PDO_016, req::CO_PDO_026, req::CO_PDO_027,
                      req::CO_PDO_028)
 CANPROOF_FUZZ_RECORDS(record_size)

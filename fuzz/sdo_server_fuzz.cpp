@@ -10,6 +10,7 @@
 #include "support/frame_probe.hpp"
 #include "support/naive_sdo_client.hpp"
 #include "support/record_mutator.hpp"
+#include "support/replays_as.hpp"
 #include "support/sdo_pair.hpp"
 
 namespace {
@@ -31,9 +32,9 @@ struct Obedient {
         : count{1U + record[1]}, ends{(record[2] & 1U) != 0}, unused{record[3] % 8U}, lost{record[4]} {}
 };
 
-void require(bool holds, const naive::Message& request) {
+void require(bool holds, const naive::Message& request, int line = __builtin_LINE()) {
     if (!holds) {
-        std::cerr << "differs at ";
+        std::cerr << "requirement violated at " << __FILE__ << ':' << line << " by ";
         for (const auto byte : request) {
             std::cerr << std::hex << unsigned{byte} << ' ';
         }
@@ -104,6 +105,7 @@ class Both {
 
 }  // namespace
 
+CANPROOF_FUZZ_REPLAYS_AS_PART(naive::pair_part(), "--node 5")
 CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_036)
 CANPROOF_FUZZ_RECORDS(record_size)
 

@@ -1,5 +1,5 @@
-// Lets a program that replays a corpus measure the work for each frame. Fuzz targets call it around every frame that
-// they give to a device; without anyone listening it does nothing.
+// Lets a program that replays a corpus measure the work for each frame, or write the frames down. Fuzz targets call it
+// around every frame that they give to a device; without anyone listening it does nothing.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -8,7 +8,7 @@
 namespace canproof::fuzz {
 
 struct FrameProbe {
-    void (*begins)(){nullptr};
+    void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
 };
 
@@ -18,7 +18,7 @@ inline FrameProbe frame_probe;
 template <typename Device>
 void deliver(Device& device, const Frame& frame, Instant now) {
     if (frame_probe.begins != nullptr) {
-        frame_probe.begins();
+        frame_probe.begins(frame, now);
     }
     device.receive(frame, now);
     if (frame_probe.ends != nullptr) {

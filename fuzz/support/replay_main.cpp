@@ -1,4 +1,5 @@
-// Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] FILE|FOLDER…
+// Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER…
+// --xml leaves the verdict for the audit, --frames a candump log of what the device was given (see frame_log.hpp).
 // A violated invariant aborts the process, so that reaching the end is the verdict.
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <iterator>
 
 #include "support/claims.hpp"
+#include "support/frame_log.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -36,8 +38,13 @@ std::size_t run_file(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
     std::vector<std::string> arguments(argv + 1, argv + argc);
     std::filesystem::path xml;
-    if (arguments.size() >= 2 && arguments[0] == "--xml") {
-        xml = arguments[1];
+    while (arguments.size() >= 2 && arguments[0].rfind("--", 0) == 0) {
+        if (arguments[0] == "--xml") {
+            xml = arguments[1];
+        } else if (arguments[0] != "--frames" || !canproof::fuzz::begin_frame_log(arguments[1])) {
+            std::cerr << arguments[0] << " is no option of this target; --xml is, and --frames if it has frames\n";
+            return 2;
+        }
         arguments.erase(arguments.begin(), arguments.begin() + 2);
     }
     std::size_t inputs = 0;

@@ -19,7 +19,7 @@ namespace {
 std::string input_name;
 unsigned long frames = 0;
 
-void frame_begins() {
+void frame_begins(const canproof::Frame&, canproof::Instant) {
     CALLGRIND_ZERO_STATS;
     CALLGRIND_TOGGLE_COLLECT;
 }

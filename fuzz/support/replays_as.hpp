@@ -1,0 +1,28 @@
+// What plays the frames of a target's input again: the program's own replay of a device, or of a data sheet.
+#pragma once
+
+#include <string>
+
+#include "host/speccompiler/writers.hpp"
+
+namespace canproof::fuzz {
+
+struct ReplaysAs {
+    std::string arguments;  ///< of `canproof replay`, less the log: `cbx-ao412 --node 3`
+    std::string eds;        ///< text of a data sheet; then `arguments` follow `--eds FILE`
+};
+
+/// Targets that give frames to a device say so with one of the macros below; the others have no such function.
+[[gnu::weak]] ReplaysAs replays_as();
+
+}  // namespace canproof::fuzz
+
+#define CANPROOF_FUZZ_REPLAYS_AS(arguments_of_replay)        \
+    canproof::fuzz::ReplaysAs canproof::fuzz::replays_as() { \
+        return {arguments_of_replay, ""};                    \
+    }
+
+#define CANPROOF_FUZZ_REPLAYS_AS_PART(part_of_register, arguments_of_replay)           \
+    canproof::fuzz::ReplaysAs canproof::fuzz::replays_as() {                           \
+        return {arguments_of_replay, canproof::host::write_eds({}, part_of_register)}; \
+    }
