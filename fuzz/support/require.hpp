@@ -6,10 +6,11 @@
 
 namespace canproof::fuzz {
 
-/// Ends the run as a finding, and says where, when it does not hold.
-inline void require(bool holds, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+/// Ends the run as a finding when it does not hold, and says where, what should have been and with which number.
+inline void require(bool holds, const char* what = "", unsigned long number = 0, const char* file = __builtin_FILE(),
+                    int line = __builtin_LINE()) {
     if (!holds) {
-        std::fprintf(stderr, "requirement violated at %s:%d\n", file, line);
+        std::fprintf(stderr, "requirement violated at %s:%d %s %lX\n", file, line, what, number);
         std::abort();
     }
 }

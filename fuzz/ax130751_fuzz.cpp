@@ -1,0 +1,20 @@
+// A whole AX130751: see support/device_world.hpp for what can happen to it and what must hold.
+#include "generated/ax130751/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "support/ax130751_unit.hpp"
+#include "support/claims.hpp"
+#include "support/device_world.hpp"
+#include "support/record_mutator.hpp"
+
+namespace {
+
+using namespace canproof;
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::AOR_OUT_016, req::AOR_DIAG_008, req::AOR_RELAY_001, req::CO_SDO_015, req::CO_STORE_004)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return fuzz::fuzz_device<fuzz::Ax130751Unit>(data, size);
+}

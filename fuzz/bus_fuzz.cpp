@@ -1,0 +1,137 @@
+// All four devices on one bus, as nodes 3 to 6: what a master or one of them sends reaches all the others; inputs, time
+// and power cuts are each device's own. Records as in support/device_world.hpp; bits 4 and 5 of the first byte say
+// whose.
+#include <tuple>
+
+#include "generated/canopen/requirements.hpp"
+#include "support/ax060805_unit.hpp"
+#include "support/ax130751_unit.hpp"
+#include "support/ax188001_unit.hpp"
+#include "support/cbx_ao412_unit.hpp"
+#include "support/claims.hpp"
+#include "support/device_world.hpp"
+#include "support/record_mutator.hpp"
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+
+constexpr std::size_t most_records = 60;
+constexpr unsigned most_frames_at_once = 1000;
+constexpr std::uint32_t bit_rate = 125000;
+
+template <typename Unit>
+fuzz::Image memory_with(std::uint8_t node_id) {
+    fuzz::JournalMemory memory{fuzz::Image(Unit::memory_size, 0xFF)};
+    LssStore{memory}.store({node_id, bit_rate});
+    return memory.image();
+}
+
+class FourOnABus {
+  public:
+    explicit FourOnABus(const fuzz::Circumstances& circumstances)
+        : cbx_{circumstances},
+          ax130751_{circumstances, memory_with<fuzz::Ax130751Unit>(4)},
+          ax188001_{circumstances, memory_with<fuzz::Ax188001Unit>(5)},
+          ax060805_{circumstances, memory_with<fuzz::Ax060805Unit>(6)} {
+        exchange();
+    }
+
+    void happen(const std::uint8_t* record) {
+        const unsigned whose = (record[0] >> 4U) & 3U;
+        std::optional<Frame> frame;
+        unsigned number = 0;
+        for_each([&](auto& world) {
+            if (number++ != whose) {
+                return;
+            }
+            frame = world.frame_in(record);
+            if (!frame && (record[0] & 0x0FU) != 0xCU) {
+                world.befall(record);
+            }
+        });
+        if (frame) {
+            for_each([&frame](auto& world) { world.receive(*frame); });
+        } else if ((record[0] & 0x0FU) == 0xCU) {
+            pass(fuzz::DeviceWorld<fuzz::CbxAo412Unit>::duration_in(record));
+        }
+        exchange();
+        for_each([](auto& world) { world.check(); });
+    }
+    void settle() {
+        pass(milliseconds(5));
+        for_each([](auto& world) { world.check(); });
+    }
+    std::uint64_t digest() {
+        fuzz::Digest all;
+        for_each([&all](auto& world) { all.add(world.digest()); });
+        return all.value();
+    }
+
+  private:
+    template <typename Visit>
+    void for_each(const Visit& visit) {
+        visit(cbx_);
+        visit(ax130751_);
+        visit(ax188001_);
+        visit(ax060805_);
+    }
+    /// Frames that answer one another at once come to an end.
+    void exchange() {
+        unsigned frames = 0;
+        for (bool quiet = false; !quiet;) {
+            quiet = true;
+            for_each([&](auto& sender) {
+                for (const Frame& frame : sender.take_sent()) {
+                    require(++frames <= most_frames_at_once, "the bus comes to rest");
+                    quiet = false;
+                    deliver(frame, &sender, sender.device().bit_rate());
+                }
+            });
+        }
+    }
+    /// To all others that work at the same bit rate.
+    void deliver(const Frame& frame, const void* sender, std::uint32_t rate) {
+        for_each([&](auto& world) {
+            if (&world != sender && world.device().bit_rate() == rate) {
+                world.receive(frame);
+            }
+        });
+    }
+    void pass(Duration time) {
+        const Instant end = cbx_.now() + time;
+        for (Instant next{}; next < end;) {
+            next = end;
+            for_each([&next](auto& world) { next = earliest(next, world.device().next_deadline()); });
+            next = next < cbx_.now() ? cbx_.now() : next;
+            for_each([next](auto& world) { world.run_until(next); });
+            exchange();
+        }
+    }
+
+    fuzz::DeviceWorld<fuzz::CbxAo412Unit> cbx_;
+    fuzz::DeviceWorld<fuzz::Ax130751Unit> ax130751_;
+    fuzz::DeviceWorld<fuzz::Ax188001Unit> ax188001_;
+    fuzz::DeviceWorld<fuzz::Ax060805Unit> ax060805_;
+};
+
+std::uint64_t run(const std::uint8_t* data, std::size_t size, const fuzz::Circumstances& circumstances) {
+    FourOnABus bus{circumstances};
+    const std::size_t count = std::min(size / fuzz::device_record_size, most_records);
+    for (std::size_t i = 0; i < count; ++i) {
+        bus.happen(data + i * fuzz::device_record_size);
+    }
+    bus.settle();
+    return bus.digest();
+}
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_STORE_004)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    require(run(data, size, {}) == run(data, size, fuzz::late_and_dirty), "two runs are equal");
+    return 0;
+}

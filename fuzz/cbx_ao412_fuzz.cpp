@@ -1,0 +1,20 @@
+// A whole CAN-CBX-AO412: see support/device_world.hpp for what can happen to it and what must hold.
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+#include "support/cbx_ao412_unit.hpp"
+#include "support/claims.hpp"
+#include "support/device_world.hpp"
+#include "support/record_mutator.hpp"
+
+namespace {
+
+using namespace canproof;
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_STORE_004)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return fuzz::fuzz_device<fuzz::CbxAo412Unit>(data, size);
+}

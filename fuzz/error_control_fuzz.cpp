@@ -1,0 +1,114 @@
+// NMT commands, heartbeat, its consumer and node guarding in any order and at any times: what the node says on 705h,
+// when it says it and in which state it is are those of a naive model. Input: records of four bytes, an event with its
+// numbers; the highest bit of the first adds a frame of any length in between.
+#include <algorithm>
+
+#include "generated/canopen/requirements.hpp"
+#include "host/devices/generic_device.hpp"
+#include "host/devices/memory.hpp"
+#include "support/claims.hpp"
+#include "support/frame_probe.hpp"
+#include "support/naive_error_control.hpp"
+#include "support/record_mutator.hpp"
+#include "support/require.hpp"
+#include "support/slave_register.hpp"
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+namespace naive = naive_error_control;
+
+constexpr std::size_t record_size = 4;
+constexpr std::size_t most_records = 200;
+
+class Both {
+  public:
+    Both() {
+        device_.power_on(naive::node_id, now_);
+        compare();
+    }
+
+    void happen(const std::uint8_t* record) {
+        const naive::Event event{(record[0] & 0x7FU) % naive::event_kinds, record[1], record[2] + 256U * record[3]};
+        if ((record[0] & 0x80U) != 0) {
+            meaningless(event);
+        }
+        naive::apply(model_, event);
+        const naive::EventFrame asked = naive::frame_of(event);
+        if (naive::pause_of(event) != 0 || event.kind == 8) {
+            pass(naive::pause_of(event));
+        } else {
+            Frame frame = data_frame(asked.id, static_cast<std::uint8_t>(asked.data.size()));
+            std::copy(asked.data.begin(), asked.data.end(), frame.data.begin());
+            frame.remote = asked.remote;
+            fuzz::deliver(device_, frame, now_);
+            drain();
+        }
+        compare();
+    }
+
+  private:
+    /// Commands, heartbeats and guarding of the wrong length or format are none.
+    void meaningless(const naive::Event& event) {
+        Frame frame = data_frame(event.kind % 2U == 0 ? 0U : 0x701U, static_cast<std::uint8_t>(event.b % 9U));
+        frame.data = {static_cast<std::uint8_t>(naive::command_of(event)), naive::node_id};
+        frame.extended = frame.length == (frame.id == 0 ? 2U : 1U);
+        fuzz::deliver(device_, frame, now_);
+        drain();
+    }
+    void pass(std::uint64_t ms) {
+        const Instant end = now_ + milliseconds(ms);
+        for (unsigned at_once = 0; device_.next_deadline() <= end;) {
+            at_once = device_.next_deadline() > now_ ? 0 : at_once + 1;
+            require(at_once < 4, "what is due gets done");
+            now_ = std::max(now_, device_.next_deadline(), [](Instant a, Instant b) { return a < b; });
+            device_.advance(now_);
+            drain();
+        }
+        now_ = end;
+    }
+    /// The state may change with an event: emergency messages are silent in stopped alone (CiA 301, 7.3.2.2.5).
+    void drain() {
+        while (!queue_.empty()) {
+            const Frame frame = queue_.pop();
+            require(!frame.extended && !frame.remote && frame.length <= max_frame_length, "a frame");
+            if (frame.id == 0x705) {
+                require(frame.length == 1, "error control has one byte");
+                said_.emplace_back(now_.us / 1000U, frame.data[0]);
+            } else {
+                const bool pdo = (frame.id & 0x7FU) == naive::node_id && frame.id >= 0x185 && frame.id <= 0x485;
+                require(frame.id == 0x085 || frame.id == 0x585 || pdo, "an identifier of the node", frame.id);
+            }
+        }
+    }
+    void compare() {
+        drain();
+        require(model_.take_said() == std::exchange(said_, {}), "what is said on 705h");
+        require(static_cast<unsigned>(device_.node().state()) == model_.state(), "state", model_.state());
+        const bool listed = (device_.objects().read(0x1001, 0) & 0x10U) != 0;
+        require(listed == model_.has_failed(), "communication error");
+    }
+
+    host::Memory memory_{64};
+    TransmitQueue queue_;
+    host::GenericDevice device_{test::slave_part(), memory_, queue_};
+    naive::Node model_;
+    naive::Said said_;
+    Instant now_{};
+};
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(record_size)
+CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_HB_001, req::CO_HB_002,
+                     req::CO_GUARD_001, req::CO_GUARD_002)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Both both;
+    const std::size_t count = std::min(size / record_size, most_records);
+    for (std::size_t i = 0; i < count; ++i) {
+        both.happen(data + i * record_size);
+    }
+    return 0;
+}

@@ -1,0 +1,52 @@
+// Files of the register of any bytes: told as faults with line and mend, or a dictionary that runs and can be written
+// as a data sheet. Input: a digit that says which of the three files it is, then the text.
+#include "generated/canopen/requirements.hpp"
+#include "host/devices/generic_simulation.hpp"
+#include "host/eds/read_eds.hpp"
+#include "host/speccompiler/writers.hpp"
+#include "support/claims.hpp"
+#include "support/require.hpp"
+#include "support/slave_register.hpp"
+
+CANPROOF_FUZZ_CLAIMS()
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+
+host::SpecFiles files_with(const std::uint8_t* data, std::size_t size) {
+    host::SpecFiles files = test::slave_files();
+    const char* const names[]{"spec/devices/slave/objects.toml", "spec/devices/slave/device.toml",
+                              "spec/manuals/s.toml", "spec/devices/slave/behaviour/more.toml"};
+    files[names[size == 0 ? 0 : data[0] % 4U]] = size == 0 ? std::string{} : std::string{data + 1, data + size};
+    return files;
+}
+
+void run(const host::Part& part) {
+    host::GenericSimulation device{part};
+    device.power_on(Instant{});
+    for (const host::Object& object : part.objects) {
+        Frame request = data_frame(0x600U + static_cast<std::uint32_t>(part.info.node_id), 8);
+        request.data = {0x40, static_cast<std::uint8_t>(object.index), static_cast<std::uint8_t>(object.index >> 8U)};
+        device.receive(request, Instant{});
+        while (!device.queue().empty()) {
+            require(device.queue().pop().length <= max_frame_length);
+        }
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const host::LoadResult loaded = host::load_register(files_with(data, size));
+    for (const host::Fault& one : loaded.faults) {
+        require(one.place.file.rfind("spec/", 0) == 0 && !one.what.empty() && !one.mend.empty(), "a fault says all");
+    }
+    const host::Part* const part = loaded.content.part("slave");
+    if (loaded.faults.empty() && part != nullptr) {
+        run(*part);
+        require(!host::write_eds(loaded.content, *part).empty() && !host::write_tables(loaded.content, *part).empty());
+    }
+    return 0;
+}

@@ -1,0 +1,62 @@
+// Stimuli of any bytes: refused with a place, or changes in order of time whose values are numbers; those that the
+// devices take are in the ranges of their inputs.
+#include <cmath>
+#include <sstream>
+
+#include "host/bus/candump.hpp"
+#include "host/embedded_spec.hpp"
+#include "host/replay/stimulus.hpp"
+#include "support/claims.hpp"
+#include "support/require.hpp"
+
+CANPROOF_FUZZ_CLAIMS()
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+
+const std::vector<const host::Part*>& devices() {
+    static const host::LoadResult loaded = host::load_register(host::embedded_spec());
+    static const std::vector<const host::Part*> all{loaded.content.part("ax130751"), loaded.content.part("ax188001"),
+                                                    loaded.content.part("cbx-ao412"), loaded.content.part("ax060805")};
+    return all;
+}
+
+/// Looks through all signals for one that takes what was accepted.
+bool is_taken(const host::Stimulus& one) {
+    for (const host::Part* device : devices()) {
+        for (const host::Signal& signal : device->signals) {
+            for (const std::string& name : signal.names()) {
+                const bool fits = (!signal.minimum || one.value >= *signal.minimum) &&
+                                  (!signal.maximum || one.value <= *signal.maximum);
+                if (signal.input && name == one.signal && fits) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::istringstream in{std::string{data, data + size}};
+    try {
+        const std::vector<host::Stimulus> read = host::read_stimuli(in, "fuzz");
+        Instant last{};
+        for (const host::Stimulus& one : read) {
+            require(last <= one.time && std::isfinite(one.value) && one.where.rfind("fuzz:", 0) == 0);
+            require(one.signal.find(',') == std::string::npos);
+            last = one.time;
+        }
+        host::check_stimuli(read, devices());
+        for (const host::Stimulus& one : read) {
+            require(is_taken(one));
+        }
+    } catch (const host::InputError& error) {
+        require(std::string{error.what()}.rfind("fuzz:", 0) == 0);
+    }
+    return 0;
+}

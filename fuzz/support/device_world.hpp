@@ -1,0 +1,382 @@
+// One of the four devices under anything that can happen to it - frames, physical inputs, time, failing memory, power
+// cuts - and what must hold whatever did. A `Unit` says which device: its types, the size of its memory and what holds
+// for it alone; see the headers named _unit.hpp.
+//
+// A record of an input is twelve bytes: what happens, how, and ten bytes for it.
+//   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
+//   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time · D power cut while a
+//   frame is served · E power cycle · F memory fails, or works again
+#pragma once
+
+#include <memory>
+#include <new>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "firmware/canopen/lss_store.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "support/digest.hpp"
+#include "support/frame_probe.hpp"
+#include "support/journal_memory.hpp"
+#include "support/own_identifiers.hpp"
+#include "support/require.hpp"
+#include "support/sdo_legal.hpp"
+
+namespace canproof::fuzz {
+
+constexpr std::size_t device_record_size = 12;
+/// Longer inputs find nothing that shorter ones do not.
+constexpr std::size_t most_device_records = 150;
+
+/// Under which circumstances a world runs: none of them may show.
+struct Circumstances {
+    std::uint64_t begins_us{0};  ///< the time at power-on
+    std::uint8_t garbage{0};     ///< what the RAM of the device is full of before it starts
+};
+
+template <typename Unit>
+class DeviceWorld {
+  public:
+    using Device = typename Unit::Device;
+    using Inputs = typename Unit::Inputs;
+
+    explicit DeviceWorld(const Circumstances& circumstances, Image memory = Image(Unit::memory_size, 0xFF))
+        : memory_{std::move(memory)},
+          garbage_{circumstances.garbage},
+          start_{circumstances.begins_us},
+          now_{circumstances.begins_us} {
+        Unit::prepare(inputs_);
+        power_on();
+    }
+    ~DeviceWorld() { device_->~Device(); }
+    DeviceWorld(const DeviceWorld&) = delete;
+    DeviceWorld& operator=(const DeviceWorld&) = delete;
+
+    void happen(const std::uint8_t* record) {
+        const std::optional<Frame> frame = frame_in(record);
+        if (frame) {
+            receive(*frame);
+        } else {
+            befall(record);
+        }
+    }
+    /// The frame that a record of the kinds 0 to A puts on the bus. None for the others.
+    std::optional<Frame> frame_in(const std::uint8_t* record) const {
+        const unsigned how = record[1];
+        const std::uint8_t* const data = record + 2;
+        switch (record[0] & 0x0FU) {
+            case 4:
+                return entry_write(data);
+            case 5:
+                return frame_of(0x7E5, how, data);
+            case 6:
+                return frame_of(0x000, how, data);
+            case 7:
+                return frame_of(current_id(0x1400U + ((how >> 4U) & 3U), 1), how, data);
+            case 8:
+                return any_frame(how, data);
+            case 9:
+                return remote_frame(how);
+            case 0xA:
+                return frame_of(current_id(0x1005, 0), how & 1U, data);
+            default:
+                return (record[0] & 0x0FU) < 4U ? std::optional{request(data)} : std::nullopt;
+        }
+    }
+    /// What a record of the kinds B to F does to the device itself.
+    void befall(const std::uint8_t* record) {
+        const unsigned how = record[1];
+        const std::uint8_t* const data = record + 2;
+        switch (record[0] & 0x0FU) {
+            case 0xB:
+                return set_input(how, data);
+            case 0xC:
+                return pass(duration_in(record));
+            case 0xD:
+                return cut_power((how & 1U) != 0 ? frame_of(0x7E5, 8, data) : request(data), data[8] + 256U * data[9]);
+            case 0xE:
+                return power_cycle();
+            case 0xF:
+                return (how & 1U) != 0 ? memory_.heal() : memory_.fail_after(data[0] + 256U * data[1]);
+            default:
+                return;  // an entry that no expedited write reaches
+        }
+    }
+    /// Of a record of kind C.
+    static Duration duration_in(const std::uint8_t* record) {
+        return milliseconds((record[2] + 256U * record[3]) % 10000U);
+    }
+    /// What holds after any record.
+    void check() {
+        check_values();
+        unit_.check(*device_, inputs_, false);
+    }
+    /// Gives the device as long as it may take to act on all that happened, and checks again.
+    void settle() {
+        pass(milliseconds(5));
+        check_values();
+        unit_.check(*device_, inputs_, true);
+    }
+
+    /// Time goes on to `end` with every deadline on the way kept.
+    void run_until(Instant end) {
+        constexpr unsigned most_at_once = 4;
+        unsigned at_once = 0;
+        while (device_->next_deadline() <= end) {
+            at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
+            require(at_once <= most_at_once);  // what is due gets done
+            now_ = device_->next_deadline() > now_ ? device_->next_deadline() : now_;
+            device_->advance(now_);
+            drain(nullptr);
+        }
+        now_ = end;
+    }
+    void pass(Duration time) { run_until(now_ + time); }
+
+    void receive(const Frame& frame) {
+        deliver(*device_, frame, now_);
+        drain(&frame);
+        run_until(now_);
+    }
+
+    Instant now() const { return now_; }
+    const Device& device() const { return *device_; }
+    /// What left the device since the last call.
+    std::vector<Frame> take_sent() { return std::exchange(sent_, {}); }
+
+    /// All that can be seen of the device, from the start until now.
+    std::uint64_t digest() {
+        digest_.add(device_->objects().image());
+        for_each_output(device_->outputs(), [this](const char*, const auto& value) { digest_.add(value); });
+        digest_.add(ByteView{memory_.image().data(), memory_.image().size()});
+        return digest_.value();
+    }
+
+  private:
+    std::uint32_t node() const { return device_->node_id() & 0x7FU; }
+    std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
+        return device_->objects().read(static_cast<std::uint16_t>(index), sub) & 0x7FFU;
+    }
+
+    static Frame frame_of(std::uint32_t id, unsigned how, const std::uint8_t* data) {
+        Frame frame = data_frame(id, static_cast<std::uint8_t>(std::min(how & 0x0FU, 8U)));
+        std::copy_n(data, frame.length, frame.data.begin());
+        return frame;
+    }
+    Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
+    static Frame any_frame(unsigned how, const std::uint8_t* data) {
+        Frame frame = frame_of((data[0] + 256U * data[1]) & 0x7FFU, how, data + 2);
+        frame.remote = (how & 0x80U) != 0;
+        frame.extended = (how & 0x40U) != 0;
+        return frame;
+    }
+    /// Asks for the error control message, a TPDO or an RPDO.
+    Frame remote_frame(unsigned how) const {
+        const unsigned number = how % 9U;
+        std::uint32_t id = device_->objects().has(0x100E, 0) ? current_id(0x100E, 0) : 0x700U + node();
+        if (number >= 5U) {
+            id = current_id(0x1400U + number - 5U, 1);
+        } else if (number >= 1U) {
+            id = current_id(0x1800U + number - 1U, 1);
+        }
+        Frame frame = data_frame(id, 0);
+        frame.remote = true;
+        return frame;
+    }
+    /// An expedited write of the right length, so that values matter and not addresses.
+    std::optional<Frame> entry_write(const std::uint8_t* data) const {
+        const DictionaryTables& tables = device_->objects().tables();
+        const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;
+        const EntryRow& entry = tables.entries[chosen];
+        for (const ObjectRow& object : tables.objects) {
+            const bool holds = chosen >= object.first_entry && chosen < std::size_t{object.first_entry} + object.count;
+            if (holds && entry.size >= 1 && entry.size <= 4) {
+                Frame write = data_frame(0x600U + node(), 8);
+                write.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - entry.size) << 2U));
+                write_le(MutableBytes{write.data}, 1, 2, object.index);
+                write.data[3] = entry.subindex;
+                std::copy_n(data + 2, entry.size, write.data.begin() + 4);
+                return write;
+            }
+        }
+        return std::nullopt;
+    }
+
+    template <typename Value>
+    static Value value_of(const std::uint8_t* data) {
+        if constexpr (std::is_floating_point_v<Value>) {
+            constexpr float scales[]{0.001F, 0.01F, 0.1F, 1.0F};
+            const unsigned kind = data[4] % 8U;
+            const float number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
+            return kind < 4 ? bit_cast<float>(read_u32(ByteView{data, 4}, 0)) : number * scales[kind - 4U];
+        } else {
+            return static_cast<Value>(std::is_same_v<Value, bool> ? data[0] & 1U : data[0]);
+        }
+    }
+    void set_input(unsigned which, const std::uint8_t* data) {
+        unsigned count = 0;
+        for_each_input(inputs_, [&count](const char*, auto&) { ++count; });
+        unsigned number = 0;
+        for_each_input(inputs_, [&](const char*, auto& input) {
+            if (number++ == which % count) {
+                input = value_of<std::decay_t<decltype(input)>>(data);
+            }
+        });
+        device_->set_inputs(inputs_, now_);
+        drain(nullptr);
+    }
+
+    void power_on() {
+        storage_ = std::make_unique<Storage>();
+        std::fill(storage_->bytes.begin(), storage_->bytes.end(), garbage_);
+        queue_ = TransmitQueue{};
+        unasked_ = 0;
+        unit_ = Unit{};
+        device_ = new (storage_->bytes.data()) Device{memory_, queue_, typename Unit::FactoryData{}};
+        known_.reset();
+        device_->power_on(inputs_, now_);
+        drain(nullptr);
+        run_until(now_);
+    }
+    void power_cycle() {
+        device_->~Device();
+        memory_.heal();
+        power_on();
+    }
+    /// CiA 301, 7.5.2.13: the stored set is the old one or the new one, wherever the cut is.
+    void cut_power(const Frame& frame, std::size_t place) {
+        memory_.heal();
+        const std::uint64_t before = stored(memory_.image());
+        memory_.open_journal();
+        receive(frame);
+        if (memory_.written() != 0) {
+            const std::uint64_t after = stored(memory_.image());
+            memory_.cut_after(place % (memory_.written() + 1U));
+            const std::uint64_t found = stored(memory_.image());
+            require(found == before || found == after, "stored set old or new");
+        }
+        power_cycle();
+    }
+    /// What a device that wakes up with this memory has of stored parameters, node-ID and bit rate.
+    std::uint64_t stored(const Image& image) const {
+        JournalMemory copy{image};
+        TransmitQueue queue;
+        const auto probe = std::make_unique<Device>(copy, queue, typename Unit::FactoryData{});
+        Inputs inputs{};
+        Unit::prepare(inputs);
+        probe->power_on(inputs, Instant{});
+        Digest digest;
+        digest.add(probe->node_id());
+        digest.add(probe->bit_rate());
+        for_each_entry(probe->objects(), [&](const EntryRef& entry) {
+            if (entry.may(rights::stored)) {
+                digest.add(probe->objects().value(entry));
+            }
+        });
+        return digest.value();
+    }
+
+    template <typename Visit>
+    static void for_each_entry(const ObjectDictionary& objects, const Visit& visit) {
+        for (const ObjectRow& object : objects.tables().objects) {
+            for (std::size_t i = 0; i < object.count; ++i) {
+                visit(EntryRef{&objects.tables().entries[object.first_entry + i], object.index});
+            }
+        }
+    }
+    /// Every value is within its limits; those of 1003h:0 are for writes alone.
+    void check_values() const {
+        if (!Unit::has_values(*device_)) {
+            return;
+        }
+        const ObjectDictionary& objects = device_->objects();
+        for_each_entry(objects, [&](const EntryRef& entry) {
+            require(entry.is(0x1003, 0) || Unit::shows_beyond_limits(objects, entry) ||
+                        objects.check_value(entry, objects.value(entry)) == AbortCode::none,
+                    "limits of", (entry.index * 0x100UL) + entry.row->subindex);
+        });
+    }
+
+    /// Everything that one event brought: well-formed frames on identifiers of the device, at most one SDO answer, and
+    /// room left in the queue, so that nothing was lost.
+    void drain(const Frame* cause) {
+        require(queue_.size() < TransmitQueue::capacity, "room in the queue");
+        const Identifiers before = known_;
+        known_ = own_identifiers(device_->objects(), device_->node_id(), Unit::answers_remote);
+        int answers = 0;
+        while (!queue_.empty()) {
+            const Frame frame = queue_.pop();
+            require(!frame.extended && !frame.remote && frame.length <= max_frame_length && frame.id <= 0x7FF);
+            require(before.test(frame.id) || known_.test(frame.id) || Unit::may_also_send(frame),
+                    "the device owns the identifier", frame.id);
+            if (frame.id >= 0x580U && frame.id < 0x600U) {
+                ++answers;
+                check_answer(cause, frame);
+            }
+            remember(frame);
+        }
+        require(answers <= 1);
+    }
+    /// Without a request only the time-out of a transfer is told, once.
+    void check_answer(const Frame* cause, const Frame& answer) {
+        constexpr std::uint32_t timed_out = 0x05040000;
+        if (cause == nullptr) {
+            require(is_abort(answer) && read_u32(answer.payload(), 4) == timed_out && unasked_ == 0);
+            ++unasked_;
+            return;
+        }
+        unasked_ = 0;
+        require(cause->id == answer.id + 0x80U && !cause->remote && !cause->extended);
+        require(is_legal_answer(*cause, answer));
+    }
+    void remember(const Frame& frame) {
+        digest_.add(now_.us - start_);
+        digest_.add(frame.id);
+        digest_.add(frame.payload());
+        sent_.push_back(frame);
+    }
+
+    struct Storage {
+        alignas(Device) std::array<std::uint8_t, sizeof(Device)> bytes;
+    };
+
+    JournalMemory memory_;
+    TransmitQueue queue_;
+    Inputs inputs_{};
+    Unit unit_;
+    std::uint8_t garbage_;
+    std::uint64_t start_;
+    Instant now_;
+    std::unique_ptr<Storage> storage_;
+    Device* device_{nullptr};
+    Identifiers known_;
+    unsigned unasked_{0};
+    std::vector<Frame> sent_;
+    Digest digest_;
+};
+
+/// A multiple of 24 s, in which every LED pattern fits, 1.28 s before the count of microseconds has its low 32 bits at
+/// 0.
+constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
+
+template <typename Unit>
+std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circumstances& circumstances) {
+    DeviceWorld<Unit> world{circumstances};
+    const std::size_t count = std::min(size / device_record_size, most_device_records);
+    for (std::size_t i = 0; i < count; ++i) {
+        world.happen(data + i * device_record_size);
+        world.check();
+    }
+    world.settle();
+    return world.digest();
+}
+
+/// One input, lived through twice: what a device does depends on nothing but what happened to it.
+template <typename Unit>
+int fuzz_device(const std::uint8_t* data, std::size_t size) {
+    require(run_world<Unit>(data, size, {}) == run_world<Unit>(data, size, late_and_dirty), "two runs are equal");
+    return 0;
+}
+
+}  // namespace canproof::fuzz

@@ -1,0 +1,68 @@
+// A memory that remembers in which order its bytes were written, so that a power cut can be put after any of them.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "firmware/base/non_volatile_memory.hpp"
+
+namespace canproof::fuzz {
+
+using Image = std::vector<std::uint8_t>;
+
+class JournalMemory final : public NonVolatileMemory {
+  public:
+    explicit JournalMemory(Image image) : bytes_(std::move(image)) {}
+
+    std::size_t size() const override { return bytes_.size(); }
+    bool read(std::size_t at, MutableBytes to) const override {
+        if (at > bytes_.size() || to.size() > bytes_.size() - at) {
+            return false;
+        }
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            to.set(i, bytes_[at + i]);
+        }
+        return true;
+    }
+    bool write(std::size_t at, ByteView bytes) override {
+        if (at > bytes_.size() || bytes.size() > bytes_.size() - at) {
+            return false;
+        }
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            if (writes_left_ == 0) {
+                return false;
+            }
+            --writes_left_;
+            journal_.push_back({at + i, bytes_[at + i]});
+            bytes_[at + i] = bytes[i];
+        }
+        return true;
+    }
+
+    /// From the byte `count` from now on every write fails, as in a worn memory.
+    void fail_after(std::size_t count) { writes_left_ = count; }
+    void heal() { writes_left_ = SIZE_MAX; }
+
+    /// What is written from now on can be taken back.
+    void open_journal() { journal_.clear(); }
+    std::size_t written() const { return journal_.size(); }
+    /// As a power cut after the first `count` bytes of the journal leaves it.
+    void cut_after(std::size_t count) {
+        while (journal_.size() > count) {
+            bytes_[journal_.back().at] = journal_.back().old;
+            journal_.pop_back();
+        }
+    }
+    const Image& image() const { return bytes_; }
+
+  private:
+    struct Write {
+        std::size_t at;
+        std::uint8_t old;
+    };
+    Image bytes_;
+    std::vector<Write> journal_;
+    std::size_t writes_left_{SIZE_MAX};
+};
+
+}  // namespace canproof::fuzz
