@@ -5,6 +5,7 @@
 #include "support/claims.hpp"
 #include "support/device_world.hpp"
 #include "support/record_mutator.hpp"
+#include "support/replays_as.hpp"
 
 namespace {
 
@@ -12,6 +13,7 @@ using namespace canproof;
 
 }  // namespace
 
+CANPROOF_FUZZ_REPLAYS_AS("ax130751")
 CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
 CANPROOF_FUZZ_CLAIMS(req::AOR_OUT_016, req::AOR_DIAG_008, req::AOR_RELAY_001, req::CO_SDO_015, req::CO_STORE_004)
 

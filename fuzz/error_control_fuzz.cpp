@@ -10,6 +10,7 @@
 #include "support/frame_probe.hpp"
 #include "support/naive_error_control.hpp"
 #include "support/record_mutator.hpp"
+#include "support/replays_as.hpp"
 #include "support/require.hpp"
 #include "support/slave_register.hpp"
 
@@ -100,6 +101,7 @@ class Both {
 
 }  // namespace
 
+CANPROOF_FUZZ_REPLAYS_AS_PART(test::slave_part(), "--node 5")
 CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_HB_001, req::CO_HB_002,
                      req::CO_GUARD_001, req::CO_GUARD_002)
