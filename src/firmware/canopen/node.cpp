@@ -26,7 +26,7 @@ bool are_equal(const ByteView a, const ByteView b) noexcept {
 }  // namespace
 
 Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
-           const ErrorTable& errors, const NodeProfile& profile) noexcept
+           const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept
     : objects_{objects},
       queue_{queue},
       application_{application},
@@ -37,8 +37,8 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       sync_{objects, queue},
       error_control_{objects, queue},
       heartbeats_{objects},
-      rpdos_{objects, *this, queue, profile.rpdos_answering_remote},
-      tpdos_{objects, queue, profile.tpdo_trigger},
+      rpdos_{objects, *this, queue, profile.rpdos_answering_remote, pdos.receive, pdos.receive_lines},
+      tpdos_{objects, queue, profile.tpdo_trigger, pdos.transmit, pdos.transmit_lines},
       lss_{profile.lss, objects, queue, application} {}
 
 void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {

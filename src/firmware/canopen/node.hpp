@@ -10,10 +10,9 @@
 #include "firmware/canopen/nmt.hpp"
 #include "firmware/canopen/object_access.hpp"
 #include "firmware/canopen/parameter_store.hpp"
-#include "firmware/canopen/receive_pdo.hpp"
+#include "firmware/canopen/pdo_memory.hpp"
 #include "firmware/canopen/sdo_server.hpp"
 #include "firmware/canopen/sync.hpp"
-#include "firmware/canopen/transmit_pdo.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
@@ -87,8 +86,9 @@ class Application : public LssApplication {
 
 class Node final : private ObjectAccess {
   public:
+    /// `errors` and what `pdos` names outlive the node.
     Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
-         const ErrorTable& errors, const NodeProfile& profile) noexcept;
+         const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept;
 
     /// Power-on with the node-ID (1…127) that switches gave. Ends with boot-up, in pre-operational.
     void power_on(const std::uint8_t node_id, const Instant now) noexcept {

@@ -17,20 +17,9 @@ constexpr std::uint8_t inhibit_subindex = 3U;
 constexpr std::uint8_t event_subindex = 5U;
 constexpr std::uint8_t sync_start_subindex = 6U;
 
-/// Where the objects of one direction begin, and which right a mapped entry needs.
-struct Family {
-    std::uint16_t communication;
-    std::uint16_t mapping;
-    std::uint8_t right;
-};
-
-constexpr Family family_of(const PdoDirection direction) noexcept {
-    return (direction == PdoDirection::receive) ? Family{0x1400U, 0x1600U, rights::rpdo}
-                                                : Family{0x1800U, 0x1A00U, rights::tpdo};
-}
-
-constexpr std::uint16_t numbered(const std::uint16_t index, const std::size_t number) noexcept {
-    return static_cast<std::uint16_t>(index + number);
+/// What a mapped entry needs.
+constexpr std::uint8_t mapping_right(const PdoDirection direction) noexcept {
+    return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
 }
 
 /// The COB-ID entry; "not valid" where there is no such PDO.
@@ -109,7 +98,7 @@ static_assert(implements<req::CO_PDO_009>);
 AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction, const std::size_t number,
                               const EntryRef& entry, const ByteView value) noexcept {
     // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.
-    const std::uint8_t right = family_of(direction).right;
+    const std::uint8_t right = mapping_right(direction);
     if (cob_id::is_valid(cob_id_entry(objects, direction, number))) {
         return AbortCode::device_state;
     }
@@ -122,29 +111,11 @@ AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirectio
 
 }  // namespace
 
-std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
-    return numbered(family_of(direction).communication, number);
-}
-
-std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
-    return numbered(family_of(direction).mapping, number);
-}
-
-std::size_t count_pdos(const ObjectDictionary& objects, const PdoDirection direction) noexcept {
-    std::size_t count{0U};
-    for (std::size_t number = 0U; number < max_pdos; ++number) {
-        if (objects.has(communication_object(direction, number), cob_id_subindex)) {
-            count = number + 1U;
-        }
-    }
-    return count;
-}
-
 std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
-    const Family family = family_of(direction);
     const std::uint16_t first = static_cast<std::uint16_t>(index & 0xFF00U);
     const std::size_t number = index & 0x00FFU;
-    const bool belongs = ((first == family.communication) || (first == family.mapping)) && (number < max_pdos);
+    const bool belongs = ((first == communication_object(direction, 0U)) || (first == mapping_object(direction, 0U))) &&
+                         (number < max_pdos);
     return belongs ? number : max_pdos;
 }
 

@@ -33,11 +33,26 @@ struct PdoParameters {
 };
 
 /// Object of PDO `number` (0…max_pdos - 1).
-std::uint16_t communication_object(PdoDirection direction, std::size_t number) noexcept;
-std::uint16_t mapping_object(PdoDirection direction, std::size_t number) noexcept;
+constexpr std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
+    constexpr std::uint32_t first_receive{0x1400U};
+    constexpr std::uint32_t first_transmit{0x1800U};
+    return static_cast<std::uint16_t>(((direction == PdoDirection::receive) ? first_receive : first_transmit) + number);
+}
+constexpr std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
+    constexpr std::uint32_t between{0x0200U};
+    return static_cast<std::uint16_t>(communication_object(direction, number) + between);
+}
 
 /// How many of the PDOs of a direction the dictionary can have: the highest number present.
-std::size_t count_pdos(const ObjectDictionary& objects, PdoDirection direction) noexcept;
+constexpr std::size_t count_pdos(const DictionaryTables& tables, const PdoDirection direction) noexcept {
+    std::size_t count{0U};
+    for (const ObjectRow& object : tables.objects) {
+        for (std::size_t number = count; number < max_pdos; ++number) {
+            count = (object.index == communication_object(direction, number)) ? (number + 1U) : count;
+        }
+    }
+    return count;
+}
 PdoParameters read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number) noexcept;
 
 /// Whether an entry of 14xxh, 16xxh, 18xxh or 1Axxh may get this value now.

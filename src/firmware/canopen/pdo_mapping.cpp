@@ -116,9 +116,11 @@ void PdoMapping::append(const Line& line) noexcept {
         (last != nullptr) && last->plain && line.plain && (line.row->offset == (last->row->offset + (last->bits / 8U)));
     if (joins) {
         last->bits = static_cast<std::uint8_t>(last->bits + line.bits);
-    } else {
+    } else if (count_ < lines_.count) {
         lines_[count_] = line;
         ++count_;
+    } else {
+        // no such entry: it reads as zero, which maps nothing
     }
 }
 

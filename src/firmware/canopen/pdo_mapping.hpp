@@ -6,6 +6,7 @@
 
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_access.hpp"
+#include "firmware/canopen/pdo_communication.hpp"
 
 namespace canproof {
 
@@ -25,6 +26,17 @@ class PdoMapping {
     /// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
     static constexpr std::size_t max_lines = 64U;
 
+    /// One line of the mapping object, its entry found.
+    struct Line {
+        const EntryRow* row{nullptr};  ///< nullptr: a gap
+        std::uint16_t index{0U};
+        std::uint8_t bits{0U};
+        bool bytes{false};  ///< just the bits / 8 bytes of the image from the row's offset, on a byte boundary
+        bool plain{false};  ///< such bytes without limits, owner or anyone to be told; neighbours are joined into one
+    };
+
+    /// Takes memory for as many lines as the mapping object has entries; fewer, and the lines behind are not mapped.
+    void lend(const MutableTable<Line> lines) noexcept { lines_ = lines; }
     /// Reads mapping object `index` anew.
     void resolve(const ObjectDictionary& objects, std::uint16_t index) noexcept;
 
@@ -43,24 +55,49 @@ class PdoMapping {
     Frame pack(const ObjectDictionary& objects, std::uint32_t id) const noexcept;
 
   private:
-    /// One line of the mapping object, its entry found.
-    struct Line {
-        const EntryRow* row{nullptr};  ///< nullptr: a gap
-        std::uint16_t index{0U};
-        std::uint8_t bits{0U};
-        bool bytes{false};  ///< just the bits / 8 bytes of the image from the row's offset, on a byte boundary
-        bool plain{false};  ///< such bytes without limits, owner or anyone to be told; neighbours are joined into one
-    };
-
     static Line find_line(const ObjectDictionary& objects, std::uint32_t entry, std::uint32_t at) noexcept;
     void append(const Line& line) noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
 
-    std::array<Line, max_lines> lines_{};
+    MutableTable<Line> lines_{};
     std::uint8_t count_{0U};
     std::uint8_t length_{0U};
     bool all_plain_{false};
 };
+
+/// Entries of mapping object `index`, no more than a PDO can have; zero without such an object.
+constexpr std::size_t count_mapping_lines(const DictionaryTables& tables, const std::uint16_t index) noexcept {
+    std::size_t count{0U};
+    for (const ObjectRow& object : tables.objects) {
+        if (object.index == index) {
+            count = tables.entries[(object.first_entry + object.count) - 1U].subindex;
+        }
+    }
+    return (count < PdoMapping::max_lines) ? count : PdoMapping::max_lines;
+}
+
+/// The same of all PDOs of a direction together.
+constexpr std::size_t count_mapping_lines(const DictionaryTables& tables, const PdoDirection direction) noexcept {
+    std::size_t count{0U};
+    for (std::size_t number = 0U; number < count_pdos(tables, direction); ++number) {
+        count += count_mapping_lines(tables, mapping_object(direction, number));
+    }
+    return count;
+}
+
+/// Lends each PDO of a direction its part of `lines`, in their order. `Pdo` has a member `mapping`.
+template <typename Pdo>
+void lend_lines(const MutableTable<Pdo> pdos, const MutableTable<PdoMapping::Line> lines,
+                const DictionaryTables& tables, const PdoDirection direction) noexcept {
+    std::size_t used{0U};
+    for (std::size_t number = 0U; number < pdos.count; ++number) {
+        const std::size_t wanted = count_mapping_lines(tables, mapping_object(direction, number));
+        const std::size_t rest = lines.count - used;
+        const std::size_t given = (wanted < rest) ? wanted : rest;
+        pdos[number].mapping.lend(MutableTable<PdoMapping::Line>{lines.rows + used, given});
+        used += given;
+    }
+}
 
 /// The bit of a 64-bit set that stands for an entry. Two entries may share one.
 constexpr std::uint64_t watch_mark(const std::uint16_t index, const std::uint8_t subindex) noexcept {

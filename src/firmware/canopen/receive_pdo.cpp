@@ -15,8 +15,7 @@ constexpr std::uint8_t with_bit(const std::uint8_t set, const std::size_t number
 }  // namespace
 
 void ReceivePdos::reset() noexcept {
-    count_ = count_pdos(objects_, PdoDirection::receive);
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         refresh(number);
     }
     schedule();
@@ -34,7 +33,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
 
 static_assert(implements<req::CO_PDO_003>);
 void ReceivePdos::stop() noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         rpdos_[number].waits = false;
         rpdos_[number].due = never;
     }
@@ -45,7 +44,7 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
     if (frame.extended) {
         return;
     }
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         const Rpdo& rpdo = rpdos_[number];
         if ((rpdo.parameters.identifier != frame.id) || !rpdo.parameters.valid) {
             continue;
@@ -86,7 +85,7 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
 
 static_assert(implements<req::CO_PDO_002>);
 void ReceivePdos::sync(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         Rpdo& rpdo = rpdos_[number];
         if (rpdo.waits) {
             rpdo.waits = false;
@@ -96,7 +95,7 @@ void ReceivePdos::sync(const Instant now) noexcept {
 }
 
 void ReceivePdos::find_overdue(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         if (rpdos_[number].due <= now) {
             rpdos_[number].due = never;
             overdue_ = with_bit(overdue_, number, true);
@@ -107,7 +106,7 @@ void ReceivePdos::find_overdue(const Instant now) noexcept {
 
 void ReceivePdos::schedule() noexcept {
     next_ = never;
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
         next_ = earliest(next_, rpdos_[number].due);
     }
 }
@@ -115,7 +114,7 @@ void ReceivePdos::schedule() noexcept {
 static_assert(implements<req::CO_PDO_022>);
 void ReceivePdos::after_write(const EntryRef& entry) noexcept {
     const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
-    if (number < count_) {
+    if (number < rpdos_.count) {
         refresh(number);
         schedule();
     }

@@ -13,10 +13,23 @@ namespace canproof {
 
 class ReceivePdos {
   public:
-    /// `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
+    /// One PDO.
+    struct Rpdo {
+        PdoParameters parameters{};
+        PdoMapping mapping{};
+        Frame waiting{};
+        bool waits{false};
+        Instant due{never};  ///< the next reception, at the latest
+    };
+
+    /// `answering_remote`: bit n lets RPDO n + 1 answer a remote frame. `pdos` and `lines`: memory for as many as the
+    /// dictionary has (count_pdos() and count_mapping_lines()).
     ReceivePdos(ObjectDictionary& objects, ObjectAccess& access, TransmitQueue& queue,
-                const std::uint8_t answering_remote) noexcept
-        : objects_{objects}, access_{access}, queue_{queue}, answering_remote_{answering_remote} {}
+                const std::uint8_t answering_remote, const MutableTable<Rpdo> pdos,
+                const MutableTable<PdoMapping::Line> lines) noexcept
+        : objects_{objects}, access_{access}, queue_{queue}, answering_remote_{answering_remote}, rpdos_{pdos} {
+        lend_lines(rpdos_, lines, objects.tables(), PdoDirection::receive);
+    }
 
     /// The parameters were loaded anew: nothing waits, nothing is late.
     void reset() noexcept;
@@ -46,14 +59,6 @@ class ReceivePdos {
     void after_write(const EntryRef& entry) noexcept;
 
   private:
-    struct Rpdo {
-        PdoParameters parameters{};
-        PdoMapping mapping{};
-        Frame waiting{};
-        bool waits{false};
-        Instant due{never};  ///< the next reception, at the latest
-    };
-
     void refresh(std::size_t number) noexcept;
     void take(std::size_t number, const Frame& frame, Instant now) noexcept;
     void find_overdue(Instant now) noexcept;
@@ -63,8 +68,7 @@ class ReceivePdos {
     ObjectAccess& access_;
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
-    std::array<Rpdo, max_pdos> rpdos_{};
-    std::size_t count_{0U};
+    MutableTable<Rpdo> rpdos_;
     std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
     std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1
     Instant next_{never};

@@ -21,8 +21,7 @@ constexpr Instant latest(const Instant a, const Instant b) noexcept {
 
 void TransmitPdos::reset() noexcept {
     running_ = false;
-    count_ = count_pdos(objects_, PdoDirection::transmit);
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         refresh(number);
     }
     watch();
@@ -39,7 +38,7 @@ void TransmitPdos::refresh(const std::size_t number) noexcept {
 
 void TransmitPdos::start(const Instant now) noexcept {
     running_ = true;
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         begin(tpdos_[number], now);
     }
     watch();
@@ -72,7 +71,7 @@ bool TransmitPdos::waits_for_changes(const Tpdo& tpdo) const noexcept {
 
 static_assert(implements<req::CO_PDO_015>);
 void TransmitPdos::note_change(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         Tpdo& tpdo = tpdos_[number];
         if (((tpdo.watched & watch_mark(index, subindex)) != 0U) && tpdo.mapping.maps(index, subindex)) {
             tpdo.pending = true;
@@ -84,7 +83,7 @@ void TransmitPdos::note_change(const std::uint16_t index, const std::uint8_t sub
 }
 
 void TransmitPdos::sync(const std::uint8_t counter) noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         Tpdo& tpdo = tpdos_[number];
         if (running_ && tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
             sync_one(tpdo, counter);
@@ -119,7 +118,7 @@ void TransmitPdos::sync_one(Tpdo& tpdo, const std::uint8_t counter) noexcept {
 
 static_assert(implements<req::CO_PDO_016>);
 void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
-    for (std::size_t number = 0U; (number < count_) && running_ && !request.extended; ++number) {
+    for (std::size_t number = 0U; (number < tpdos_.count) && running_ && !request.extended; ++number) {
         Tpdo& tpdo = tpdos_[number];
         if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
             continue;
@@ -138,7 +137,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
 }
 
 void TransmitPdos::send_due(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         Tpdo& tpdo = tpdos_[number];
         const bool is_due = tpdo.pending || (tpdo.timer_expires <= now);
         if (tpdo.event_driven && is_due && (tpdo.inhibited_until <= now)) {
@@ -167,7 +166,7 @@ void TransmitPdos::push(const Tpdo& tpdo) noexcept {
 
 void TransmitPdos::watch() noexcept {
     watched_ = 0U;
-    for (std::size_t number = 0U; number < count_; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
         Tpdo& tpdo = tpdos_[number];
         tpdo.watched = (running_ && waits_for_changes(tpdo)) ? tpdo.mapping.watch_marks() : 0U;
         watched_ |= tpdo.watched;
@@ -176,7 +175,7 @@ void TransmitPdos::watch() noexcept {
 
 void TransmitPdos::schedule() noexcept {
     next_ = never;
-    for (std::size_t number = 0U; running_ && (number < count_); ++number) {
+    for (std::size_t number = 0U; running_ && (number < tpdos_.count); ++number) {
         const Tpdo& tpdo = tpdos_[number];
         if (tpdo.event_driven) {
             const Instant wanted =
@@ -189,7 +188,7 @@ void TransmitPdos::schedule() noexcept {
 static_assert(implements<req::CO_PDO_025>);
 void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcept {
     const std::size_t number = pdo_number(PdoDirection::transmit, entry.index);
-    if (number >= count_) {
+    if (number >= tpdos_.count) {
         return;
     }
     Tpdo& tpdo = tpdos_[number];

@@ -20,8 +20,28 @@ enum class TpdoTrigger : std::uint8_t {
 
 class TransmitPdos {
   public:
-    TransmitPdos(ObjectDictionary& objects, TransmitQueue& queue, const TpdoTrigger trigger) noexcept
-        : objects_{objects}, queue_{queue}, trigger_{trigger} {}
+    /// One PDO.
+    struct Tpdo {
+        PdoParameters parameters{};
+        PdoMapping mapping{};
+        Frame sample{};  ///< the values of the last SYNC
+        bool usable{false};
+        bool event_driven{false};   ///< usable, of type 254 or 255
+        std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
+        bool sampled{false};
+        bool pending{false};           ///< an event has not been told yet
+        bool cycle_begun{false};       ///< the SYNC of the start value has come
+        std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
+        Instant inhibited_until{};     ///< no event is told before
+        Instant timer_expires{never};  ///< the event timer's next event
+    };
+
+    /// `pdos` and `lines`: memory for as many as the dictionary has (count_pdos() and count_mapping_lines()).
+    TransmitPdos(ObjectDictionary& objects, TransmitQueue& queue, const TpdoTrigger trigger,
+                 const MutableTable<Tpdo> pdos, const MutableTable<PdoMapping::Line> lines) noexcept
+        : objects_{objects}, queue_{queue}, trigger_{trigger}, tpdos_{pdos} {
+        lend_lines(tpdos_, lines, objects.tables(), PdoDirection::transmit);
+    }
 
     /// The parameters were loaded anew. Outside operational.
     void reset() noexcept;
@@ -52,21 +72,6 @@ class TransmitPdos {
     void after_write(const EntryRef& entry, Instant now) noexcept;
 
   private:
-    struct Tpdo {
-        PdoParameters parameters{};
-        PdoMapping mapping{};
-        Frame sample{};  ///< the values of the last SYNC
-        bool usable{false};
-        bool event_driven{false};   ///< usable, of type 254 or 255
-        std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
-        bool sampled{false};
-        bool pending{false};           ///< an event has not been told yet
-        bool cycle_begun{false};       ///< the SYNC of the start value has come
-        std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
-        Instant inhibited_until{};     ///< no event is told before
-        Instant timer_expires{never};  ///< the event timer's next event
-    };
-
     bool waits_for_changes(const Tpdo& tpdo) const noexcept;
     void refresh(std::size_t number) noexcept;
     void begin(Tpdo& tpdo, Instant now) const noexcept;
@@ -81,8 +86,7 @@ class TransmitPdos {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     TpdoTrigger trigger_;
-    std::array<Tpdo, max_pdos> tpdos_{};
-    std::size_t count_{0U};
+    MutableTable<Tpdo> tpdos_;
     bool running_{false};
     std::uint64_t watched_{0U};  ///< the same of all TPDOs
     Instant next_{never};

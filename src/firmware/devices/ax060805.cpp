@@ -86,6 +86,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
+constexpr ErrorTable error_table = make_error_table();
 
 /// Within the range of the sensor; what is no number is not.
 bool is_measurement(const float acceleration) noexcept {
@@ -117,8 +118,7 @@ constexpr std::size_t distance(const own::t_inc_t1::Signal first, const own::t_i
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       lss_store_{memory},
-      errors_{make_error_table()},
-      node_{objects_, memory, queue, *this, errors_, profile},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
 static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006> && implements<req::INC_K_NODE_ID> &&

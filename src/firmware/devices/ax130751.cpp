@@ -90,6 +90,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
+constexpr ErrorTable error_table = make_error_table();
 
 /// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
 struct TableEntry {
@@ -127,8 +128,7 @@ std::int32_t to_int32(const ByteView value) noexcept {
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       lss_store_{memory},
-      errors_{make_error_table()},
-      node_{objects_, memory, queue, *this, errors_, profile},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory},
       sources_{objects_},
       universal_{{UniversalOutput{objects_, sources_, 1U}, UniversalOutput{objects_, sources_, 2U}}},

@@ -109,6 +109,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
+constexpr ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::TCS_T_REACTION>);
 /// Sub-index of 1029h; the node itself obeys that of communication errors.
@@ -120,10 +121,9 @@ constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) n
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
-      errors_{make_error_table()},
       queue_{queue},
       lss_store_{memory},
-      node_{objects_, memory, queue, *this, errors_, profile},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       scanner_{objects_},
       factory_{factory} {}
 

@@ -63,6 +63,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
+constexpr ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::AO4_T5>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
@@ -88,8 +89,7 @@ IndicatorState led_of(const Row* const row) noexcept {
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
-      errors_{make_error_table()},
-      node_{objects_, memory, queue, *this, errors_, profile},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
 static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && implements<req::AO4_SW_003>);

@@ -53,7 +53,17 @@ GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, Transm
       objects_{tables_, MutableBytes{image_.data(), image_.size()},
                part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low},
       errors_{standard_errors()},
-      node_{objects_, memory, queue, *this, errors_, profile_of(part, lss)} {}
+      rpdos_(count_pdos(tables_, PdoDirection::receive)),
+      rpdo_lines_(count_mapping_lines(tables_, PdoDirection::receive)),
+      tpdos_(count_pdos(tables_, PdoDirection::transmit)),
+      tpdo_lines_(count_mapping_lines(tables_, PdoDirection::transmit)),
+      node_{objects_,
+            memory,
+            queue,
+            *this,
+            errors_,
+            profile_of(part, lss),
+            {mutable_table(rpdos_), mutable_table(rpdo_lines_), mutable_table(tpdos_), mutable_table(tpdo_lines_)}} {}
 
 void GenericDevice::lend(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
     domains_.push_back({index, subindex, std::vector<std::uint8_t>(size), std::vector<std::uint8_t>(size), 0, false});

@@ -82,6 +82,10 @@ class GenericDevice final : private Application {
     std::vector<std::uint8_t> image_;
     ObjectDictionary objects_;
     ErrorTable errors_;
+    std::vector<ReceivePdos::Rpdo> rpdos_;
+    std::vector<PdoMapping::Line> rpdo_lines_;
+    std::vector<TransmitPdos::Tpdo> tpdos_;
+    std::vector<PdoMapping::Line> tpdo_lines_;
     Node node_;
     int communication_errors_{0};
     LssConfiguration stored_{};

@@ -1,0 +1,106 @@
+// The smallest board that a device can run on, for measuring it: its clock, CAN mailboxes and signals lie in one
+// memory-mapped window, its parameter memory in another (the two static memory banks of the STM32F405's FSMC). A real
+// board puts its drivers in this place; what is measured is the device and this loop around it, nothing else.
+#pragma once
+
+#include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+
+namespace canproof::target {
+
+/// FSMC bank 1, NOR/SRAM 1: FRAM with the stored parameters.
+constexpr std::uintptr_t parameter_memory = 0x60000000U;
+/// FSMC bank 1, NOR/SRAM 2: what changes from outside.
+constexpr std::uintptr_t window = 0x64000000U;
+
+/// Parameter memory of `size` bytes.
+template <std::size_t Size>
+class MappedMemory final : public NonVolatileMemory {
+  public:
+    MappedMemory() = default;
+    std::size_t size() const override { return Size; }
+    bool read(const std::size_t at, MutableBytes to) const override {
+        const bool inside = (at <= Size) && (to.size() <= (Size - at));
+        for (std::size_t i = 0U; inside && (i < to.size()); ++i) {
+            to.set(i, bytes()[at + i]);
+        }
+        return inside;
+    }
+    bool write(const std::size_t at, const ByteView from) override {
+        const bool inside = (at <= Size) && (from.size() <= (Size - at));
+        for (std::size_t i = 0U; inside && (i < from.size()); ++i) {
+            bytes()[at + i] = from[i];
+        }
+        return inside;
+    }
+
+  private:
+    static volatile std::uint8_t* bytes() { return reinterpret_cast<volatile std::uint8_t*>(parameter_memory); }
+};
+
+/// A CAN mailbox: `full` is set by the one side and cleared by the other.
+struct Mailbox {
+    volatile std::uint32_t full;
+    volatile std::uint32_t id;
+    volatile std::uint32_t flags;  ///< bit 31 extended, bit 30 remote, bits 0 to 3 DLC
+    volatile std::uint8_t data[max_frame_length];
+};
+
+template <typename Inputs, typename Outputs>
+struct Window {
+    volatile std::uint32_t microseconds_high;
+    volatile std::uint32_t microseconds_low;
+    Mailbox received;
+    Mailbox sent;
+    Inputs inputs;
+    Outputs outputs;
+};
+
+inline Frame take(Mailbox& box) {
+    Frame frame{};
+    frame.id = box.id;
+    frame.extended = (box.flags & 0x80000000U) != 0U;
+    frame.remote = (box.flags & 0x40000000U) != 0U;
+    frame.length = static_cast<std::uint8_t>(box.flags & 0xFU);
+    for (std::size_t i = 0U; i < max_frame_length; ++i) {
+        frame.data[i] = box.data[i];
+    }
+    box.full = 0U;
+    return frame;
+}
+
+inline void put(Mailbox& box, const Frame& frame) {
+    box.id = frame.id;
+    box.flags = (frame.extended ? 0x80000000U : 0U) | (frame.remote ? 0x40000000U : 0U) | frame.length;
+    for (std::size_t i = 0U; i < max_frame_length; ++i) {
+        box.data[i] = frame.data[i];
+    }
+    box.full = 1U;
+}
+
+/// Power-on, then for ever: inputs in, frames in, what is due, frames out, outputs out.
+template <typename Device, typename Inputs, typename Outputs>
+[[noreturn]] void run(Device& device, TransmitQueue& queue) {
+    auto& board = *reinterpret_cast<Window<Inputs, Outputs>*>(window);
+    const auto now = [&board]() {
+        return Instant{(std::uint64_t{board.microseconds_high} << 32U) | board.microseconds_low};
+    };
+    device.power_on(board.inputs, now());
+    for (;;) {
+        asm volatile("" ::: "memory");  // the window changes by itself
+        device.set_inputs(board.inputs, now());
+        if (board.received.full != 0U) {
+            device.receive(take(board.received), now());
+        }
+        if (device.next_deadline() <= now()) {
+            device.advance(now());
+        }
+        if ((board.sent.full == 0U) && !queue.empty()) {
+            put(board.sent, queue.pop());
+        }
+        board.outputs = device.outputs();
+    }
+}
+
+}  // namespace canproof::target

@@ -1,0 +1,17 @@
+// The CAN-CBX-AO412 as an image for the STM32F405.
+#include "firmware/devices/cbx_ao412.hpp"
+#include "target/devices/board.hpp"
+
+namespace {
+
+using namespace canproof;
+
+target::MappedMemory<1024> memory;
+TransmitQueue queue;
+cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};
+
+}  // namespace
+
+extern "C" void image_main() {
+    target::run<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::Outputs>(device, queue);
+}
