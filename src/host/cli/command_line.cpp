@@ -98,6 +98,16 @@ void add_audit(CLI::App& app, std::function<int()>& chosen) {
     command->callback([&chosen] { chosen = [] { return audit(options); }; });
 }
 
+void add_coverage(CLI::App& app, std::function<int()>& chosen) {
+    static CoverageOptions options;
+    auto* command =
+        app.add_subcommand("coverage", "what no test reached in the firmware, each with its reason or open");
+    command->add_option("FILE", options.measured, "what tests/coverage measured")->capture_default_str();
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--cobertura", options.cobertura, "XML file to write");
+    command->callback([&chosen] { chosen = [] { return check_coverage(options); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -107,6 +117,7 @@ int run_command_line(int argc, char** argv) {
     add_catalogue(app, chosen);
     add_running(app, chosen);
     add_audit(app, chosen);
+    add_coverage(app, chosen);
     try {
         app.parse(argc, argv);
         return chosen();

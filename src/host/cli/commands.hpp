@@ -40,6 +40,12 @@ struct AuditOptions {
     std::string html;
 };
 
+struct CoverageOptions {
+    std::string root{"."};
+    std::string measured{"build/coverage/coverage.json"};  ///< what `llvm-cov export` wrote
+    std::string cobertura;                                 ///< file to write, none when empty
+};
+
 int list_devices();
 int list_signals(const std::string& device);
 int print_eds(const std::string& device, const std::string& format);
@@ -49,6 +55,7 @@ int run_devices(const RunOptions& options);
 int play_examples();
 int draw_figures(const std::string& folder);
 int audit(const AuditOptions& options);
+int check_coverage(const CoverageOptions& options);
 
 int run_command_line(int argc, char** argv);
 

@@ -1,0 +1,76 @@
+// Structural coverage of the firmware: what llvm-cov measured, and what no run reached.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+/// Covered and counted: lines, branches (each way of a decision counts), MC/DC conditions, functions.
+struct CoverageCount {
+    std::size_t covered{0};
+    std::size_t total{0};
+
+    void add(const CoverageCount& other);
+    /// In percent; 100 where there is nothing to cover.
+    double percent() const;
+};
+
+/// Something that no run reached. `code` is its text in the source, by which a record names it.
+struct CoverageGap {
+    std::string kind;  ///< function, line, branch or condition
+    std::string file;  ///< relative to the project's folder
+    unsigned line{0};
+    std::string code;
+    std::string missing;  ///< in words: never true, not shown to decide, …
+};
+
+struct FileCoverage {
+    std::string file;
+    std::map<unsigned, unsigned long long> lines;  ///< executions by line number, lines with code only
+    /// By line: branches covered and there.
+    std::map<unsigned, CoverageCount> line_branches;
+    CoverageCount functions;
+    CoverageCount branches;
+    CoverageCount conditions;
+    std::vector<CoverageGap> gaps;
+
+    CoverageCount line_count() const;
+};
+
+/// Reads what `llvm-cov export --format=text` wrote, for the files below root/src/firmware. Instantiations of a
+/// template count together. Throws InputError when the file is no such export or a source is missing.
+std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root);
+
+/// A gap that is known, with the reason why it stays. Matches gaps of this kind and code in a file or below a folder.
+struct CoverageRecord {
+    std::string file;
+    std::string kind;
+    std::string code;
+    std::string reason;
+    unsigned line{0};  ///< of the record
+};
+
+/// Reads reports/coverage.toml. Throws InputError with file, line and mend.
+std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
+
+struct JudgedGap {
+    CoverageGap gap;
+    std::string reason;  ///< empty: open
+};
+
+struct CoverageVerdict {
+    std::vector<JudgedGap> gaps;
+    std::vector<CoverageRecord> unused;  ///< records that match nothing: the code has moved on
+
+    std::size_t open() const;
+};
+
+CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std::vector<CoverageRecord>& records);
+
+/// In the form of Cobertura, which build servers read.
+std::string write_cobertura(const std::vector<FileCoverage>& files);
+
+}  // namespace canproof::host
