@@ -252,6 +252,7 @@ TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     verifies<req::INC_RPDO_001>();
     EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 0.25F);
     EXPECT_EQ(value_of_count(250, {100, -50.0F}), 2.0F);
+    EXPECT_EQ(value_of_count(250, {0, 50.0F}), 300.0F);  // no digits count as one
     EXPECT_EQ(value_of_count(-32768, {1, 0.0F}), -32768.0F);
 }
 

@@ -197,4 +197,28 @@ TEST(AngleFilter, DelaysByHalfTheWindow) {
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 1, 1000), 0.0F);
 }
 
+TEST(AngleFilter, NoSamplesCountAsOne) {
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
+    EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::repeating, 0, 100), 50.0F);  // (2 * 1 - 1) * 100 / 2
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 0, 100), 0.0F);
+}
+
+TEST(AngleFilter, AMachineMayTurnForEverEitherWay) {
+    verifies<req::INC_AVG_006>();
+    for (const float step : {120.0F, -120.0F}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
+        float angle = 0.0F;
+        for (int sample = 0; sample < 20000; ++sample) {  // 6,666 turns and two thirds
+            angle += step;
+            angle = angle > 180.0F ? angle - 360.0F : angle;
+            angle = angle < -180.0F ? angle + 360.0F : angle;
+            filter.add(angle);
+        }
+        // The mean of three samples a third of a turn apart is the one in the middle.
+        const float middle = angle - step < -180.0F ? angle - step + 360.0F : angle - step;
+        EXPECT_NEAR(filter.output(), middle > 180.0F ? middle - 360.0F : middle, 1e-4F);
+    }
+}
+
 }  // namespace canproof::test

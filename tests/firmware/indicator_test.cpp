@@ -62,4 +62,10 @@ TEST(Indicator, NextChangeIsTheEndOfThePhase) {
     EXPECT_EQ(indicator_phase(pattern(State::on), Instant{} + milliseconds(700), Duration{}).next_change, never);
 }
 
+TEST(Indicator, APatternThatTakesNoTimeIsSteady) {
+    const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};
+    EXPECT_FALSE(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).lit);
+    EXPECT_EQ(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).next_change, never);
+}
+
 }  // namespace canproof::test

@@ -190,4 +190,9 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
+TEST(MathBlock, AFunctionThatIsNotThereIsNoInput) {
+    // There are three functions: 4 reads the input's own signal, 0 of 100 here.
+    EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);
+}
+
 }  // namespace canproof::test

@@ -197,4 +197,11 @@ TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
     EXPECT_EQ(relay.next_change(), never);
 }
 
+TEST_F(RelayTest, RampingOffIsOff) {
+    // A relay has no ramp: what ramps an output off switches it off, with its delay.
+    times.off_delay = milliseconds(2);
+    EXPECT_EQ(run("##", normal), "##");
+    EXPECT_EQ(run("####", normal, "", OutputDrive::ramp_off), "##..");
+}
+
 }  // namespace canproof::test

@@ -218,4 +218,32 @@ TEST(Thermocouple, ExponentialNeedsNoLibrary) {
     EXPECT_EQ(decay(-1000.0), 0.0);
 }
 
+TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
+    // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
+    ThermocoupleCurve cubic{};
+    cubic.reference[0].to_c = 100.0;
+    cubic.reference[0].coefficients[3] = 1.0;
+    cubic.reference_count = 1U;
+    cubic.inverse[0].to_mv = 1e6;
+    cubic.inverse[0].coefficients[0] = 1.0;
+    cubic.inverse_count = 1U;
+    cubic.highest_c = 100.0;
+    EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
+}
+
+TEST(Thermocouple, ACurveThatNeverSettlesEndsAtItsLastStep) {
+    // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
+    ThermocoupleCurve step{};
+    step.reference[0].to_c = 40.0;
+    step.reference[1].from_c = 40.0;
+    step.reference[1].to_c = 1e12;
+    step.reference[1].coefficients[0] = 10.0;
+    step.reference_count = 2U;
+    step.inverse[0].to_mv = 10.0;
+    step.inverse_count = 1U;
+    step.highest_c = 1e12;
+    // 1e12 halved 64 times is below 1e-7 degC: it ends either way, at the step.
+    EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 1e-3);
+}
+
 }  // namespace canproof::test

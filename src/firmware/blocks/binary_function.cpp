@@ -76,9 +76,8 @@ std::uint32_t integer_function(const BinaryFunction function, const std::uint32_
         case BinaryFunction::shift_left:
             return (y < bits_of_discrete) ? (x << y) : 0U;
         case BinaryFunction::shift_right:
-            return (y < bits_of_discrete) ? (x >> y) : 0U;
         default:
-            return 0U;
+            return (y < bits_of_discrete) ? (x >> y) : 0U;
     }
 }
 

@@ -10,19 +10,18 @@ IndicatorPhase indicator_phase(const IndicatorPattern& pattern, const Instant no
     // Counted from one period before time 0, so that a shifted round is never before its start.
     const std::uint64_t position = ((now.us + period) - (shift.us % period)) % period;
     std::uint64_t edge{0U};
-    bool lit{true};
     for (std::uint16_t flash = 0U; flash < pattern.flashes; ++flash) {
         edge += pattern.on.us;
         if (position < edge) {
-            return IndicatorPhase{lit, now + Duration{edge - position}};
+            return IndicatorPhase{true, now + Duration{edge - position}};
         }
         const bool last = (flash + 1U) == pattern.flashes;
-        edge += last ? pattern.pause.us : pattern.gap.us;
-        if (position < edge) {
-            lit = false;
-            return IndicatorPhase{lit, now + Duration{edge - position}};
+        edge += pattern.gap.us;
+        if ((!last) && (position < edge)) {
+            return IndicatorPhase{false, now + Duration{edge - position}};
         }
     }
+    // the pause
     return IndicatorPhase{false, now + Duration{period - position}};
 }
 

@@ -81,11 +81,10 @@ static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_012> &
               implements<req::AOR_RELAY_015>);
 bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Instant now) noexcept {
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
-    const bool was_on = delayed_.state();
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
     // While a change to OFF is delayed the relay goes on with what it did: steady or toggling.
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
-    if (blinks && ((!blinking_) || (!was_on))) {
+    if (blinks && (!blinking_)) {
         blinking_since_ = now;
     }
     blinking_ = blinks;

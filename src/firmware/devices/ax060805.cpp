@@ -229,10 +229,9 @@ void Device::put_factory_values(const ParameterGroup group) {
 
 static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001>);
 void Device::restart(const Instant now) {
-    const auto* const range = own::t_inc_t8::find(factory_.range);
-    if (range != nullptr) {
-        span_ = AngleSpan{range->lower, range->upper};
-    }
+    namespace table = own::t_inc_t8;
+    const auto* const range = table::find(factory_.range);
+    span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
     results_.fill(undefined_signal());
     timed_out_ = false;
@@ -356,11 +355,11 @@ void Device::publish_angles() noexcept {
 static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && implements<req::INC_FV_006> &&
               implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
 void Device::publish_diagnostics() noexcept {
-    const auto* const merit =
-        own::t_inc_t5::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
-    if (merit != nullptr) {
-        objects_.set(field::o4020_angular_figure_of_merit, merit->state);
-    }
+    namespace merit = own::t_inc_t5;
+    const auto* const row =
+        merit::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
+    constexpr std::uint8_t worst = merit::rows[0U].state;
+    objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
     objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
     show_if_valid(supply_index, inputs_.supply_voltage);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
 
@@ -53,8 +54,10 @@ bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noex
 
 static_assert(implements<req::AOR_T4A> && implements<req::AOR_T4B> && implements<req::AOR_SRC_001>);
 SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept {
-    const auto* const row = own::t_aor_t4b::find(source, number);
-    return (row == nullptr) ? SourceRef{} : SourceRef{row->quantity, row->channel};
+    namespace table = own::t_aor_t4b;
+    const auto* const row = table::find(source, number);
+    return SourceRef{cell_or(row, &table::Row::quantity, Quantity::none),
+                     cell_or(row, &table::Row::channel, std::uint8_t{0U})};
 }
 
 void Sources::reset() noexcept {
@@ -85,15 +88,16 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     const bool of_output = (ref.quantity == Quantity::output_command) || (ref.quantity == Quantity::commanded_value) ||
                            (ref.quantity == Quantity::feedback_value);
     const bool digital = of_output && is_digital(objects_, ref.channel);
-    const auto* const row = own::t_aor_t05::find(digital ? Quantity::digital_command : ref.quantity);
-    if ((row == nullptr) || (ref.quantity == Quantity::none)) {
+    if (ref.quantity == Quantity::none) {
         return BlockSignal{};
     }
+    namespace table = own::t_aor_t05;
+    const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
     const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
     const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};
-    const std::uint8_t places = digits(row->digits, ref.channel);
-    const double first = lower(row->lower, ref.channel, places);
-    const double second = upper(row->upper, ref.channel, places);
+    const std::uint8_t places = digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel);
+    const double first = lower(cell_or(row, &table::Row::lower, Lower::nothing), ref.channel, places);
+    const double second = upper(cell_or(row, &table::Row::upper, Upper::nothing), ref.channel, places);
     return BlockSignal{value(read, places), std::fmin(first, second), std::fmax(first, second), state(read)};
 }
 
@@ -162,10 +166,9 @@ double Sources::upper(const Upper limit, const std::uint8_t channel, const std::
         case Upper::percent_high:
             return static_cast<double>(own::percent_high);
         case Upper::high:
-            return 1.0;
         case Upper::nothing:
         default:
-            return 0.0;
+            return 1.0;
     }
 }
 

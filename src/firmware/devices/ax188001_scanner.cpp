@@ -156,11 +156,12 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
     const SensorType type = sensor_type(channel);
     Conversion result{};
     result.celsius = exact_celsius(thermocouple_curve(type), microvolts / microvolts_per_millivolt);
-    const auto* const range = own::t_tcs_t1::find(type);
-    if (range != nullptr) {
-        result.above = microvolts > (static_cast<double>(range->highest_uv) + own::range_margin_uv);
-        result.below = microvolts < (static_cast<double>(range->lowest_uv) - own::range_margin_uv);
-    }
+    namespace table = own::t_tcs_t1;
+    const auto* const range = table::find(type);
+    const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, 0));
+    const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, 0));
+    result.above = microvolts > (highest + own::range_margin_uv);
+    result.below = microvolts < (lowest - own::range_margin_uv);
     return result;
 }
 
@@ -317,9 +318,7 @@ void Scanner::put_status() noexcept {
                         told(channel, ChannelFault::shutdown) ? table::Shutdown::yes : table::Shutdown::no,
                         told(channel, ChannelFault::high) ? table::High::yes : table::High::no,
                         told(channel, ChannelFault::low) ? table::Low::yes : table::Low::no);
-        if (row != nullptr) {
-            objects_.set(field::o6150_tc_status[subindex(channel)], row->status);
-        }
+        objects_.set(field::o6150_tc_status[subindex(channel)], cell_or(row, &table::Row::status, std::uint8_t{0U}));
     }
 }
 

@@ -67,12 +67,13 @@ constexpr ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::AO4_T5>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
-    const auto* const row = own::t_ao4_t5::find(state);
-    if (row == nullptr) {
-        return IndicatorPattern{};
-    }
-    return IndicatorPattern{row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms),
-                            milliseconds(row->pause_ms)};
+    namespace table = own::t_ao4_t5;
+    const auto* const row = table::find(state);
+    const auto time = [row](std::uint16_t table::Row::*const column) noexcept {
+        return milliseconds(cell_or(row, column, std::uint16_t{0U}));
+    };
+    return IndicatorPattern{cell_or(row, &table::Row::flashes, std::uint8_t{0U}), time(&table::Row::on_ms),
+                            time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
 
 /// Red LEDs begin one flash after the green ones (3.2.1, note).

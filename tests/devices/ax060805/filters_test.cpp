@@ -268,4 +268,12 @@ TEST_F(Filters, LatencyIsThatOfTheSlowestAngle) {
     EXPECT_EQ(read(0x4010), 0U);
 }
 
+TEST_F(Filters, ALateCallTakesOneSampleAndGoesOnFromThere) {
+    verifies<req::INC_FILTER_001>();
+    pass(5);
+    now = now + milliseconds(52);  // ten samples late
+    device->advance(now);
+    EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
+}
+
 }  // namespace canproof::test

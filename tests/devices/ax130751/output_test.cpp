@@ -421,6 +421,22 @@ TEST_F(Ax130751Output, AnEnableOrOverrideInErrorCountsToo) {
     EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an error comes before the override";
 }
 
+TEST_F(Ax130751Output, AnEnableInErrorTakes7341h) {
+    verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
+    make(10);
+    set16(0x7341, 1, 1500);
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 100);
+    connect(0x2350, 1);
+    set8(0x2352, 1, 0);  // runs while the enable is ON
+    start();
+    send("37F#640000000000");
+    command(1, 4000);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F) << "enabled";
+    pass(150);
+    EXPECT_FLOAT_EQ(volts(1), 1.5F);
+}
+
 // --- digital (1.2) -------------------------------------------------------------------------------------------------
 
 TEST_F(Ax130751Output, DigitalFollows6220hWithBothValuesOfTheType) {

@@ -195,6 +195,37 @@ TEST_F(Ax130751Relay, AnInputInErrorPutsItOff) {
     EXPECT_TRUE(relay_on());
 }
 
+TEST_F(Ax130751Relay, AnyInputInErrorPutsItOffButAnUnlatchThatMeansNothing) {
+    verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
+    struct Case {
+        std::uint16_t source;
+        int polarity;
+        bool errs;
+    };
+    set32(0x1401, 1, 0x4000037F);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 100);
+    start();
+    for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable
+                                             {0x2290, 1, true},     // override
+                                             {0x2270, 1, false},    // unlatch of a relay that does not latch
+                                             {0x2270, 3, true}}) {  // and of one that does
+        set8(0x2242, 1, one.polarity);
+        set8(0x2292, 1, 0);  // an override that is ON while it is on: off here
+        connect(one.source, 1);
+        send("37F#640000000000");
+        send("37F#000000000000");
+        if (one.source == 0x2280) {
+            send("37F#640000000000");
+        }
+        control(0);
+        control(1);
+        EXPECT_TRUE(relay_on()) << one.source << ' ' << one.polarity;
+        pass(150);
+        EXPECT_EQ(relay_on(), !one.errs) << one.source << ' ' << one.polarity;
+        set8(one.source, 1, not_used);
+    }
+}
+
 TEST_F(Ax130751Relay, DelaysOfOnAndOff) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_013>();
     set32(0x22A1, 1, 30);

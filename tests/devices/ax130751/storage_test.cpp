@@ -258,4 +258,18 @@ TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
 }
 
+TEST_F(Ax130751Storage, AMemoryThatFailsRefusesNodeIdAndBitRate) {
+    verifies<req::AOR_NODE_003, req::AOR_LSS_003, req::AOR_OD_5B51>();
+    memory.cut_power_after(0);
+    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "06060000");
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "06060000");
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#1120"), (Frames{"7E4#110000"}));
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170200"}));  // 2: the storage medium failed
+    memory.restore_power();
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_EQ(read(0x5B51, 0), 127U);
+    EXPECT_EQ(read(0x5B50, 0), 4U);
+}
+
 }  // namespace canproof::test

@@ -442,4 +442,12 @@ TEST_F(Values, OneChannelLeavesTheOtherAlone) {
     EXPECT_NE(field_value(1).value, not_a_number);
 }
 
+TEST_F(Values, ALateCallReadsWhatWasMissedButNotWithoutEnd) {
+    verifies<req::TCS_IN_001>();
+    pass(period_ms);
+    now = now + milliseconds(100 * period_ms);
+    device->advance(now);
+    EXPECT_EQ(device->next_deadline().us, (now + milliseconds(period_ms)).us);
+}
+
 }  // namespace canproof::test

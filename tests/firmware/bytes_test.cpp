@@ -1,0 +1,45 @@
+// Bytes that nobody can read or write beyond their end (firmware/base/bytes.hpp).
+#include "firmware/base/bytes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canproof::test {
+
+TEST(Bytes, BeyondTheEndIsZeroAndStaysUnwritten) {
+    std::array<std::uint8_t, 6> room{{9, 9, 9, 9, 9, 9}};
+    MutableBytes first_four{room.data(), 4U};
+    EXPECT_EQ(first_four[3], 9U);
+    EXPECT_EQ(first_four[4], 0U);
+    first_four.set(3U, 1U);
+    first_four.set(4U, 1U);
+    EXPECT_EQ(room[3], 1U);
+    EXPECT_EQ(room[4], 9U);
+    EXPECT_EQ(first_four.view()[4], 0U);
+}
+
+TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
+    std::array<std::uint8_t, 6> room{};
+    MutableBytes first_four{room.data(), 4U};
+    first_four.set_le(2U, 4U, 0x44332211U);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 0x11, 0x22, 0, 0}}));
+    first_four.set_le(4U, 2U, 0xFFFFU);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 0x11, 0x22, 0, 0}}));
+}
+
+TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
+    const std::array<std::uint8_t, 4> source{{1, 2, 3, 4}};
+    std::array<std::uint8_t, 6> room{};
+    MutableBytes first_four{room.data(), 4U};
+    first_four.copy(2U, ByteView{source});
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 1, 2, 0, 0}}));
+    first_four.copy(5U, ByteView{source});
+    first_four.copy_first<4U>(5U, ByteView{source});  // begins behind the end
+    first_four.copy_first<4U>(1U, ByteView{source});  // ends behind it: 1, 2 and 3 fit
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 1, 2, 3, 0, 0}}));
+    first_four.copy_first<4U>(0U, ByteView{source});
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));
+    first_four.copy_first<4U>(0U, ByteView{source.data() + 3, 1U});  // a source that is shorter
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{4, 2, 3, 4, 0, 0}}));
+}
+
+}  // namespace canproof::test
