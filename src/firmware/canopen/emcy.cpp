@@ -14,6 +14,7 @@ constexpr std::uint16_t error_list_index = 0x1003U;
 constexpr std::uint16_t cob_id_index = 0x1014U;
 constexpr std::uint16_t inhibit_time_index = 0x1015U;
 constexpr std::uint16_t error_cured_code = 0x0000U;
+constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no room in the queue is not lost
 
 }  // namespace
 
@@ -222,16 +223,18 @@ void Emcy::enable(const bool enabled, const Instant now) noexcept {
     advance(now);
 }
 
-static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003>);
+static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003> && implements<req::CO_EMCY_006>);
 void Emcy::advance(const Instant now) noexcept {
     if (!enabled_ || (pending_count_ == 0U)) {
         return;
     }
     const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
     while ((pending_count_ > 0U) && (may_send_at_ <= now)) {
-        static_cast<void>(queue_.push(message(pending_[0])));
-        forget(0U);
-        may_send_at_ = now + inhibit;
+        const bool queued = queue_.push(message(pending_[0]));
+        if (queued) {
+            forget(0U);
+        }
+        may_send_at_ = now + (queued ? inhibit : queue_retry);
     }
 }
 

@@ -233,4 +233,21 @@ TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
+TEST_F(Ax130751Pdo, AnEmergencyWaitsForRoomInTheQueueAndTheOutputsDoNotWaitForIt) {
+    verifies<req::CO_EMCY_006>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    EXPECT_EQ(write(0x2330, 1, 0, 2), "");
+    start();
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
+        queue.push(host::parse_frame("001#", "other traffic"));
+    }
+    device->receive(host::parse_frame("27F#E803000000", "1000: 1 V"), now);
+    device->receive(host::parse_frame("27F#00", "too short: 8210h"), now);
+    now = now + milliseconds(25);
+    device->advance(now);
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[0], 1.0F);
+    queue = TransmitQueue{};
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#1082010000000000"}));
+}
+
 }  // namespace canproof::test

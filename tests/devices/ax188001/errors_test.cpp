@@ -291,4 +291,13 @@ TEST_F(Ax188001Errors, ThatLastAtBootAreToldAfterTheBootUpMessage) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
 }
 
+TEST_F(Ax188001Errors, AreToldWhenTheirDelayEndsBetweenTwoReadingsOfALateCall) {
+    verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
+    write(0x4030, 1, 2, 50);
+    heat(1, 130.0);
+    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first begins the delay
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
+}
+
 }  // namespace canproof::test
