@@ -122,6 +122,7 @@ TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
 
 TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     verifies<req::CO_EMCY_005>();
+    write("603#2314100083000000");  // its own identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
     EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
     EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // bit 11

@@ -2,6 +2,7 @@
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
+#include "support/faulty_memory.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -23,6 +24,17 @@ class Store : public CbxTest {
         }
         return all;
     }
+    /// A device on a memory of its own.
+    Frames power_on_with(NonVolatileMemory& other) {
+        queue = TransmitQueue{};
+        device = std::make_unique<cbx_ao412::Device>(other, queue, factory);
+        device->power_on(inputs, now);
+        return sent();
+    }
+    std::string save() { return send("603#2310100173617665").at(0); }
+
+    static constexpr const char* saved = "583#6010100100000000";
+    static constexpr const char* hardware_error = "583#8010100100000606";
 };
 
 }  // namespace
@@ -224,6 +236,70 @@ TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
     EXPECT_EQ(send("603#4003100100000000"), (Frames{"583#4303100110610000"}));
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
+}
+
+TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
+    verifies<req::AO4_STORE_005>();
+    for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
+        std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
+        EXPECT_EQ(power_on(), (Frames{"703#00"})) << int{blank};
+        for (const std::size_t at : {0U, 5U, 13U}) {
+            std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
+            memory.bytes()[at] = 0x5A;
+            EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << int{blank} << ' ' << at;
+        }
+    }
+}
+
+TEST_F(Store, AMemoryThatKeepsNothingIsFoundOut) {
+    verifies<req::CO_STORE_005>();
+    FaultyMemory worn{1024};
+    worn.worn = true;
+    power_on_with(worn);
+    EXPECT_EQ(save(), hardware_error);
+}
+
+TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
+    verifies<req::CO_STORE_005>();
+    host::Memory small{64};
+    EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
+    EXPECT_EQ(save(), hardware_error);
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, AReadThatFailsAnywhereGivesTheStoredValueOrTheDefaultAndIsNeverTakenForASave) {
+    verifies<req::CO_STORE_004, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_read(0);
+    power_on_with(faulty);
+    const std::size_t reads = faulty.reads;
+    ASSERT_GT(reads, 10U);
+    for (std::size_t n = 1; n <= reads; ++n) {
+        faulty.fail_read(n);
+        power_on_with(faulty);
+        faulty.fail_read(0);
+        const std::string found = values();
+        for (const std::size_t at : {0U, 5U, 10U}) {
+            EXPECT_TRUE(found.substr(at, 4) == "1111" || found.substr(at, 4) == "0000") << n << ": " << found;
+        }
+    }
+    power_on_with(faulty);
+    faulty.fail_read(0);
+    write("603#2310100273617665");  // communication parameters anew, the others copied from the old bank
+    const std::size_t of_save = faulty.reads;
+    const auto sound = faulty.sound.bytes();
+    for (std::size_t n = 1; n <= of_save; ++n) {
+        faulty.sound.bytes() = sound;
+        power_on_with(faulty);
+        faulty.fail_read(n);
+        EXPECT_EQ(send("603#2310100273617665"), (Frames{"583#8010100200000606"})) << n;
+        faulty.fail_read(0);
+        power_on_with(faulty);
+        EXPECT_EQ(values(), "1111 1111 1111 ") << n;
+    }
 }
 
 }  // namespace canproof::test

@@ -5,6 +5,7 @@
 
 #include "generated/canopen/requirements.hpp"
 #include "host/devices/memory.hpp"
+#include "support/faulty_memory.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -68,6 +69,33 @@ TEST(LssStore, ADamagedSlotDoesNotCount) {
     expect(LssStore{memory}.load(shipped), 1, 10000);
     memory.bytes()[64 - 40 + 9] ^= 1;
     expect(LssStore{memory}.load(shipped), 127, 125000);
+}
+
+TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {
+    // Only a copy of a slot can bring this about: 20 bytes each, at the end of the memory.
+    host::Memory memory{64};
+    LssStore{memory}.store({5, 500000});
+    auto& bytes = memory.bytes();
+    const std::vector<std::uint8_t> slot(bytes.end() - 40, bytes.end() - 20);
+    std::copy(slot.begin(), slot.end(), bytes.end() - 20);
+    expect(LssStore{memory}.load(shipped), 5, 500000);
+    EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::none);
+    expect(LssStore{memory}.load(shipped), 6, 250000);
+}
+
+TEST(LssStore, AMemoryThatIsTooSmallKeepsNothing) {
+    host::Memory memory{8};
+    expect(LssStore{memory}.load(shipped), 127, 125000);
+    EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
+}
+
+TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
+    FaultyMemory memory{64};
+    LssStore{memory}.store({5, 500000});
+    memory.fail_read(1);
+    expect(LssStore{memory}.load(shipped), 127, 125000);
+    memory.fail_read(0);
+    expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
 }  // namespace canproof::test

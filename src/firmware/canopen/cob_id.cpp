@@ -1,6 +1,7 @@
 #include "firmware/canopen/cob_id.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
 
@@ -8,8 +9,8 @@ namespace canproof::cob_id {
 
 static_assert(implements<req::CO_T_RESTRICTED_COB_ID>);
 bool is_restricted(const std::uint32_t identifier) noexcept {
-    const auto* const row = generated::canopen::t_co_t_restricted_cob_id::find(static_cast<std::uint16_t>(identifier));
-    return (row == nullptr) || row->restricted;
+    namespace table = generated::canopen::t_co_t_restricted_cob_id;
+    return cell_or(table::find(static_cast<std::uint16_t>(identifier)), &table::Row::restricted, true);
 }
 
 AbortCode check_change(const std::uint32_t current, const std::uint32_t wanted, const std::uint32_t flags,

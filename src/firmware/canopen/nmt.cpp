@@ -1,6 +1,7 @@
 #include "firmware/canopen/nmt.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
@@ -11,8 +12,7 @@ namespace services = generated::canopen::t_co_t_services;
 
 static_assert(implements<req::CO_T_SERVICES> && implements<req::CO_E_NMT_STATE>);
 bool is_allowed(const NmtService service, const NmtState state) noexcept {
-    const auto* const row = services::find(service, state);
-    return (row != nullptr) && row->allowed;
+    return cell_or(services::find(service, state), &services::Row::allowed, false);
 }
 
 AllowedServices::AllowedServices(const NmtState state) noexcept {

@@ -40,10 +40,15 @@ Region region_of(const Json& values) {
     return {values.at(0), values.at(1), values.at(2), values.at(3)};
 }
 
-std::vector<std::string> lines_of(const std::filesystem::path& file) {
+/// The lines of a source that has not changed since `measured` was written.
+std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured) {
     std::ifstream in{file};
     if (!in) {
         throw InputError{fmt::format("{} was measured but is not there; measure again", file.string())};
+    }
+    if (std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
+        throw InputError{
+            fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
     }
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);) {
@@ -308,7 +313,7 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
             }
             const std::string name = whole.substr(at);
             const auto known = functions.find(whole);
-            files.push_back(FileReader{source, name, lines_of(root / name)}.read(
+            files.push_back(FileReader{source, name, lines_of(root / name, file)}.read(
                 known == functions.end() ? Functions::mapped_type{} : known->second));
         }
     } catch (const Json::exception& error) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <fstream>
 #include <pugixml.hpp>
 
@@ -146,6 +147,11 @@ TEST_F(Coverage, BadFilesAreToldWithTheirRemedy) {
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));
     write("empty.json", R"({"data": [{"files": [], "functions": []}]})");
     EXPECT_THAT(told("empty.json"), HasSubstr("measures no file of src/firmware"));
+    write("src/firmware/base/one.cpp", source);
+    std::filesystem::last_write_time(
+        root_ / "src/firmware/base/one.cpp",
+        std::filesystem::last_write_time(root_ / "measured.json") + std::chrono::seconds{1});
+    EXPECT_THAT(told("measured.json"), HasSubstr("has changed since it was measured"));
     std::filesystem::remove(root_ / "src/firmware/base/one.cpp");
     EXPECT_THAT(told("measured.json"), HasSubstr("one.cpp was measured but is not there"));
     write("records.toml", "[[record]]\nfile = \"a\"\nkind = \"colour\"\ncode = \"b\"\nreason = \"c\"\n");

@@ -1,0 +1,36 @@
+// A memory with the faults that a power cut does not show.
+#pragma once
+
+#include <cstddef>
+
+#include "host/devices/memory.hpp"
+
+namespace canproof::test {
+
+/// Sound as long as nothing is asked of it.
+class FaultyMemory final : public NonVolatileMemory {
+  public:
+    explicit FaultyMemory(std::size_t size) : sound{size} {}
+
+    std::size_t size() const override { return sound.size(); }
+    /// Delivers the bytes even when it says that it failed: only the answer tells.
+    bool read(const std::size_t at, const MutableBytes to) const override {
+        ++reads;
+        return sound.read(at, to) && reads != failing_read;
+    }
+    /// A worn memory takes every write and keeps none.
+    bool write(const std::size_t at, const ByteView bytes) override { return worn || sound.write(at, bytes); }
+
+    /// The n-th read from now on fails, the others succeed.
+    void fail_read(const std::size_t n) {
+        reads = 0;
+        failing_read = n;
+    }
+
+    host::Memory sound;
+    bool worn{false};
+    std::size_t failing_read{0};
+    mutable std::size_t reads{0};
+};
+
+}  // namespace canproof::test
