@@ -108,6 +108,37 @@ void add_coverage(CLI::App& app, std::function<int()>& chosen) {
     command->callback([&chosen] { chosen = [] { return check_coverage(options); }; });
 }
 
+void add_fuzz(CLI::App& app, std::function<int()>& chosen) {
+    static CampaignOptions options;
+    static double hours = 0.0;
+    auto* command = app.add_subcommand("fuzz", "all fuzz targets for a given time, then findings, coverage, report");
+    auto* minutes = command->add_option("--minutes", options.minutes, "of fuzzing; the passes after it come on top")
+                        ->check(CLI::Range(0.01, 100000.0))
+                        ->capture_default_str();
+    command->add_option("--hours", hours, "the same in hours")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
+    command->add_option("--targets", options.targets, "a,b: these only")->delimiter(',');
+    command->add_option("--corpus", options.corpus, "folder that keeps inputs, findings and history")
+        ->capture_default_str();
+    command->add_option("--out", options.out, "folder of the report")->capture_default_str();
+    command->add_option("--jobs", options.jobs, "processes beside each other; all cores without it");
+    command->add_option("--seed", options.seed, "of the random numbers; from the clock without it");
+    command->add_option("--build", options.build, "build with libFuzzer and sanitizers")->capture_default_str();
+    command->add_option("--replay-build", options.replay_build, "build without either, for valgrind and frame logs")
+        ->capture_default_str();
+    command->add_option("--coverage-build", options.coverage_build, "build that counts lines")->capture_default_str();
+    command->add_option("--fuzz", options.fuzz, "folder of seeds and dictionaries")->capture_default_str();
+    command->add_option("--land", options.land, "findings become regression tests here; '' for nowhere")
+        ->capture_default_str();
+    command->add_flag("!--no-second-pass", options.second_pass, "no valgrind over the corpus");
+    command->add_flag("!--no-coverage", options.coverage, "no lines measured");
+    command->add_flag("--plain", options.plain, "lines instead of a table, on a terminal as well");
+    command->add_flag("--restart", options.restart, "forget an unfinished campaign");
+    command->callback([&chosen] {
+        options.minutes = hours > 0.0 ? hours * 60.0 : options.minutes;
+        chosen = [] { return fuzz_targets(options); };
+    });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -116,6 +147,7 @@ int run_command_line(int argc, char** argv) {
     std::function<int()> chosen;
     add_catalogue(app, chosen);
     add_running(app, chosen);
+    add_fuzz(app, chosen);
     add_audit(app, chosen);
     add_coverage(app, chosen);
     try {

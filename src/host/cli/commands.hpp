@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "host/fuzz/campaign.hpp"
+
 namespace canproof::host {
 
 struct ReplayOptions {
@@ -54,6 +56,7 @@ int replay_log(const ReplayOptions& options);
 int run_devices(const RunOptions& options);
 int play_examples();
 int draw_figures(const std::string& folder);
+int fuzz_targets(const CampaignOptions& options);
 int audit(const AuditOptions& options);
 int check_coverage(const CoverageOptions& options);
 
