@@ -10,10 +10,11 @@ namespace {
 
 constexpr auto redraw = std::chrono::milliseconds{500};
 
-std::string row(const TargetRecord& target, std::size_t findings) {
+/// `bad`: what came of it that should not, in words.
+std::string row(const TargetRecord& target, const std::string& bad) {
     const double rate = target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
-    return fmt::format("{:<14}{:>8.0f} s{:>14} executions{:>10.0f}/s{:>8} edges{:>6} finding(s)", target.name,
-                       target.seconds, with_commas(target.executions), rate, with_commas(target.edges()), findings);
+    return fmt::format("{:<14}{:>8.0f} s{:>14} executions{:>10.0f}/s{:>8} edges{:>20}", target.name, target.seconds,
+                       with_commas(target.executions), rate, with_commas(target.edges()), bad);
 }
 
 std::size_t findings_of(const CampaignState& state, const std::string& target) {
@@ -37,9 +38,9 @@ void CampaignDisplay::say(const std::string& text) {
     std::fflush(out_);
 }
 
-void CampaignDisplay::news(const TargetRecord& target, std::size_t findings) {
+void CampaignDisplay::news(const TargetRecord& target, std::size_t inputs) {
     if (!is_table_) {
-        say(row(target, findings));
+        say(row(target, inputs == 0 ? "" : fmt::format("{} bad input(s)", inputs)));
     }
 }
 
@@ -63,7 +64,7 @@ void CampaignDisplay::table(const CampaignState& state) {
         fmt::print(out_, "\x1b[{}A", rows_);
     }
     for (const TargetRecord& target : state.targets) {
-        fmt::print(out_, "\x1b[2K{}\n", row(target, findings_of(state, target.name)));
+        fmt::print(out_, "\x1b[2K{}\n", row(target, fmt::format("{} finding(s)", findings_of(state, target.name))));
     }
     fmt::print(out_, "\x1b[2K{}: {:.0f} of {:.0f} s of work\n", state.phase, state.seconds(),
                state.minutes * 60.0 * state.jobs);

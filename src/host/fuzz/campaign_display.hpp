@@ -15,8 +15,8 @@ class CampaignDisplay {
 
     /// A line that stays.
     void say(const std::string& text);
-    /// News of one target, in short.
-    void news(const TargetRecord& target, std::size_t findings);
+    /// News of one target, in short; `inputs` ended a run so far.
+    void news(const TargetRecord& target, std::size_t inputs);
     /// Redraws the table, not too often.
     void draw(const CampaignState& state);
     /// The last drawing stays.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_inputs = 40;  ///< of one target that are run again; a shallow bug leaves thousands
 constexpr double reproduction_limit = 30.0;
-constexpr double minimisation_seconds = 15.0;
+constexpr double least_shrinking = 2.0;  ///< seconds
+constexpr double most_shrinking = 15.0;
 
 /// An input that ended a run, run once more.
 struct Crash {
@@ -89,6 +90,11 @@ bool reproduce(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
+/// A tenth of the campaign's time, within bounds.
+double shrinking_seconds(const CampaignContext& context) {
+    return std::clamp(context.state.minutes * 6.0, least_shrinking, most_shrinking);
+}
+
 std::filesystem::path smaller_of(const Crash& crash) {
     return crash.input.string() + ".smaller";
 }
@@ -102,11 +108,11 @@ bool shrink(const CampaignContext& context, std::vector<Crash>& crashes) {
         }
         Task task;
         task.command = {crash.target->program.string(), "-minimize_crash=1",
-                        fmt::format("-max_total_time={:.0f}", minimisation_seconds),
+                        fmt::format("-max_total_time={:.0f}", shrinking_seconds(context)),
                         "-exact_artifact_path=" + smaller_of(crash).string(), crash.input.string()};
         task.environment = fuzzer_environment(context.files);
         task.log = context.files.log("shrink-" + crash.target->name + "-" + crash.input.filename().string());
-        task.limit_seconds = 2.0 * minimisation_seconds;
+        task.limit_seconds = 2.0 * shrinking_seconds(context);
         tasks.push_back(std::move(task));
     }
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
