@@ -25,7 +25,11 @@ constexpr std::size_t most_records = 200;
 
 class Both {
   public:
-    Both() {
+    /// Both as new.
+    void restart() {
+        now_ = Instant{};
+        said_.clear();
+        model_ = naive::Node{};
         device_.power_on(naive::node_id, now_);
         compare();
     }
@@ -91,7 +95,7 @@ class Both {
         require(listed == model_.has_failed(), "communication error");
     }
 
-    host::Memory memory_{64};
+    host::Memory memory_{4096};
     TransmitQueue queue_;
     host::GenericDevice device_{test::slave_part(), memory_, queue_};
     naive::Node model_;
@@ -107,7 +111,8 @@ CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_
                      req::CO_GUARD_001, req::CO_GUARD_002)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Both both;
+    static Both both;  // to make a slave takes longer than an input
+    both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {
         both.happen(data + i * record_size);

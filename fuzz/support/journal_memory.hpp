@@ -1,7 +1,7 @@
 // A memory that remembers in which order its bytes were written, so that a power cut can be put after any of them.
 #pragma once
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -54,6 +54,11 @@ class JournalMemory final : public NonVolatileMemory {
         }
     }
     const Image& image() const { return bytes_; }
+    /// Another content, as if it had always been there.
+    void replace(Image image) {
+        bytes_ = std::move(image);
+        journal_.clear();
+    }
 
   private:
     struct Write {

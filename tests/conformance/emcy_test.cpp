@@ -104,6 +104,18 @@ TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
     EXPECT_EQ(error_register(), "11");
 }
 
+TEST_F(Errors, WhatWaitsWhenMessagesAreSwitchedOffIsNeverSent) {
+    verifies<req::CO_EMCY_002>();
+    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    write("603#2314100083000080");
+    EXPECT_TRUE(pass(100).empty());
+    write("603#2314100083000000");
+    EXPECT_TRUE(pass(100).empty());
+    EXPECT_EQ(overrun(false), (Frames{"083#0000110200000000"}));
+}
+
 TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms

@@ -1,4 +1,7 @@
 // Store and restore (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node 3.
+#include <algorithm>
+#include <array>
+
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
@@ -35,6 +38,26 @@ class Store : public CbxTest {
 
     static constexpr const char* saved = "583#6010100100000000";
     static constexpr const char* hardware_error = "583#8010100100000606";
+
+    /// Gives the bank of `size` bytes at `at` another sequence number, and the CRC-32 that goes with it.
+    void set_sequence(std::size_t at, std::size_t size, std::uint32_t sequence) {
+        put(at + 8, sequence);
+        std::uint32_t crc = 0xFFFFFFFF;
+        for (std::size_t i = at; i < at + size - 4; ++i) {
+            crc ^= memory.bytes()[i];
+            for (int bit = 0; bit < 8; ++bit) {
+                crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+            }
+        }
+        put(at + size - 4, ~crc);
+    }
+
+  private:
+    void put(std::size_t at, std::uint32_t number) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            memory.bytes()[at + i] = static_cast<std::uint8_t>(number >> (8 * i));
+        }
+    }
 };
 
 }  // namespace
@@ -225,6 +248,24 @@ TEST_F(Store, CobIdsThatWereNotStoredFollowTheSwitches) {
     write("603#2310100373617665");  // application only
     inputs.switch_low = 5;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
+}
+
+TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
+    verifies<req::CO_STORE_004>();
+    write("603#2310100173617665");
+    write("603#2310100173617665");
+    // As after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
+    auto& bytes = memory.bytes();
+    const std::array<std::uint8_t, 4> magic{'C', 'O', 'P', 'S'};
+    const auto second = std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end());
+    const auto size = static_cast<std::size_t>(second - bytes.begin());
+    set_sequence(0, size, 0xFFFFFFFE);
+    set_sequence(size, size, 0xFFFFFFFF);
+    EXPECT_EQ(power_on(), (Frames{"703#00"}));
+    set_values("3412");
+    write("603#2310100173617665");
+    power_on();
+    EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
 TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {

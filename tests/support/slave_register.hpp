@@ -42,6 +42,7 @@ source = ["S1:1"]
   access = "rw"
   default = 0
   range = { min = 0, max = 0 }
+  service = "emcy"
   stored = false
 [[object]]
 index = 0x1005

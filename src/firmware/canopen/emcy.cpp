@@ -40,6 +40,7 @@ bool Emcy::take_register_change() noexcept {
 }
 
 void Emcy::refresh() noexcept {
+    forget_when_switched_off();
     show_register();
     for (std::size_t error = 0U; (list_ == ErrorList::active) && (error < max_errors); ++error) {
         if (active_[error] && errors_[error].listed) {
@@ -257,6 +258,17 @@ AbortCode Emcy::before_write(const EntryRef& entry, const ByteView value) const 
 void Emcy::after_write(const EntryRef& entry) noexcept {
     if (entry.is(error_list_index, 0U)) {
         clear_list();
+    }
+    if (entry.index == cob_id_index) {
+        forget_when_switched_off();
+    }
+}
+
+/// With bit 31 of 1014h set what waits is not sent either, not even later.
+static_assert(implements<req::CO_EMCY_002>);
+void Emcy::forget_when_switched_off() noexcept {
+    if (!cob_id::is_valid(cob_id_entry())) {
+        pending_count_ = 0U;
     }
 }
 

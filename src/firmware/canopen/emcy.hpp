@@ -69,7 +69,7 @@ class Emcy {
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
     /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node.
     void reset() noexcept;
-    /// 1001h and 1003h were set to their defaults by a reset of the communication area: what is active shows again.
+    /// A reset of the communication area set 1001h and 1003h to their defaults, and 1014h: what is active shows again.
     void refresh() noexcept;
     /// A lasting error begins or ends. Telling the same twice does nothing. `channel` is added to the detail of the row
     /// when the error begins: the node-ID of a lost heartbeat.
@@ -110,6 +110,7 @@ class Emcy {
     std::uint8_t active_register() const noexcept;
     void show_register() noexcept;
     void clear_list() noexcept;
+    void forget_when_switched_off() noexcept;
     std::uint8_t list_capacity() const noexcept;
 
     ObjectDictionary& objects_;

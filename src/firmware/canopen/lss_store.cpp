@@ -1,6 +1,7 @@
 #include "firmware/canopen/lss_store.hpp"
 
 #include "firmware/base/crc32.hpp"
+#include "firmware/base/sequence_number.hpp"
 
 namespace canproof {
 
@@ -18,12 +19,6 @@ std::uint32_t crc_of(const SlotBytes& bytes) noexcept {
     Crc32 crc{};
     crc.add(ByteView{bytes}.part(0U, crc_at));
     return crc.value();
-}
-
-/// Whether sequence number `a` was given after `b`; they wrap after 2^32 saves.
-bool is_newer(const std::uint32_t a, const std::uint32_t b) noexcept {
-    constexpr std::uint32_t half = 0x80000000U;
-    return (a != b) && ((a - b) < half);
 }
 
 }  // namespace

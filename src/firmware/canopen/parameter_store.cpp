@@ -1,6 +1,7 @@
 #include "firmware/canopen/parameter_store.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/sequence_number.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
 
@@ -110,7 +111,7 @@ StoredSet ParameterStore::open() noexcept {
     for (std::size_t bank = 0U; bank < bank_count; ++bank) {
         const Header header = read_header(bank);
         anything_written = anything_written || !is_blank(bank);
-        const bool newer = !in_use_ || (header.sequence > current_.sequence);
+        const bool newer = !in_use_ || is_newer(header.sequence, current_.sequence);
         if (newer && is_sound(bank, header)) {
             in_use_ = true;
             bank_ = bank;

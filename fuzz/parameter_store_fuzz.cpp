@@ -1,0 +1,249 @@
+// Stored parameters on a memory of any bytes, with saves, restores and power cuts at any of them: what the conformance
+// slave wakes up with is what a naive reader finds in the memory, the old set or the new after a cut, and never
+// anything from a bank that is not sound. Input: records of ten bytes: what happens, with what, and eight bytes for it.
+#include <algorithm>
+
+#include "firmware/canopen/lss_store.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "host/devices/generic_device.hpp"
+#include "support/claims.hpp"
+#include "support/frame_probe.hpp"
+#include "support/journal_memory.hpp"
+#include "support/naive_store.hpp"
+#include "support/record_mutator.hpp"
+#include "support/require.hpp"
+#include "support/slave_register.hpp"
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+using naive_store::Values;
+
+constexpr std::size_t record_size = 10;
+constexpr std::size_t most_records = 60;
+constexpr std::size_t memory_size = 2048;
+constexpr std::uint16_t uncut = 0xFFFF;
+
+class World {
+  public:
+    /// A new memory.
+    void restart() {
+        kept_.clear();
+        edit([](fuzz::Image& image) { image.assign(memory_size, 0xFF); });
+    }
+
+    void happen(const std::uint8_t* record) {
+        const unsigned how = record[1];
+        const std::uint8_t* const data = record + 2;
+        const std::uint16_t place = read_u16(ByteView{data, 2}, 0);
+        switch (record[0] % 9U) {
+            case 0:
+                return damage(place, how % 7U, data + 2);
+            case 1:
+                return edit([&](fuzz::Image& image) {
+                    format_.make_sound(image, how % 2U, read_u32(ByteView{data, 4}, 0));
+                });
+            case 2:
+                return power_on();
+            case 3:
+            case 4:
+                return write_entry(place, data + 2);
+            case 5:
+                return execute(0x1010, 1 + how % 4U, "save", place);
+            case 6:
+                return execute(0x1011, 1 + how % 4U, "load", place);
+            case 7:
+                return edit([&](fuzz::Image& image) {
+                    std::fill(image.begin() + place % memory_size, image.end(), how % 2U == 0 ? data[2] : 0xFF);
+                });
+            default:
+                return store_lss({data[2], read_u32(ByteView{data + 3, 4}, 0)}, place);
+        }
+    }
+
+  private:
+    /// The memory changes while the device is off.
+    template <typename Edit>
+    void edit(const Edit& change) {
+        fuzz::Image image = memory_.image();
+        change(image);
+        kept_.push_back(format_.read(image));
+        memory_.replace(std::move(image));
+        power_on();
+    }
+    void damage(std::size_t at, std::size_t count, const std::uint8_t* bytes) {
+        edit([&](fuzz::Image& image) {
+            for (std::size_t i = 0; i < count && i < 6; ++i) {
+                image[(at + i) % memory_size] = bytes[i];
+            }
+        });
+    }
+
+    void power_on() {
+        queue_ = TransmitQueue{};
+        device_.power_on(5, Instant{});
+        const bool corrupt = format_.is_corrupt(memory_.image());
+        require(device_.node().has_error(ErrorId::stored_set_checksum) == corrupt, "a corrupt set is told");
+        const Values saved = format_.read(memory_.image());
+        for (const naive_store::Stored& one : format_.entries()) {
+            const auto found = saved.find(one.address);
+            const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
+            // 1020h is forgotten by a start, when what it vouched for was not saved with it.
+            require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
+        }
+        drain();
+    }
+    static naive_store::Bytes value(const host::GenericDevice& device, const naive_store::Stored& one) {
+        const auto entry = device.objects().find(static_cast<std::uint16_t>(one.address.first),
+                                                 static_cast<std::uint8_t>(one.address.second));
+        const ByteView bytes = device.objects().value(entry.value());
+        naive_store::Bytes all(bytes.data(), bytes.data() + bytes.size());
+        all.resize(one.size);  // a string is padded with zeros
+        return all;
+    }
+    static Values all_values(const naive_store::Format& format, const host::GenericDevice& device) {
+        Values all;
+        for (const naive_store::Stored& one : format.entries()) {
+            all[one.address] = value(device, one);
+        }
+        return all;
+    }
+    static Values defaults_of(const naive_store::Format& format) {
+        fuzz::JournalMemory blank{fuzz::Image(memory_size, 0xFF)};
+        TransmitQueue queue;
+        host::GenericDevice device{test::slave_part(), blank, queue};
+        device.power_on(5, Instant{});
+        return all_values(format, device);
+    }
+
+    /// The answer to a request; 0 when there is none.
+    std::uint32_t ask(const Frame& request) {
+        fuzz::deliver(device_, request, Instant{});
+        std::uint32_t answer = 0;
+        while (!queue_.empty()) {
+            const Frame frame = queue_.pop();
+            if (frame.id == 0x585) {
+                require(answer == 0 && frame.length == 8, "one answer");
+                answer = frame.data[0] == 0x80 ? read_u32(frame.payload(), 4) : frame.data[0];
+            }
+        }
+        return answer;
+    }
+    void drain() {
+        while (!queue_.empty()) {
+            queue_.pop();
+        }
+    }
+    static Frame download(std::uint16_t index, std::uint8_t sub, const std::uint8_t* bytes, std::size_t size) {
+        Frame frame = data_frame(0x605, 8);
+        frame.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - size) << 2U));
+        write_le(MutableBytes{frame.data}, 1, 2, index);
+        frame.data[3] = sub;
+        std::copy_n(bytes, size, frame.data.begin() + 4);
+        return frame;
+    }
+    void write_entry(std::size_t chosen, const std::uint8_t* bytes) {
+        const naive_store::Stored& one = format_.entries()[chosen % format_.entries().size()];
+        if (one.size <= 4) {
+            ask(download(static_cast<std::uint16_t>(one.address.first), static_cast<std::uint8_t>(one.address.second),
+                         bytes, one.size));
+        }
+    }
+
+    /// CiA 301, 7.5.2.13: a save keeps its groups as they are now and the others as they were kept; a restore keeps the
+    /// others alone. Power may fail at `place`.
+    void execute(std::uint16_t index, unsigned sub, const char* signature, std::uint16_t place) {
+        const fuzz::Image before = memory_.image();
+        Values expected = format_.read(before);
+        const Values now = all_values(format_, device_);
+        for (const naive_store::Stored& one : format_.entries()) {
+            if (((naive_store::groups_of(sub) >> one.group) & 1U) == 0) {
+                continue;
+            }
+            if (index == 0x1010) {
+                expected[one.address] = now.at(one.address);
+            } else {
+                expected.erase(one.address);
+            }
+        }
+        memory_.open_journal();
+        std::array<std::uint8_t, 4> word{};
+        std::copy_n(signature, word.size(), word.begin());
+        const std::uint32_t answer = ask(download(index, static_cast<std::uint8_t>(sub), word.data(), word.size()));
+        if (answer == 0) {
+            return;  // no SDO in this state
+        }
+        require(answer == 0x60, "saved", answer);
+        require(format_.read(memory_.image()) == expected, "what is saved");
+        kept_.push_back(expected);
+        if (place == uncut) {
+            return;
+        }
+        const std::size_t written = memory_.written();
+        memory_.cut_after(place % (written + 1));
+        const Values found = format_.read(memory_.image());
+        require(found == expected || found == format_.read(before) || is_repaired(before, found), "old or new");
+        power_on();
+    }
+
+    /// Where no bank was sound, the beginning of a save may put right what was damaged: a set that was once saved.
+    bool is_repaired(const fuzz::Image& before, const Values& found) const {
+        return !format_.bank_in_use(before) && std::find(kept_.begin(), kept_.end(), found) != kept_.end();
+    }
+
+    /// The other store of a memory, at its end.
+    void store_lss(const LssConfiguration& wanted, std::uint16_t place) {
+        constexpr LssConfiguration shipped{127, 125000};
+        LssStore store{memory_};
+        const LssConfiguration before = store.load(shipped);
+        memory_.open_journal();
+        require(store.store(wanted) == LssError::none, "stored");
+        require(is(store.load(shipped), wanted), "what is stored");
+        if (place != uncut) {
+            memory_.cut_after(place % (memory_.written() + 1));
+            const LssConfiguration found = store.load(shipped);
+            require(is(found, wanted) || is(found, before), "old or new configuration");
+        }
+    }
+    static bool is(const LssConfiguration& a, const LssConfiguration& b) {
+        return a.node_id == b.node_id && a.bit_rate == b.bit_rate;
+    }
+
+    static const naive_store::Format& format() {
+        static const naive_store::Format one = [] {
+            fuzz::JournalMemory memory{fuzz::Image(memory_size, 0xFF)};
+            TransmitQueue queue;
+            const host::GenericDevice device{test::slave_part(), memory, queue};
+            return naive_store::Format{device.objects().tables()};
+        }();
+        require(2 * one.bank_size() + LssStore::size <= memory_size, "the memory is large enough");
+        return one;
+    }
+    static const Values& defaults() {
+        static const Values all = defaults_of(format());
+        return all;
+    }
+
+    const naive_store::Format& format_{format()};
+    const Values& defaults_{defaults()};
+    fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
+    TransmitQueue queue_;
+    host::GenericDevice device_{test::slave_part(), memory_, queue_};  ///< one for all: to make it takes long
+    std::vector<Values> kept_;                                         ///< all sets that were ever in the memory
+};
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(record_size)
+CANPROOF_FUZZ_CLAIMS(req::CO_STORE_001, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_004, req::CO_STORE_005)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static World world;
+    world.restart();
+    const std::size_t count = std::min(size / record_size, most_records);
+    for (std::size_t i = 0; i < count; ++i) {
+        world.happen(data + i * record_size);
+    }
+    return 0;
+}

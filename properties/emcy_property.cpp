@@ -1,0 +1,99 @@
+// Emergency messages, 1001h and 1003h beside a naive node: any errors in any order (CiA 301, 7.2.7).
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <rapidcheck/gtest.h>
+#include <rapidcheck/state.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "support/logged_slave.hpp"
+#include "support/naive_emcy.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace naive = naive_emcy;
+
+class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
+  public:
+    explicit Occurs(const naive::Event& event) : event_{event} {}
+
+    void apply(naive::Node& node) const override {
+        naive::apply(node, event_);
+        node.take_sent();
+    }
+    void run(const naive::Node& before, LoggedSlave& slave) const override {
+        naive::Node node = before;
+        naive::apply(node, event_);
+        slave.heard.clear();
+        give(slave);
+        std::vector<std::pair<std::uint64_t, std::string>> expected;
+        for (const auto& [ms, message] : node.take_sent()) {
+            expected.emplace_back(ms, frame_text(0x085, {message.begin(), message.end()}));
+        }
+        auto messages = slave.heard;
+        messages.erase(std::remove_if(messages.begin(), messages.end(),
+                                      [](const auto& one) { return one.second.rfind("085#", 0) != 0; }),
+                       messages.end());
+        slave.demand(messages == expected, "emergency messages");
+        compare_objects(node, slave);
+    }
+    void show(std::ostream& out) const override {
+        constexpr std::array<const char*, 4> others{"CAN state ", "overrun ", "internal fault ", "pause of ms "};
+        const naive::EventFrame frame = naive::frame_of(event_);
+        if (frame.is_one) {
+            out << "can0 " << frame_text(frame.id, frame.data);
+        } else {
+            out << others[event_.kind - 6] << event_.a;
+        }
+    }
+
+  private:
+    void give(LoggedSlave& slave) const {
+        const naive::EventFrame frame = naive::frame_of(event_);
+        Node& node = slave.device->node();
+        if (frame.is_one) {
+            slave.play(frame_text(frame.id, frame.data));
+            return;
+        }
+        if (event_.kind == 6) {
+            node.set_can_state(static_cast<CanState>(event_.a % 4U), slave.now);
+        } else if (event_.kind == 7) {
+            node.set_overrun(event_.a % 2U != 0, slave.now);
+        } else if (event_.kind == 8) {
+            node.set_error(ErrorId::internal_software, event_.a % 2U != 0, slave.now);
+        }
+        slave.hear(slave.sent());
+        slave.play_pause(event_.kind == 9 ? event_.a : 0);
+    }
+    static void compare_objects(const naive::Node& node, const LoggedSlave& slave) {
+        const ObjectDictionary& objects = std::as_const(*slave.device).objects();
+        slave.demand(objects.read(0x1001, 0) == node.error_register(), "1001h");
+        slave.demand(objects.read(0x1003, 0) == node.list().size(), "1003h:0");
+        for (unsigned i = 0; i < node.list().size(); ++i) {
+            slave.demand(objects.read(0x1003, static_cast<std::uint8_t>(i + 1)) == node.list()[i], "1003h");
+        }
+    }
+    naive::Event event_;
+};
+
+}  // namespace
+
+RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
+    verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006>("property");
+    LoggedSlave slave;
+    rc::state::check(naive::Node{}, slave, [](const naive::Node&) {
+        const auto event = rc::gen::build<naive::Event>(
+            rc::gen::set(
+                &naive::Event::kind,
+                rc::gen::weightedElement<unsigned>(
+                    {{3, 0U}, {2, 1U}, {2, 2U}, {1, 3U}, {2, 4U}, {3, 5U}, {4, 6U}, {4, 7U}, {4, 8U}, {6, 9U}})),
+            rc::gen::set(&naive::Event::a, number_up_to(60)));
+        return rc::gen::map(event, [](const naive::Event& one) -> std::shared_ptr<const Occurs::CommandType> {
+            return std::make_shared<const Occurs>(one);
+        });
+    });
+}
+
+}  // namespace canproof::test

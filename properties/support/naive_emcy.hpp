@@ -1,0 +1,297 @@
+// Errors of the conformance slave (node 5) as CiA 301 tells them (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17): the
+// error register, the list of the last four, and emergency messages with their inhibit time, on a clock of
+// milliseconds. Knows nothing of the firmware.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace canproof::naive_emcy {
+
+using Message = std::array<std::uint8_t, 8>;
+using Sent = std::vector<std::pair<std::uint64_t, Message>>;
+
+enum class Error { overrun, passive, sync_length, rpdo_length, internal, bus_off_recovered };
+enum class Can { active, warning, passive, off };
+enum class State { pre_operational, operational, stopped };
+
+class Node {
+  public:
+    /// A command to this node or all.
+    void command(unsigned specifier) {
+        if (can_ == Can::off) {
+            return;
+        }
+        switch (specifier) {
+            case 0x01:
+                return enter(State::operational);
+            case 0x02:
+                return enter(State::stopped);
+            case 0x80:
+                return enter(State::pre_operational);
+            case 0x81:
+                return reset_node();
+            case 0x82:
+                return reset_communication();
+            default:
+                return;
+        }
+    }
+    void can_state(Can state) {
+        if (state == can_) {
+            return;
+        }
+        const bool returns = can_ == Can::off;
+        can_ = state;
+        flush();
+        if (returns) {
+            report(Error::bus_off_recovered);
+        }
+        set(Error::passive, state >= Can::passive);
+        if (state == Can::off && state_ == State::operational) {
+            enter(State::pre_operational);  // 1029h:1 = 0
+        }
+    }
+    void overrun(bool lost) {
+        lost_ = lost;
+        set(Error::overrun, lost);
+    }
+    void internal_fault(bool present) { set(Error::internal, present); }
+    /// Without a counter a SYNC has no data.
+    void sync(unsigned length) {
+        if (hears() && state_ != State::stopped) {
+            set(Error::sync_length, length != 0);
+        }
+    }
+    /// RPDO 1 maps two bytes.
+    void rpdo(unsigned length) {
+        if (hears() && state_ == State::operational) {
+            set(Error::rpdo_length, length < 2);
+        }
+    }
+    void write_list_length(unsigned value) {
+        if (has_sdo() && value == 0) {
+            list_.clear();
+        }
+    }
+    /// 1014h: messages that wait when they are switched off are never sent.
+    void write_valid(bool valid) {
+        if (has_sdo()) {
+            valid_ = valid;
+            if (!valid) {
+                waiting_.clear();
+            }
+        }
+    }
+    void write_inhibit(unsigned ms) {
+        if (has_sdo()) {
+            inhibit_ms_ = ms;
+        }
+    }
+    void pass(std::uint64_t ms) {
+        for (; ms > 0; --ms) {
+            ++now_;
+            flush();
+        }
+    }
+
+    unsigned error_register() const {
+        unsigned bits = 0;
+        for (unsigned i = 0; i < active_.size(); ++i) {
+            bits |= active_[i] ? bits_of(static_cast<Error>(i)) : 0U;
+        }
+        return bits;
+    }
+    /// Codes, the latest first.
+    const std::deque<unsigned>& list() const { return list_; }
+    State state() const { return state_; }
+    Sent take_sent() { return std::exchange(sent_, {}); }
+
+  private:
+    struct Waiting {
+        Error error;
+        bool cured;
+        unsigned error_register;
+        std::size_t listed;
+    };
+    static constexpr std::size_t list_capacity = 4;
+
+    // CiA 301, 7.2.7.1, Table 26; bits of 1001h: 0 generic, 4 communication.
+    static unsigned code_of(Error error) {
+        constexpr std::array<unsigned, 6> codes{0x8110, 0x8120, 0x8240, 0x8210, 0x6100, 0x8140};
+        return codes[static_cast<std::size_t>(error)];
+    }
+    static unsigned bits_of(Error error) { return error == Error::internal ? 0x01U : 0x11U; }
+
+    bool hears() const { return can_ != Can::off; }
+    bool has_sdo() const { return hears() && state_ != State::stopped; }
+    bool talks() const { return can_ != Can::off && state_ != State::stopped; }
+
+    void enter(State state) {
+        state_ = state;
+        flush();
+    }
+    void reset_node() {
+        active_.fill(false);
+        waiting_.clear();
+        list_.clear();
+        may_send_at_ = 0;
+        state_ = State::stopped;  // silent until the boot-up message is out
+        restore_defaults();
+        set(Error::overrun, lost_);
+        set(Error::passive, can_ >= Can::passive);
+        enter(State::pre_operational);
+    }
+    void reset_communication() {
+        list_.clear();
+        restore_defaults();
+        enter(State::pre_operational);
+        set(Error::rpdo_length, false);
+    }
+    void restore_defaults() {
+        valid_ = true;
+        inhibit_ms_ = 0;
+    }
+
+    void set(Error error, bool present) {
+        bool& is = active_[static_cast<std::size_t>(error)];
+        if (is == present) {
+            return;
+        }
+        is = present;
+        if (present) {
+            enlist(error);
+        }
+        announce({error, !present, error_register(), list_.size()});
+    }
+    /// Over when it is noticed.
+    void report(Error error) {
+        enlist(error);
+        announce({error, false, error_register() | bits_of(error), list_.size()});
+    }
+    void enlist(Error error) {
+        list_.push_front(code_of(error));
+        if (list_.size() > list_capacity) {
+            list_.pop_back();
+        }
+    }
+    /// At most two messages of an error wait: what it was first, and what it is now. One that takes the last back
+    /// leaves the other, which says the same.
+    void announce(const Waiting& told) {
+        if (!valid_) {
+            return;
+        }
+        std::vector<std::size_t> same;
+        for (std::size_t i = 0; i < waiting_.size(); ++i) {
+            if (waiting_[i].error == told.error) {
+                same.push_back(i);
+            }
+        }
+        if (!same.empty() && waiting_[same.back()].cured == told.cured) {
+            waiting_[same.back()] = told;
+        } else if (same.size() == 2) {
+            waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));
+        } else {
+            waiting_.push_back(told);
+        }
+        flush();
+    }
+    void flush() {
+        while (talks() && !waiting_.empty() && may_send_at_ <= now_) {
+            const Waiting told = waiting_.front();
+            waiting_.pop_front();
+            const unsigned code = told.cured ? 0U : code_of(told.error);
+            sent_.emplace_back(
+                now_, Message{static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8U),
+                              static_cast<std::uint8_t>(told.error_register), static_cast<std::uint8_t>(told.listed)});
+            may_send_at_ = now_ + inhibit_ms_;
+        }
+    }
+
+    std::uint64_t now_{0};
+    State state_{State::pre_operational};
+    Can can_{Can::active};
+    bool lost_{false};
+    bool valid_{true};
+    unsigned inhibit_ms_{0};
+    std::uint64_t may_send_at_{0};
+    std::array<bool, 6> active_{};
+    std::deque<Waiting> waiting_;
+    std::deque<unsigned> list_;
+    Sent sent_;
+};
+
+/// One step of a conversation, of numbers that a generator or a fuzzer may choose as it likes.
+struct Event {
+    unsigned kind{0};  ///< see apply()
+    unsigned a{0};     ///< up to FFh
+};
+constexpr unsigned event_kinds = 10;
+
+inline unsigned command_of(const Event& event) {
+    constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x80, 0x02};
+    return commands[event.a % commands.size()];
+}
+
+/// The frame that goes with an event: identifier and bytes. None when it is the controller's, the device's or time's.
+struct EventFrame {
+    bool is_one{false};
+    unsigned id{0};
+    std::vector<std::uint8_t> data;
+};
+
+inline EventFrame frame_of(const Event& event) {
+    switch (event.kind) {
+        case 0:
+            return {true,
+                    0,
+                    {static_cast<std::uint8_t>(command_of(event)), static_cast<std::uint8_t>(event.a / 8U % 2U * 5U)}};
+        case 1:
+            return {true, 0x080, std::vector<std::uint8_t>(event.a % 3U)};
+        case 2:
+            return {true, 0x205, std::vector<std::uint8_t>(event.a % 4U)};
+        case 3:
+            return {true, 0x605, {0x2F, 0x03, 0x10, 0x00, static_cast<std::uint8_t>(event.a % 3U), 0, 0, 0}};
+        case 4:
+            return {true, 0x605, {0x23, 0x14, 0x10, 0x00, 0x85, 0, 0, static_cast<std::uint8_t>(event.a % 2U * 0x80U)}};
+        case 5: {
+            const unsigned hundreds = event.a % 40U * 10U;
+            return {true,
+                    0x605,
+                    {0x2B, 0x15, 0x10, 0x00, static_cast<std::uint8_t>(hundreds),
+                     static_cast<std::uint8_t>(hundreds >> 8U), 0, 0}};
+        }
+        default:
+            return {};
+    }
+}
+
+inline void apply(Node& node, const Event& event) {
+    switch (event.kind) {
+        case 0:
+            return node.command(command_of(event));
+        case 1:
+            return node.sync(event.a % 3U);
+        case 2:
+            return node.rpdo(event.a % 4U);
+        case 3:
+            return node.write_list_length(event.a % 3U);
+        case 4:
+            return node.write_valid(event.a % 2U == 0);
+        case 5:
+            return node.write_inhibit(event.a % 40U);
+        case 6:
+            return node.can_state(static_cast<Can>(event.a % 4U));
+        case 7:
+            return node.overrun(event.a % 2U != 0);
+        case 8:
+            return node.internal_fault(event.a % 2U != 0);
+        default:
+            return node.pass(event.a);
+    }
+}
+
+}  // namespace canproof::naive_emcy

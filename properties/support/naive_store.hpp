@@ -1,0 +1,146 @@
+// What lies in a memory of stored parameters, read by someone who knows the format and nothing of the firmware: two
+// banks of a header (magic "COPS", layout, sequence number, groups, node-ID), the values in dictionary order, and a
+// CRC-32 over both, one bit at a time.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "firmware/canopen/object_dictionary.hpp"
+
+namespace canproof::naive_store {
+
+using Bytes = std::vector<std::uint8_t>;
+using Address = std::pair<unsigned, unsigned>;  ///< index, sub-index
+using Values = std::map<Address, Bytes>;
+
+/// One entry that 1010h keeps; `group` counts communication, application, manufacturer.
+struct Stored {
+    Address address;
+    std::size_t size;
+    unsigned group;
+};
+
+/// Communication 1000h to 1FFFh, manufacturer to 5FFFh, application behind.
+inline unsigned group_of(unsigned index) {
+    return index < 0x2000 ? 0U : index < 0x6000 ? 2U : 1U;
+}
+
+inline std::vector<Stored> stored_entries(const DictionaryTables& tables) {
+    std::vector<Stored> all;
+    for (const ObjectRow& object : tables.objects) {
+        for (std::size_t i = 0; i < object.count; ++i) {
+            const EntryRow& row = tables.entries[object.first_entry + i];
+            if ((row.rights & rights::stored) != 0) {
+                all.push_back({{object.index, row.subindex}, row.size, group_of(object.index)});
+            }
+        }
+    }
+    return all;
+}
+
+inline std::uint32_t crc32(const std::uint8_t* bytes, std::size_t count) {
+    std::uint32_t crc = 0xFFFFFFFF;
+    for (std::size_t i = 0; i < count; ++i) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+        }
+    }
+    return ~crc;
+}
+
+inline std::uint32_t number_at(const Bytes& image, std::size_t at) {
+    return image[at] + 0x100U * image[at + 1] + 0x10000U * image[at + 2] + 0x1000000U * image[at + 3];
+}
+inline void put_number(Bytes& image, std::size_t at, std::uint32_t number) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        image[at + i] = static_cast<std::uint8_t>(number >> (8 * i));
+    }
+}
+
+constexpr std::uint32_t magic = 0x53504F43;
+constexpr std::size_t header_size = 16;
+
+/// What a device with these entries keeps.
+class Format {
+  public:
+    explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
+        for (const Stored& one : entries_) {
+            payload_ += one.size;
+        }
+    }
+
+    const std::vector<Stored>& entries() const { return entries_; }
+    std::size_t bank_size() const { return header_size + payload_ + 4; }
+    std::size_t checked_size() const { return header_size + payload_; }
+
+    bool is_sound(const Bytes& image, unsigned bank) const {
+        const std::size_t at = bank * bank_size();
+        return number_at(image, at) == magic && number_at(image, at + 4) == layout_ &&
+               number_at(image, at + checked_size()) == crc32(image.data() + at, checked_size());
+    }
+    bool is_blank(const Bytes& image, unsigned bank) const {
+        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
+        const auto all = [begin](std::uint8_t wanted) {
+            return Bytes(begin, begin + header_size) == Bytes(header_size, wanted);
+        };
+        return all(0x00) || all(0xFF);
+    }
+    /// The sound bank that was written last; sequence numbers go on from FFFFFFFFh to 0.
+    std::optional<unsigned> bank_in_use(const Bytes& image) const {
+        const bool first = is_sound(image, 0);
+        const bool second = is_sound(image, 1);
+        if (first && second) {
+            const std::uint32_t ahead = number_at(image, bank_size() + 8) - number_at(image, 8);
+            return ahead != 0 && ahead < 0x80000000U ? 1U : 0U;
+        }
+        return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
+    }
+    /// Something was saved, but nothing sound is left.
+    bool is_corrupt(const Bytes& image) const {
+        return !bank_in_use(image) && !(is_blank(image, 0) && is_blank(image, 1));
+    }
+    /// The values of those groups that are saved.
+    Values read(const Bytes& image) const {
+        Values values;
+        const auto bank = bank_in_use(image);
+        if (!bank) {
+            return values;
+        }
+        std::size_t at = *bank * bank_size();
+        const unsigned groups = image[at + 12];
+        at += header_size;
+        for (const Stored& one : entries_) {
+            if (((groups >> one.group) & 1U) != 0) {
+                const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
+                values[one.address] = Bytes(begin, begin + static_cast<std::ptrdiff_t>(one.size));
+            }
+            at += one.size;
+        }
+        return values;
+    }
+    /// Makes the bank look as if a save had written what lies there.
+    void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
+        const std::size_t at = bank * bank_size();
+        put_number(image, at, magic);
+        put_number(image, at + 4, layout_);
+        put_number(image, at + 8, sequence);
+        put_number(image, at + checked_size(), crc32(image.data() + at, checked_size()));
+    }
+
+  private:
+    std::vector<Stored> entries_;
+    std::uint32_t layout_;
+    std::size_t payload_{0};
+};
+
+/// The groups that a sub-index of 1010h and 1011h names (CiA 301, 7.5.2.13); bit n stands for group n.
+inline unsigned groups_of(unsigned subindex) {
+    return subindex == 1 ? 7U : subindex == 2 ? 1U : subindex == 3 ? 2U : subindex == 4 ? 4U : 0U;
+}
+
+}  // namespace canproof::naive_store
