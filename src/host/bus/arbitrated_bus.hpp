@@ -35,7 +35,7 @@ class ArbitratedBus final : public Bus {
 
     bool put(const Frame& frame, Instant now) override;
     std::vector<Watch> watches() const override { return {}; }
-    void poll(Instant) override {}
+    Instant poll(Instant now) override { return now; }
     void advance(Instant now) override;
     Instant next_deadline() const override;
     BusReport report(Instant now) const override;

@@ -42,6 +42,8 @@ struct BusFrame {
 struct BusReport {
     std::uint64_t frames{0};
     std::uint64_t errors{0};     ///< error frames
+    std::uint64_t lost{0};       ///< frames that came faster than they were read: neither logged nor counted
+    std::uint64_t missed{0};     ///< the same, of frames meant for nodes here
     double load{0.0};            ///< 0…1, over the last second
     Duration worst_latency{};    ///< from when a frame stood first in its node's queue until its last bit
     std::uint32_t bit_rate{0U};  ///< bit/s; 0: not known
@@ -67,8 +69,9 @@ class Bus {
     /// Sends a frame of nobody's (a line on standard input). False when it cannot be taken now.
     virtual bool put(const Frame& frame, Instant now) = 0;
     virtual std::vector<Watch> watches() const = 0;
-    /// Reads the descriptors; what came is due at the time at which it came.
-    virtual void poll(Instant now) = 0;
+    /// Reads the descriptors; what came is due at the time at which it came. Gives the time up to which everything that
+    /// came is known: `now`, or earlier when there was more than one turn reads.
+    virtual Instant poll(Instant now) = 0;
     virtual void advance(Instant now) = 0;
     virtual Instant next_deadline() const = 0;
     virtual BusReport report(Instant now) const = 0;

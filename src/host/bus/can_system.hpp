@@ -11,7 +11,6 @@ namespace canproof::host {
 
 /// One frame as the kernel hands it out.
 struct CanReception {
-    int error{0};  ///< errno; EAGAIN: nothing there
     can_frame frame{};
     std::uint64_t stamp_ns{0};  ///< CLOCK_REALTIME when it arrived; 0: not known
     std::uint32_t dropped{0};   ///< frames that this socket has lost so far for want of room
@@ -21,6 +20,7 @@ struct CanReception {
 struct CanOpening {
     int descriptor{-1};
     int error{0};
+    bool roomy{true};  ///< its receive buffer is as large as was asked for
 };
 
 /// What came of the wish to set a bit rate.
@@ -40,7 +40,10 @@ class CanSystem {
     /// errno, 0 when done.
     virtual int set_filters(int descriptor, const std::vector<can_filter>& filters) = 0;
     virtual int send(int descriptor, const can_frame& frame) = 0;
-    virtual CanReception receive(int descriptor) = 0;
+    /// Appends frames that are there, as many as come in one call: 0. None there or another trouble: errno.
+    virtual int receive(int descriptor, std::vector<CanReception>& into) = 0;
+    /// Frames that the socket has lost so far, those behind the last one read included.
+    virtual std::uint32_t dropped(int descriptor) = 0;
     /// Its number; 0 when there is no such interface. It changes when an interface is removed and made again.
     virtual unsigned interface_number(const std::string& interface) = 0;
     virtual bool is_up(const std::string& interface) = 0;
@@ -53,6 +56,10 @@ class CanSystem {
     /// CLOCK_REALTIME in ns.
     virtual std::uint64_t realtime_ns() = 0;
 };
+
+/// Bytes of room asked for on each socket; the kernel counts some 800 for a frame and gives twice what is asked.
+/// Four seconds of frames without data at 1 Mbit/s.
+inline constexpr int receive_room = 1 << 25;
 
 /// The kernel's own.
 CanSystem& linux_can_system();

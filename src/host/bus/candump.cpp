@@ -23,6 +23,13 @@ bool all_of(const std::string& text, const char* allowed) {
 constexpr const char* hex_digits = "0123456789abcdefABCDEF";
 constexpr const char* decimal_digits = "0123456789";
 
+/// By hand: a log has thousands of frames a second.
+void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
+    for (unsigned shift = digits * 4U; shift > 0U; shift -= 4U) {
+        text += "0123456789ABCDEF"[(value >> (shift - 4U)) & 0xFU];
+    }
+}
+
 void read_data(Frame& frame, const std::string& data, const std::string& where) {
     if (data.size() % 2 != 0 || data.size() > 2 * max_frame_length || (!data.empty() && !all_of(data, hex_digits))) {
         refuse(where, fmt::format("data `{}` is not up to eight bytes in hexadecimal", data));
@@ -113,7 +120,9 @@ std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& n
 }
 
 std::string format_frame(const Frame& frame) {
-    std::string text = frame.extended ? fmt::format("{:08X}#", frame.id) : fmt::format("{:03X}#", frame.id);
+    std::string text;
+    append_hex(text, frame.id, frame.extended ? 8U : 3U);
+    text += '#';
     if (frame.remote) {
         text += "R";
         if (frame.length > 0) {
@@ -122,13 +131,14 @@ std::string format_frame(const Frame& frame) {
         return text;
     }
     for (std::size_t i = 0; i < frame.length; ++i) {
-        text += fmt::format("{:02X}", frame.data[i]);
+        append_hex(text, frame.data[i], 2U);
     }
     return text;
 }
 
 std::string format_candump_line(const LoggedFrame& logged) {
-    return fmt::format("({}) {} {}", format_seconds(logged.time), logged.interface, format_frame(logged.frame));
+    std::string line = "(" + format_seconds(logged.time) + ") ";
+    return line.append(logged.interface).append(" ").append(format_frame(logged.frame));
 }
 
 }  // namespace canproof::host

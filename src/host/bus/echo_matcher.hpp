@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <unordered_map>
 
 #include "firmware/canopen/frame.hpp"
 
@@ -12,36 +13,46 @@ template <typename Owner>
 class EchoMatcher {
   public:
     void sent(const Frame& frame, Owner owner) {
-        if (open_.size() == most_open) {
-            open_.pop_front();
+        std::deque<Sent>& open = open_[key(frame)];
+        if (open.size() == most_open) {
+            open.pop_front();
         }
-        open_.push_back({frame, owner});
+        open.push_back({frame, owner});
     }
     /// Whose this frame is; `nobody` when nobody has sent it. Each frame sent is recognised once.
     Owner match(const Frame& frame, Owner nobody) {
+        const auto of_identifier = open_.find(key(frame));
+        if (of_identifier == open_.end()) {
+            return nobody;
+        }
+        std::deque<Sent>& open = of_identifier->second;
         const auto found =
-            std::find_if(open_.begin(), open_.end(), [&](const Sent& one) { return same(one.frame, frame); });
-        if (found == open_.end()) {
+            std::find_if(open.begin(), open.end(), [&](const Sent& one) { return same(one.frame, frame); });
+        if (found == open.end()) {
             return nobody;
         }
         const Owner owner = found->owner;
-        open_.erase(found);
+        open.erase(found);
         return owner;
     }
 
   private:
-    // More than the transmit queues of some dozen nodes hold together: older ones never came back.
-    static constexpr std::size_t most_open = 4096;
+    // Of one identifier: more than wait unread in a socket, all sent on requests that stand before them. Older ones
+    // never came back.
+    static constexpr std::size_t most_open = 1U << 17U;
     struct Sent {
         Frame frame;
         Owner owner;
     };
+    static std::uint32_t key(const Frame& frame) {
+        return (frame.id << 2U) | (frame.extended ? 2U : 0U) | (frame.remote ? 1U : 0U);
+    }
     static bool same(const Frame& a, const Frame& b) {
-        return a.id == b.id && a.extended == b.extended && a.remote == b.remote && a.length == b.length &&
+        return a.length == b.length &&
                (a.remote || std::equal(a.data.begin(), a.data.begin() + a.length, b.data.begin()));
     }
 
-    std::deque<Sent> open_;
+    std::unordered_map<std::uint32_t, std::deque<Sent>> open_;
 };
 
 }  // namespace canproof::host

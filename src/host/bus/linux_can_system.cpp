@@ -4,6 +4,7 @@
 #include <libsocketcan.h>
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
+#include <linux/sock_diag.h>
 #include <net/if.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -20,13 +21,26 @@ namespace canproof::host {
 
 namespace {
 
-constexpr int receive_room = 1 << 22;  // bytes: some thousand frames while the process does not run
+constexpr std::size_t batch = 64;  // frames a system call
 
 /// Room for the time stamp and the drop counter of one frame.
-constexpr std::size_t control_size = CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t));
+struct Control {
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t))> bytes{};
+};
 
 bool set(int descriptor, int level, int option, int value) {
     return setsockopt(descriptor, level, option, &value, sizeof value) == 0;
+}
+
+/// Past the system's limit for those who may, up to the limit for others. True when all of it was given.
+bool make_room(int descriptor) {
+    if (set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {
+        return true;
+    }
+    int given = 0;
+    socklen_t size = sizeof given;
+    return set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room) &&
+           getsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &given, &size) == 0 && given >= receive_room;
 }
 
 int bind_to(int descriptor, unsigned number) {
@@ -88,9 +102,7 @@ class LinuxCanSystem final : public CanSystem {
             return {-1, errno};
         }
         const can_err_mask_t errors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
-        if (!set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {  // past the system's limit, for root
-            static_cast<void>(set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room));
-        }
+        const bool roomy = make_room(descriptor);
         bool sound = set(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1) && set(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
         if (error_frames) {
             sound = sound && set(descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, static_cast<int>(errors));
@@ -101,7 +113,7 @@ class LinuxCanSystem final : public CanSystem {
             ::close(descriptor);
             return {-1, error};
         }
-        return {descriptor, 0};
+        return {descriptor, 0, roomy};
     }
     void close(int descriptor) override { ::close(descriptor); }
 
@@ -115,22 +127,37 @@ class LinuxCanSystem final : public CanSystem {
         return sent == static_cast<ssize_t>(sizeof frame) ? 0 : sent < 0 ? errno : EIO;
     }
 
-    CanReception receive(int descriptor) override {
-        CanReception got;
-        iovec place{&got.frame, sizeof got.frame};
-        alignas(cmsghdr) std::array<char, control_size> control{};
-        msghdr message{};
-        message.msg_iov = &place;
-        message.msg_iovlen = 1;
-        message.msg_control = control.data();
-        message.msg_controllen = control.size();
-        const ssize_t count = recvmsg(descriptor, &message, 0);
-        if (count != static_cast<ssize_t>(sizeof got.frame)) {
-            got.error = count < 0 ? errno : EIO;
-            return got;
+    int receive(int descriptor, std::vector<CanReception>& into) override {
+        std::array<can_frame, batch> frames{};
+        std::array<iovec, batch> places{};
+        std::array<Control, batch> controls{};
+        std::array<mmsghdr, batch> messages{};
+        for (std::size_t i = 0; i < batch; ++i) {
+            places[i] = {&frames[i], sizeof frames[i]};
+            messages[i].msg_hdr.msg_iov = &places[i];
+            messages[i].msg_hdr.msg_iovlen = 1;
+            messages[i].msg_hdr.msg_control = controls[i].bytes.data();
+            messages[i].msg_hdr.msg_controllen = controls[i].bytes.size();
         }
-        read_control(message, got);
-        return got;
+        const int count = recvmmsg(descriptor, messages.data(), batch, 0, nullptr);
+        for (int n = 0; n < count; ++n) {
+            const auto i = static_cast<std::size_t>(n);
+            if (messages[i].msg_len != sizeof frames[i]) {
+                return EIO;
+            }
+            CanReception got;
+            got.frame = frames[i];
+            read_control(messages[i].msg_hdr, got);
+            into.push_back(got);
+        }
+        return count < 0 ? errno : 0;
+    }
+
+    std::uint32_t dropped(int descriptor) override {
+        std::array<std::uint32_t, SK_MEMINFO_VARS> numbers{};
+        socklen_t size = sizeof numbers;
+        static_cast<void>(getsockopt(descriptor, SOL_SOCKET, SO_MEMINFO, numbers.data(), &size));
+        return numbers[SK_MEMINFO_DROPS];
     }
 
     unsigned interface_number(const std::string& interface) override { return if_nametoindex(interface.c_str()); }

@@ -19,6 +19,7 @@ constexpr std::size_t reads_at_once = 4096;  // a socket, in one turn: a flood o
 constexpr std::size_t lines_held = 256;
 constexpr Duration clock_tolerance = milliseconds(50);  // beyond that somebody has set the clock
 constexpr Duration load_window = milliseconds(1000);
+constexpr Duration losses_period = milliseconds(1000);
 
 std::string remedy(const std::string& interface, int error) {
     if (error == EAFNOSUPPORT) {
@@ -46,6 +47,7 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
                                      remedy(interface_, opening.error))};
     }
     ports_.front().descriptor = opening.descriptor;
+    roomy_ = opening.roomy;
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
     if (!system_.is_up(interface_)) {
@@ -76,6 +78,7 @@ void SocketCanBus::open_socket(Port& port) {
     }
     port.descriptor = opening.descriptor;
     port.dropped = 0;
+    roomy_ = roomy_ && opening.roomy;
     if (port.node != nullptr) {
         port.filters = port.node->filters();
         static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(port.filters)));
@@ -110,34 +113,66 @@ std::vector<Watch> SocketCanBus::watches() const {
     return all;
 }
 
-void SocketCanBus::poll(Instant now) {
+Instant SocketCanBus::poll(Instant now) {
     const auto offset = static_cast<std::int64_t>(now.us) - static_cast<std::int64_t>(system_.realtime_ns() / 1000);
     if (!clock_is_known_ || std::abs(offset - clock_offset_us_) > static_cast<std::int64_t>(clock_tolerance.us)) {
         clock_offset_us_ = offset;
         clock_is_known_ = true;
     }
+    Instant known = now;
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
-        read_socket(i, now);
+        known = earliest(known, read_socket(i, now));
     }
     std::sort(arrived_.begin(), arrived_.end(), [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
     });
+    return known;
 }
 
-void SocketCanBus::read_socket(std::size_t port, Instant now) {
+/// Gives the time up to which this socket has been read.
+Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     Port& from = ports_[port];
-    for (std::size_t n = 0; n < reads_at_once && from.descriptor >= 0; ++n) {
-        const CanReception got = system_.receive(from.descriptor);
-        if (is_gone(got.error)) {
+    Instant last = now;
+    for (std::size_t read = 0; read < reads_at_once && from.descriptor >= 0; read += received_.size()) {
+        received_.clear();
+        const int error = system_.receive(from.descriptor, received_);
+        for (const CanReception& got : received_) {
+            const bool lost = got.dropped != from.dropped;
+            count_losses(from, got.dropped);
+            last = arrival_time(got.stamp_ns, now);
+            arrived_.push_back({last, port, got.frame, lost, arrivals_++});
+        }
+        if (is_gone(error)) {
             lose_interface(now);
-            return;
         }
-        if (got.error != 0) {
-            return;
+        if (error != 0) {
+            return now;
         }
-        const bool lost = got.dropped != from.dropped;
-        from.dropped = got.dropped;
-        arrived_.push_back({arrival_time(got.stamp_ns, now), port, got.frame, lost, arrivals_++});
+    }
+    return last;
+}
+
+void SocketCanBus::count_losses(Port& port, std::uint32_t dropped) {
+    port.lost += dropped - port.dropped;  // the kernel's count may wrap
+    losses_are_news_ = losses_are_news_ || dropped != port.dropped;
+    port.dropped = dropped;
+}
+
+void SocketCanBus::tell_losses(Instant now) {
+    if (!losses_are_news_ || (losses_told_ != never && now < losses_told_ + losses_period)) {
+        return;
+    }
+    losses_are_news_ = false;
+    losses_told_ = now;
+    for (const Port& port : ports_) {
+        if (port.lost != 0) {
+            notice(fmt::format("{}: {} frames came faster than they were read and are lost to {}", interface_,
+                               port.lost, port.node == nullptr ? "the log" : port.node->name()));
+        }
+    }
+    if (!roomy_) {
+        notice(fmt::format("more of them can wait after `sysctl -w net.core.rmem_max={}`, or with CAP_NET_ADMIN",
+                           receive_room));
     }
 }
 
@@ -154,7 +189,12 @@ void SocketCanBus::advance(Instant now) {
         const Arrival arrival = arrived_.front();
         arrived_.pop_front();
         take(arrival);
+        if (ports_[arrival.port].node != nullptr) {
+            // Frames of the same time must not pile up their answers in the node.
+            send_when_due(ports_[arrival.port], now);
+        }
     }
+    tell_losses(now);
     if (look_at_ <= now) {
         look_for_interface(now);
     }
@@ -167,9 +207,13 @@ void SocketCanBus::advance(Instant now) {
         }
     }
     for (Port& port : ports_) {
-        if (!down_ && (port.retry == never || port.retry <= now)) {
-            send_waiting(port, now);
-        }
+        send_when_due(port, now);
+    }
+}
+
+void SocketCanBus::send_when_due(Port& port, Instant now) {
+    if (!down_ && (port.retry == never || port.retry <= now)) {
+        send_waiting(port, now);
     }
 }
 
@@ -181,9 +225,6 @@ void SocketCanBus::take(const Arrival& arrival) {
     }
     const Frame frame = from_kernel(arrival.frame);
     if (port.node == nullptr) {
-        if (arrival.lost_before) {
-            notice(fmt::format("{}: frames came faster than they were read; the log lacks some", interface_));
-        }
         count(frame, arrival.time);
         const Sender sender = own_.match(frame, Sender{});
         if (sender.node != nullptr) {
@@ -390,6 +431,10 @@ BusReport SocketCanBus::report(Instant now) const {
     }
     report.frames = frames_;
     report.errors = errors_;
+    for (const Port& port : ports_) {
+        const std::uint32_t dropped = port.descriptor >= 0 ? system_.dropped(port.descriptor) : port.dropped;
+        (port.node == nullptr ? report.lost : report.missed) += port.lost + (dropped - port.dropped);
+    }
     report.load = static_cast<double>(used) / static_cast<double>(load_window.us);
     report.worst_latency = worst_latency_;
     report.bit_rate = bit_rate_;

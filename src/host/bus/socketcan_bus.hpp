@@ -39,7 +39,7 @@ class SocketCanBus final : public Bus {
     void attach(BusNode& node) override;
     bool put(const Frame& frame, Instant now) override;
     std::vector<Watch> watches() const override;
-    void poll(Instant now) override;
+    Instant poll(Instant now) override;
     void advance(Instant now) override;
     Instant next_deadline() const override;
     BusReport report(Instant now) const override;
@@ -50,7 +50,8 @@ class SocketCanBus final : public Bus {
         BusNode* node{nullptr};  ///< nullptr: the socket that hears everything, and sends what put() gets
         int descriptor{-1};
         std::vector<AcceptanceFilter> filters;
-        std::uint32_t dropped{0};
+        std::uint32_t dropped{0};  ///< the socket's own count
+        std::uint64_t lost{0};     ///< of all its sockets
         bool overrun{false};
         CanState told{CanState::error_active};
         Instant retry{never};
@@ -69,12 +70,15 @@ class SocketCanBus final : public Bus {
     void open_sockets(Instant now);
     void open_socket(Port& port);
     void close_sockets();
-    void read_socket(std::size_t port, Instant now);
+    Instant read_socket(std::size_t port, Instant now);
+    void count_losses(Port& port, std::uint32_t dropped);
+    void tell_losses(Instant now);
     Instant arrival_time(std::uint64_t stamp_ns, Instant now);
     void take(const Arrival& arrival);
     void take_error(Port& port, const can_frame& frame, Instant now);
     void set_overrun(Port& port, bool lost, Instant now);
     void set_state(Port& port, CanState state, Instant now);
+    void send_when_due(Port& port, Instant now);
     void send_waiting(Port& port, Instant now);
     const Frame* next_frame(const Port& port) const;
     void follow_node(Port& port);
@@ -97,6 +101,10 @@ class SocketCanBus final : public Bus {
     std::int64_t clock_offset_us_{0};  ///< run time minus real time
     std::deque<Arrival> arrived_;
     std::uint64_t arrivals_{0};
+    std::vector<CanReception> received_;  ///< of one system call
+    bool roomy_{true};
+    bool losses_are_news_{false};
+    Instant losses_told_{never};
     struct Sender {
         const BusNode* node{nullptr};
         Instant time{};

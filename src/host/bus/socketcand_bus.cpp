@@ -119,13 +119,14 @@ std::vector<Watch> SocketcandBus::watches() const {
     return all;
 }
 
-void SocketcandBus::poll(Instant now) {
+Instant SocketcandBus::poll(Instant now) {
     accept_clients();
     for (Client& client : clients_) {
         read_client(client, now);
         write_client(client);
     }
     drop_gone_clients();
+    return now;
 }
 
 void SocketcandBus::accept_clients() {

@@ -34,7 +34,7 @@ class SocketcandBus final : public Bus {
     void attach(BusNode& node) override { bus_.attach(node); }
     bool put(const Frame& frame, Instant now) override { return bus_.put(frame, now); }
     std::vector<Watch> watches() const override;
-    void poll(Instant now) override;
+    Instant poll(Instant now) override;
     void advance(Instant now) override;
     Instant next_deadline() const override;
     BusReport report(Instant now) const override { return bus_.report(now); }

@@ -127,6 +127,7 @@ class Run {
             wait();
         }
         show_table(true);
+        tell_losses();
         save_memories();
         flush();
         for (const std::ofstream* file : {&log_, &outputs_}) {
@@ -179,6 +180,13 @@ class Run {
         notices_.push_back(text);
         if (notices_.size() > notices_kept) {
             notices_.erase(notices_.begin());
+        }
+    }
+
+    void tell_losses() {
+        const BusReport report = session_->bus().report(session_->now());
+        if (report.lost != 0 || report.missed != 0) {
+            take_notice(fmt::format("in all {} frames lost to the log, {} to the devices", report.lost, report.missed));
         }
     }
 

@@ -15,9 +15,10 @@ constexpr std::size_t notices_shown = 3;
 std::string bus_line(const RunSession& session) {
     const BusReport report = session.bus().report(session.now());
     return fmt::format(
-        "{}  {}  load {:.1f} %  {} frames  {} errors  latency < {:.3f} ms  {:.1f} s", session.bus().interface(),
+        "{}  {}  load {:.1f} %  {} frames{}  {} errors  latency < {:.3f} ms  {:.1f} s", session.bus().interface(),
         report.bit_rate == 0 ? std::string{"no bit rate"} : fmt::format("{} kbit/s", report.bit_rate / 1000),
-        report.load * 100.0, report.frames, report.errors, static_cast<double>(report.worst_latency.us) / 1000.0,
+        report.load * 100.0, report.frames, report.lost == 0 ? std::string{} : fmt::format("  {} lost", report.lost),
+        report.errors, static_cast<double>(report.worst_latency.us) / 1000.0,
         static_cast<double>(session.now().us) / 1.0e6);
 }
 

@@ -39,7 +39,11 @@ Instant RunSession::next_deadline() const {
 }
 
 void RunSession::advance_to(Instant now) {
-    bus_->poll(now);
+    const Instant known = bus_->poll(now);
+    advance_known(earliest(known, now));
+}
+
+void RunSession::advance_known(Instant now) {
     for (Instant due = next_deadline(); due <= now; due = next_deadline()) {
         step(due < now_ ? now_ : due);
     }

@@ -36,7 +36,7 @@ class RunSession {
 
     /// Power-on at 0; stimuli at 0 come before it.
     void power_on();
-    /// Everything that is due up to `now`, each at its own time.
+    /// Everything that is due up to `now`, each at its own time; less far when the bus has more than one turn reads.
     void advance_to(Instant now);
     Instant next_deadline() const;
     /// A frame from the user. False when the bus cannot take it now.
@@ -50,6 +50,7 @@ class RunSession {
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:
+    void advance_known(Instant now);
     void step(Instant at);
     void stimulate(Instant at);
     void record(const BusFrame& frame);

@@ -19,7 +19,12 @@ class FakeCanSystem : public CanSystem {
         bool error_frames{false};
         bool open{true};
         std::vector<can_filter> filters;
-        std::deque<CanReception> arriving;
+        struct Arrival {
+            CanReception got;
+            int error{0};  ///< or this instead
+        };
+        std::deque<Arrival> arriving;
+        std::uint32_t dropped{0};
         std::deque<int> send_answers;  ///< one a call; then 0
         std::vector<std::string> sent;
         int send_calls{0};
@@ -31,7 +36,7 @@ class FakeCanSystem : public CanSystem {
         }
         const int descriptor = next_descriptor++;
         sockets[descriptor].error_frames = error_frames;
-        return {descriptor, 0};
+        return {descriptor, 0, roomy};
     }
     void close(int descriptor) override { sockets[descriptor].open = false; }
     int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
@@ -51,17 +56,25 @@ class FakeCanSystem : public CanSystem {
         }
         return answer;
     }
-    CanReception receive(int descriptor) override {
+    int receive(int descriptor, std::vector<CanReception>& into) override {
         Socket& socket = sockets[descriptor];
-        if (socket.arriving.empty()) {
-            CanReception nothing;
-            nothing.error = EAGAIN;
-            return nothing;
+        for (std::size_t n = 0; n < batch; ++n) {
+            if (socket.arriving.empty()) {
+                return n == 0 ? EAGAIN : 0;
+            }
+            const Socket::Arrival next = socket.arriving.front();
+            if (next.error != 0 && n != 0) {
+                return 0;
+            }
+            socket.arriving.pop_front();
+            if (next.error != 0) {
+                return next.error;
+            }
+            into.push_back(next.got);
         }
-        const CanReception got = socket.arriving.front();
-        socket.arriving.pop_front();
-        return got;
+        return 0;
     }
+    std::uint32_t dropped(int descriptor) override { return sockets[descriptor].dropped; }
     unsigned interface_number(const std::string&) override { return number; }
     bool is_up(const std::string&) override { return up; }
     std::uint32_t bit_rate(const std::string&) override { return rate; }
@@ -81,7 +94,8 @@ class FakeCanSystem : public CanSystem {
         one.frame = to_kernel(parse_frame(text, "test"));
         one.stamp_ns = us * 1000;
         one.dropped = dropped;
-        sockets[descriptor].arriving.push_back(one);
+        sockets[descriptor].dropped = dropped;
+        sockets[descriptor].arriving.push_back({one});
     }
     void arrive_error(int descriptor, std::uint32_t error_class, std::uint8_t controller) {
         CanReception one;
@@ -89,17 +103,15 @@ class FakeCanSystem : public CanSystem {
         one.frame.can_dlc = 8;
         one.frame.data[1] = controller;
         one.stamp_ns = realtime_us * 1000;
-        sockets[descriptor].arriving.push_back(one);
+        sockets[descriptor].arriving.push_back({one});
     }
-    void fail(int descriptor, int error) {
-        CanReception one;
-        one.error = error;
-        sockets[descriptor].arriving.push_back(one);
-    }
+    void fail(int descriptor, int error) { sockets[descriptor].arriving.push_back({{}, error}); }
 
+    static constexpr std::size_t batch = 2;
     std::map<int, Socket> sockets;
     int next_descriptor{100};
     int open_error{0};
+    bool roomy{true};
     unsigned number{3};
     bool up{true};
     std::uint32_t rate{0};

@@ -251,7 +251,66 @@ TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
     EXPECT_THAT(notices, IsEmpty());
     system.arrive(monitor, "603#40", system.realtime_us, 3);
     step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0: frames came faster than they were read; the log lacks some"));
+    EXPECT_THAT(notices, ElementsAre("vcan0: 3 frames came faster than they were read and are lost to the log"));
+    EXPECT_EQ(bus->report(now).lost, 3U);
+    EXPECT_EQ(bus->report(now).missed, 0U);
+}
+
+TEST_F(SocketCan, LossesOfANodeAreCountedToTheEndAndToldOnceASecond) {
+    system.roomy = false;
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 2);
+    step(10);
+    EXPECT_THAT(
+        notices,
+        ElementsAre("vcan0: 2 frames came faster than they were read and are lost to a",
+                    "more of them can wait after `sysctl -w net.core.rmem_max=33554432`, or with CAP_NET_ADMIN"));
+    system.arrive(first, "603#40", system.realtime_us, 7);
+    step(999999);
+    EXPECT_THAT(notices, SizeIs(2));
+    step(1);
+    ASSERT_THAT(notices, SizeIs(4));
+    EXPECT_EQ(notices[2], "vcan0: 7 frames came faster than they were read and are lost to a");
+    system.sockets[first].dropped = 9;  // nothing has come since that could tell
+    EXPECT_EQ(bus->report(now).missed, 9U);
+    EXPECT_EQ(bus->report(now).lost, 0U);
+}
+
+TEST_F(SocketCan, WhatOneTurnLeavesUnreadHoldsTheTime) {
+    start();
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        system.arrive(monitor, "603#40", 5000001 + i);
+    }
+    system.realtime_us += 10000;
+    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1004096U);  // 4096 frames a turn, the first at 1000001
+    bus->advance(Instant{1004096});
+    EXPECT_THAT(log, SizeIs(4096));
+    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1010000U);
+    bus->advance(Instant{1010000});
+    ASSERT_THAT(log, SizeIs(5000));
+    EXPECT_EQ(log.back(), "1005000 - 603#40");
+}
+
+TEST_F(SocketCan, AnswerLeavesBeforeTheNextFrameOfTheSameTime) {
+    class Answering : public PlainNode {
+      public:
+        using PlainNode::PlainNode;
+        void receive(const Frame&, Instant) override {
+            send("583#60");
+            most = std::max(most, waiting.size());
+        }
+        std::size_t most{0};
+    };
+    start();
+    Answering answering{"answering"};
+    bus->attach(answering);
+    constexpr int third = 103;
+    for (int i = 0; i < 40; ++i) {
+        system.arrive(third, "603#40", 5000001);
+    }
+    step(10);
+    EXPECT_THAT(system.sockets[third].sent, SizeIs(40));
+    EXPECT_EQ(answering.most, 1U);
 }
 
 TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {

@@ -1,0 +1,181 @@
+"""What the checks stand on: verdicts on the console, an ear on the bus, a run of the program."""
+import os
+import re
+import select
+import socket
+import struct
+import subprocess
+import sys
+import termios
+import time
+import traceback
+
+PATIENCE = 60  # seconds; only a broken program lets it run out
+CAN_FRAME = struct.Struct("=IB3x8s")
+EXTENDED, REMOTE, ERROR = 0x80000000, 0x40000000, 0x20000000  # linux/can.h
+SO_RCVBUFFORCE, SO_TIMESTAMPNS_OLD = 33, 35
+
+verdicts = []
+
+
+class check:
+    """with check("what holds"): … prints one line, and goes on with the next check whatever happens."""
+
+    def __init__(self, name):
+        self.name = name
+
+    def __enter__(self):
+        self.begun = time.monotonic()
+
+    def __exit__(self, kind, what, trace):
+        verdicts.append(kind is None)
+        if kind is not None:
+            where = traceback.extract_tb(trace)[0]
+            print(f"{os.path.basename(where.filename)}:{where.lineno}: {kind.__name__}: {what}")
+        print(f"{'ok    ' if kind is None else 'FAILED'}  {self.name}  ({time.monotonic() - self.begun:.1f} s)", flush=True)
+        return kind is not None and issubclass(kind, Exception)
+
+
+def sh(*words):
+    """Output of a command that must succeed."""
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0, f"{' '.join(words)}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def until(what, holds, pause=0.01):
+    """Waits until `holds()` is true, for what can only be looked at every `pause` seconds."""
+    end = time.monotonic() + PATIENCE
+    while not holds():
+        assert time.monotonic() < end, f"not seen: {what}"
+        time.sleep(pause)
+
+
+def parse(text):
+    """can_id and data of `603#40…` or `703#R`."""
+    identifier, _, data = text.partition("#")
+    if data.startswith("R"):
+        return int(identifier, 16) | REMOTE, b""
+    return int(identifier, 16), bytes.fromhex(data)
+
+
+def show(can_id, data):
+    return f"{can_id & 0x7FF:03X}#{'R' if can_id & REMOTE else data.hex().upper()}"
+
+
+class Ear:
+    """A raw socket on an interface, with kernel stamps."""
+
+    def __init__(self, interface):
+        self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
+        self.socket.setsockopt(socket.SOL_SOCKET, SO_RCVBUFFORCE, 1 << 26)
+        self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS_OLD, 1)
+        self.socket.bind((interface,))
+        self.heard = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.socket.close()
+
+    def send(self, text):
+        can_id, data = parse(text)
+        self.socket.send(CAN_FRAME.pack(can_id, len(data), data.ljust(8, b"\0")))
+
+    def next(self, patience=PATIENCE):
+        """(text, time) of the next frame; None when none came in time."""
+        if not select.select([self.socket], [], [], patience)[0]:
+            return None
+        packed, control, _, _ = self.socket.recvmsg(CAN_FRAME.size, 64)
+        can_id, length, data = CAN_FRAME.unpack(packed)
+        seconds, nanoseconds = struct.unpack("qq", control[0][2]) if control else (0, 0)
+        text = show(can_id, data[:length])
+        self.heard.append(text)
+        return text, seconds + nanoseconds / 1e9
+
+    def wait(self, pattern):
+        """(text, time) of the next frame that matches; what comes before it is passed over."""
+        passed = []
+        while True:
+            got = self.next()
+            assert got is not None, f"{pattern} did not come; heard {passed[-20:]}"
+            if re.fullmatch(pattern, got[0]):
+                return got
+            passed.append(got[0])
+
+    def ask(self, request, answer):
+        self.send(request)
+        return self.wait(answer)
+
+    def rest(self, silence=0.3):
+        """Frames until nothing has come for so long."""
+        frames = []
+        while (got := self.next(silence)) is not None:
+            frames.append(got[0])
+        return frames
+
+
+class Run:
+    """canproof run …, its notices readable as they come; log: the frames, as candump writes them."""
+
+    def __init__(self, program, *words, log="/tmp/run.log", prefix=()):
+        self.log = log
+        if os.path.exists(log):
+            os.unlink(log)
+        open(log, "wb").close()
+        os.chmod(log, 0o666)  # the program may run without rights
+        self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", log], stdin=subprocess.DEVNULL,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.said = ""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+        self.process.stderr.close()
+
+    def wait_notice(self, pattern):
+        """The notice that matches; each is read once."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            for line in self.said.splitlines(keepends=True):
+                if line.endswith("\n") and re.search(pattern, line):
+                    self.said = self.said[self.said.index(line) + len(line):]
+                    return line.strip()
+            ready = select.select([self.process.stderr], [], [], max(0, end - time.monotonic()))[0]
+            piece = os.read(self.process.stderr.fileno(), 65536).decode() if ready else ""
+            assert piece, f"no notice like {pattern}; said {self.said!r}"
+            self.said += piece
+
+    def frames(self):
+        """(seconds, ID#DATA, T or R) of the log so far; a line still being written is left out."""
+        with open(self.log) as log:
+            lines = [line.split() for line in log.read().split("\n")[:-1]]
+        return [(float(line[0].strip("()")), line[2], line[3]) for line in lines]
+
+    def stop(self):
+        """Ends it as a user does; everything that it said since the last notice read."""
+        self.seconds = self.processor_seconds()
+        self.process.terminate()
+        self.said += self.process.stderr.read().decode()
+        status = self.process.wait(PATIENCE)
+        assert status == 0, f"ended with {status}: {self.said[-3000:]}"
+        return self.said
+
+    def processor_seconds(self):
+        with open(f"/proc/{self.process.pid}/stat") as stat:
+            fields = stat.read().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def finish():
+    failed = verdicts.count(False)
+    print(f"verdict: {len(verdicts)} checks, {failed} failed", flush=True)
+    termios.tcdrain(sys.stdout.fileno())  # the console is slower than the port
+    with open("/dev/port", "r+b", buffering=0) as port:
+        port.seek(0xF4)
+        port.write(b"\x01" if failed == 0 and verdicts else b"\x02")
+    sys.exit(1)

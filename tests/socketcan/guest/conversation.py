@@ -1,0 +1,123 @@
+"""The four devices on vcan0 from one process: asked by cansend and python-can, heard by candump, replayed from the log."""
+import os
+import signal
+import subprocess
+import sys
+import time
+
+from bench import PATIENCE, Ear, Run, check, sh, until
+
+FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
+NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
+
+# 1000h: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. In a frame the lowest byte comes first.
+DEVICE_TYPES = {3: "91010800", 4: "94011CE0", 5: "94010200", 6: "9A010310"}
+DUMP = "/tmp/candump.log"
+
+
+def boot_up(ear, nodes=tuple(FOUR)):
+    """Boot-up messages; the devices share a process, their order is no matter."""
+    missing = {f"70{node}#00" for node in nodes}
+    while missing:
+        missing.discard(ear.wait(r"70\d#00")[0])
+
+
+def ask_with_cansend(ear):
+    for node, device_type in DEVICE_TYPES.items():
+        sh("cansend", "vcan0", f"60{node}#4000100000000000")
+        ear.wait(f"58{node}#43001000{device_type}")
+    sh("cansend", "vcan0", "703#R")  # node guarding: pre-operational is 127, toggle bit 0 (CiA 301, 7.2.8.2.2.1)
+    ear.wait("703#7F")
+    sh("cansend", "vcan0", "000#0103")
+    sh("cansend", "vcan0", "703#R")
+    ear.wait("703#85")  # operational is 5, with the toggle bit 85h
+
+
+def start_python_can():
+    return subprocess.Popen([sys.executable, "-B", os.path.join(os.path.dirname(__file__), "python_can.py")],
+                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def ask_with_python_can(asking):
+    said = asking.communicate("now\n", PATIENCE)[0]
+    assert asking.returncode == 0, said
+
+
+def stamps_are_the_kernels(ear, run):
+    """What arrives while the process stands still is logged at the time at which it arrived."""
+    run.process.send_signal(signal.SIGSTOP)
+    with Ear("vcan0") as other:
+        stamps = []
+        for number in range(3):
+            ear.send(f"7A5#0{number}")
+            stamps.append(other.wait(f"7A5#0{number}")[1])
+            time.sleep(0.04)  # far more than the error allowed below
+    run.process.send_signal(signal.SIGCONT)
+    until("the last frame in the log", lambda: any(text == "7A5#02" for _, text, _ in run.frames()))
+    logged = [at for at, text, _ in run.frames() if text.startswith("7A5#")]
+    for first, second in ((0, 1), (1, 2)):
+        apart = logged[second] - logged[first]
+        assert abs(apart - (stamps[second] - stamps[first])) < 0.001, f"{apart} s apart in the log, not {stamps}"
+
+
+def dumped():
+    """(seconds, ID#DATA) of candump's own log."""
+    with open(DUMP) as dump:
+        lines = [line.split() for line in dump]
+    return [(float(line[0].strip("()")), line[2]) for line in lines]
+
+
+def log_is_candumps(run):
+    until("candump has it all", lambda: len(dumped()) >= len(run.frames()))
+    ours, theirs = run.frames(), dumped()
+    assert [text for _, text, _ in ours] == [text for _, text in theirs], "other frames than candump's, or another order"
+    offsets = [at - other for (at, _, _), (other, _) in zip(ours, theirs)]
+    assert max(offsets) - min(offsets) < 0.001, f"stamps differ by {max(offsets) - min(offsets)} s"
+
+
+def log_replays(program, run):
+    frames = run.frames()
+    end = str(frames[-1][0])
+    replays = {node: subprocess.Popen([program, "replay", name, "--node", str(node), "--until", end, run.log],
+                                      stdout=subprocess.PIPE, text=True) for node, name in FOUR.items()}
+    for node, replay in replays.items():
+        again = [line.split()[2] for line in replay.communicate()[0].splitlines()]
+        own = [text for _, text, who in frames if who == "T" and int(text[:3], 16) & 0x7F == node]
+        assert own == again, f"node {node}: {len(own)} frames in the run, {len(again)} in its replay"
+        assert len(own) > 2, f"node {node}: {own}"
+
+
+def check_short(kind, program):
+    """What a build with sanitizers is put through: they speak up, and end it with another status, when something is wrong."""
+    with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
+        with check(f"{kind}: four devices of one process boot up and answer"):
+            boot_up(ear)
+            ask_with_cansend(ear)
+        with check(f"{kind}: SIGTERM ends it with nothing left to say"):
+            said = run.stop()
+            assert said == "", said
+
+
+def check_all(program):
+    asking = start_python_can()
+    dump = subprocess.Popen(["candump", "-L", "vcan0"], stdout=open(DUMP, "wb"))
+    with Ear("vcan0") as ear:
+        until("candump listens", lambda: "vcan0" in open("/proc/net/can/rcvlist_all").read())
+        with Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
+            with check("four devices of one process boot up"):
+                boot_up(ear)
+            with check("cansend asks each for its type, guards and starts one"):
+                ask_with_cansend(ear)
+            with check("python-can reads and writes objects, hears a heartbeat every 10 ms"):
+                ask_with_python_can(asking)
+            with check("frames have the kernel's receive time stamps"):
+                stamps_are_the_kernels(ear, run)
+            with check("the log has candump's frames, order and stamps"):
+                log_is_candumps(run)
+            with check("SIGTERM ends it with nothing left to say"):
+                said = run.stop()
+                assert said == "", said
+            with check("the log replays to each device's frames"):
+                log_replays(program, run)
+    dump.terminate()
+    dump.wait()

@@ -1,0 +1,38 @@
+"""Every check, in order; `run` names the programs on the kernel's command line."""
+import re
+
+import bench
+import conversation
+import flood
+import interface
+import lss
+
+
+def programs():
+    with open("/proc/cmdline") as line:
+        return {kind: f"/repo/{path}" for kind, path in re.findall(r"program\.(\w+)=(\S+)", line.read())}
+
+
+def check_release(program):
+    conversation.check_all(program)
+    flood.check_all(program)
+    interface.check_kernel(program)
+    interface.check_faults("", program)
+    lss.check_granted("", program, ["ax188001"])
+    lss.check_refused(program)
+
+
+def check_sanitized(kind, program):
+    conversation.check_short(kind, program)
+    interface.check_faults(f"{kind}: ", program)
+    lss.check_granted(f"{kind}: ", program, ["ax188001"])
+
+
+bench.sh("ip", "link", "add", "dev", "vcan0", "type", "vcan")
+bench.sh("ip", "link", "set", "vcan0", "up")
+for kind, program in programs().items():
+    if kind == "release":
+        check_release(program)
+    else:
+        check_sanitized(kind, program)
+bench.finish()
