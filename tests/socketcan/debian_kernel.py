@@ -1,6 +1,7 @@
 """The Debian kernel that the guest runs: fetched once, unpacked, and put with its modules into an initial file system."""
 import gzip
 import lzma
+import os
 import pathlib
 import re
 import shutil
@@ -12,14 +13,18 @@ SETUP_SECTORS, PAYLOAD_OFFSET, PAYLOAD_LENGTH = 0x1F1, 0x248, 0x24C  # of a bzIm
 
 
 def package_of(metapackage):
-    """The package with the kernel itself: its name has the ABI number, which moves."""
-    depends = subprocess.run(["apt-cache", "depends", metapackage], check=True, capture_output=True, text=True).stdout
-    return re.search(r"Depends: (linux-image-[0-9]\S+)", depends).group(1)
+    """The package with the kernel itself: its name has the ABI number, which moves. None where apt knows of none."""
+    depends = subprocess.run(["apt-cache", "depends", metapackage], capture_output=True, text=True).stdout
+    found = re.search(r"Depends: (linux-image-[0-9]\S+)", depends)
+    return found.group(1) if found else None
 
 
 def fetch(folder):
     """The unpacked package in `folder`; what is there already is taken."""
     name = package_of("linux-image-amd64")
+    if name is None:
+        subprocess.run([*([] if os.getuid() == 0 else ["sudo"]), "apt-get", "update", "-qq"], check=True)
+        name = package_of("linux-image-amd64")
     unpacked = folder / name
     if not unpacked.is_dir():
         folder.mkdir(parents=True, exist_ok=True)

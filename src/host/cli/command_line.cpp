@@ -82,6 +82,13 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
         chosen = play_examples;
     });
 
+    static PlotOptions plotted;
+    auto* plot = app.add_subcommand("plot", "what --outputs wrote, drawn");
+    plot->add_option("CSV", plotted.csv)->required();
+    plot->add_option("SVG", plotted.svg)->required();
+    plot->add_option("--signals", plotted.signals, "aout1,aout2: which; all that change without it")->delimiter(',');
+    plot->callback([&chosen] { chosen = [] { return plot_outputs(plotted); }; });
+
     static std::string figures;
     auto* draw = app.add_subcommand("figures", "what the devices do, drawn: SVG files into a folder");
     draw->add_option("FOLDER", figures)->required();

@@ -48,6 +48,12 @@ struct CoverageOptions {
     std::string cobertura;                                 ///< file to write, none when empty
 };
 
+struct PlotOptions {
+    std::string csv;  ///< what --outputs wrote
+    std::string svg;  ///< file to write
+    std::vector<std::string> signals;
+};
+
 int list_devices();
 int list_signals(const std::string& device);
 int print_eds(const std::string& device, const std::string& format);
@@ -55,6 +61,7 @@ int check_spec(const std::string& spec);
 int replay_log(const ReplayOptions& options);
 int run_devices(const RunOptions& options);
 int play_examples();
+int plot_outputs(const PlotOptions& options);
 int draw_figures(const std::string& folder);
 int fuzz_targets(const CampaignOptions& options);
 int audit(const AuditOptions& options);

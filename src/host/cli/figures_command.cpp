@@ -9,6 +9,7 @@
 #include "host/cli/commands.hpp"
 #include "host/plot/converter_figures.hpp"
 #include "host/plot/inclinometer_figures.hpp"
+#include "host/plot/output_plot.hpp"
 #include "host/plot/thermocouple_figures.hpp"
 
 namespace canproof::host {
@@ -32,6 +33,7 @@ constexpr Figure figures[]{
     {"ax188001-inverse-error.svg", inverse_error_plot},
     {"ax188001-channel-error.svg", channel_error_plot},
     {"ax188001-ramp.svg", ramp_plot},
+    {"cbx-ao412-outputs.svg", analog_outputs_plot},
 };
 
 }  // namespace

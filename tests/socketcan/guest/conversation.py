@@ -90,10 +90,10 @@ def log_replays(program, run):
 def check_short(kind, program):
     """What a build with sanitizers is put through: they speak up, and end it with another status, when something is wrong."""
     with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
-        with check(f"{kind}: four devices of one process boot up and answer"):
+        with check(f"{kind}four devices of one process boot up and answer"):
             boot_up(ear)
             ask_with_cansend(ear)
-        with check(f"{kind}: SIGTERM ends it with nothing left to say"):
+        with check(f"{kind}SIGTERM ends it with nothing left to say"):
             said = run.stop()
             assert said == "", said
 

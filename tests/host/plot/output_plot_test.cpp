@@ -1,0 +1,64 @@
+// Outputs of a run drawn: steps, not slopes.
+#include "host/plot/output_plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "host/bus/candump.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+using testing::SizeIs;
+
+LinePlot plot_of(const std::string& csv, const std::vector<std::string>& signals = {}) {
+    std::istringstream in{"seconds,signal,value\n" + csv};
+    return output_plot(in, "out.csv", signals);
+}
+
+}  // namespace
+
+TEST(OutputPlot, SignalHoldsItsValueUntilItChanges) {
+    const LinePlot plot = plot_of("0,aout1,0\n0,aout2,0\n1.5,aout1,5\n2,aout2,-1\n4,aout1,2.5\n");
+    ASSERT_THAT(plot.curves, SizeIs(2));
+    EXPECT_EQ(plot.curves[0].name, "aout1");
+    EXPECT_THAT(plot.curves[0].points, ElementsAre(Pair(0.0, 0.0), Pair(1.5, 0.0), Pair(1.5, 5.0), Pair(4.0, 5.0),
+                                                   Pair(4.0, 2.5), Pair(4.0, 2.5)));
+    EXPECT_THAT(plot.curves[1].points, ElementsAre(Pair(0.0, 0.0), Pair(2.0, 0.0), Pair(2.0, -1.0), Pair(4.0, -1.0)));
+}
+
+TEST(OutputPlot, WhatNeverChangesIsLeftOutUnlessNamed) {
+    const std::string csv = "0,led_p,1\n0,aout1,0\n1,aout1,5\n";
+    EXPECT_EQ(plot_of(csv).curves.at(0).name, "aout1");
+    EXPECT_THAT(plot_of(csv).curves, SizeIs(1));
+    EXPECT_THAT(plot_of(csv, {"led_p"}).curves.at(0).points, ElementsAre(Pair(0.0, 1.0), Pair(1.0, 1.0)));
+}
+
+TEST(OutputPlot, FileWithNothingToDrawIsRefused) {
+    EXPECT_THROW(plot_of(""), InputError);
+    EXPECT_THROW(plot_of("0,aout1,0\n"), InputError);
+    EXPECT_THROW(plot_of("0,aout1,0\n1,aout1,5\n", {"aout9"}), InputError);
+    EXPECT_THROW(plot_of("0,aout1\n"), InputError);
+}
+
+TEST(OutputPlot, ReplayedOutputsOfTheManualsTelegrams) {
+    const LinePlot plot = analog_outputs_plot();
+    ASSERT_THAT(plot.curves, SizeIs(4));
+    // CBX-AO412 7.10.2.3: 3EB3h is 5.0 V, C14Dh is -5.0 V; a bit of the twelve is some 5 mV.
+    const auto& first = plot.curves[0].points;
+    ASSERT_GE(first.size(), 3U);
+    EXPECT_DOUBLE_EQ(first[2].first, 0.010);
+    EXPECT_NEAR(first[2].second, 5.0, 0.005);
+    const auto& second = plot.curves[1].points;
+    ASSERT_GE(second.size(), 5U);
+    EXPECT_DOUBLE_EQ(second[2].first, 0.020);
+    EXPECT_NEAR(second[2].second, -5.0, 0.005);
+    EXPECT_NEAR(second[4].second, 5.0, 0.005);  // the RPDO at 40 ms
+}
+
+}  // namespace canproof::host::test
