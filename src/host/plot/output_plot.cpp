@@ -82,7 +82,6 @@ LinePlot analog_outputs_plot() {
     device->set_node_id(3);
     std::ostringstream frames;
     std::stringstream outputs;
-    outputs << "seconds,signal,value\n";
     replay(*device, {read_candump_log(log, "example"), {}, Instant{90000}}, frames, &outputs);
     LinePlot plot = output_plot(outputs, "CBX-AO412", {"aout1", "aout2", "aout3", "aout4"});
     plot.title = "CAN-CBX-AO412: outputs set by SDO and by RPDO";
