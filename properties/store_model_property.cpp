@@ -41,7 +41,9 @@ class Sut : public CbxBench {
 };
 
 struct Event {
-    unsigned kind{0};      ///< 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication
+    /// 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication, 8 a save or restore with
+    /// another word.
+    unsigned kind{0};
     unsigned group{0};     ///< of a write 0 to 2; else the sub-index less one
     unsigned value{0};     ///< of a write
     unsigned permille{0};  ///< of a save or restore: where power fails; 1000 and more: nowhere
@@ -98,6 +100,9 @@ class Happens : public rc::state::Command<Model, Sut> {
             case 4:
                 return fmt::format("603#23{}10{:02X}{}", event_.kind == 3 ? "10" : "11", event_.group % 4 + 1,
                                    event_.kind == 3 ? "73617665" : "6C6F6164");
+            case 8:
+                return fmt::format("603#23{}10{:02X}{}", event_.value % 2 == 0 ? "10" : "11", event_.group % 4 + 1,
+                                   event_.value % 2 == 0 ? "73617664" : "73617665");
             case 6:
                 return "000#8103";
             case 7:
@@ -126,8 +131,8 @@ RC_GTEST_PROP(StoreLaw, AnySavesRestoresAndPowerCutsAreThoseOfAModel, ()) {
     Sut device;
     rc::state::check(Model{}, device, [](const Model&) {
         const auto event = rc::gen::build<Event>(
-            rc::gen::set(&Event::kind,
-                         rc::gen::weightedElement<unsigned>({{4, 0U}, {4, 3U}, {2, 4U}, {2, 5U}, {1, 6U}, {1, 7U}})),
+            rc::gen::set(&Event::kind, rc::gen::weightedElement<unsigned>(
+                                           {{4, 0U}, {4, 3U}, {2, 4U}, {2, 5U}, {1, 6U}, {1, 7U}, {1, 8U}})),
             rc::gen::set(&Event::group, rc::gen::inRange(0U, 12U)),
             rc::gen::set(&Event::value, rc::gen::element(0U, 1U, 1000U, 30000U, 32767U)),
             rc::gen::set(&Event::permille,

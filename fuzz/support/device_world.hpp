@@ -5,7 +5,7 @@
 // A record of an input is twelve bytes: what happens, how, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
 //   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time · D power cut while a
-//   frame is served · E power cycle · F memory fails, or works again
+//   frame is served · E power cycle · F memory fails, cannot be read, or works again
 #pragma once
 
 #include <memory>
@@ -98,9 +98,18 @@ class DeviceWorld {
             case 0xE:
                 return power_cycle();
             case 0xF:
-                return (how & 1U) != 0 ? memory_.heal() : memory_.fail_after(data[0] + 256U * data[1]);
+                return fail_memory(how, data[0] + 256U * data[1]);
             default:
                 return;  // an entry that no expedited write reaches
+        }
+    }
+    void fail_memory(unsigned how, std::size_t after) {
+        if ((how & 1U) != 0) {
+            memory_.heal();
+        } else if ((how & 2U) != 0) {
+            memory_.forbid_reading();
+        } else {
+            memory_.fail_after(after);
         }
     }
     /// Of a record of kind C.

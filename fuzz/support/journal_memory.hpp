@@ -16,7 +16,7 @@ class JournalMemory final : public NonVolatileMemory {
 
     std::size_t size() const override { return bytes_.size(); }
     bool read(std::size_t at, MutableBytes to) const override {
-        if (at > bytes_.size() || to.size() > bytes_.size() - at) {
+        if (unreadable_ || at > bytes_.size() || to.size() > bytes_.size() - at) {
             return false;
         }
         for (std::size_t i = 0; i < to.size(); ++i) {
@@ -41,7 +41,11 @@ class JournalMemory final : public NonVolatileMemory {
 
     /// From the byte `count` from now on every write fails, as in a worn memory.
     void fail_after(std::size_t count) { writes_left_ = count; }
-    void heal() { writes_left_ = SIZE_MAX; }
+    void forbid_reading() { unreadable_ = true; }
+    void heal() {
+        writes_left_ = SIZE_MAX;
+        unreadable_ = false;
+    }
 
     /// What is written from now on can be taken back.
     void open_journal() { journal_.clear(); }
@@ -68,6 +72,7 @@ class JournalMemory final : public NonVolatileMemory {
     Image bytes_;
     std::vector<Write> journal_;
     std::size_t writes_left_{SIZE_MAX};
+    bool unreadable_{false};
 };
 
 }  // namespace canproof::fuzz
