@@ -59,15 +59,16 @@ class Both {
         Frame frame = data_frame(0x600U + naive::pair_node_id, 8);
         frame.data = request;
         fuzz::deliver(ours_.device, frame, ours_.now);
-        auto answers = ours_.answers();
-        for (const auto& later : ours_.pass(0)) {
-            answers.push_back(later);
-        }
-        require(answers == naive_.ask(request, now_ms_), request);
+        answers_.clear();
+        ours_.answers(answers_);
+        ours_.pass(0, answers_);
+        require(answers_ == naive_.ask(request, now_ms_), request);
     }
     void pass(std::uint64_t ms) {
         now_ms_ += ms;
-        require(ours_.pass(ms) == naive_.pass(now_ms_), naive::Message{});
+        answers_.clear();
+        ours_.pass(ms, answers_);
+        require(answers_ == naive_.pass(now_ms_), naive::Message{});
     }
     void obey(const Obedient& wish) {
         for (unsigned i = 1; i <= wish.count && obedient_ < most_obedient; ++i, ++obedient_) {
@@ -79,25 +80,28 @@ class Both {
     }
     /// What the transfers left behind.
     void compare_values() {
-        const ByteView held = ours_.device.held(naive::pair_domain, 0);
-        const auto& value = naive_.objects().at(naive::pair_domain).at(0).value;
-        require(naive::Bytes(held.data(), held.data() + held.size()) == value.value_or(naive::Bytes{}),
-                naive::Message{});
+        static const naive::Bytes nothing;
+        const auto& domain = naive_.objects().at(naive::pair_domain).at(0).value;
+        require(equal(ours_.device.held(naive::pair_domain, 0), domain ? *domain : nothing), naive::Message{});
         for (const auto& [index, entries] : naive_.objects()) {
             for (const auto& [subindex, entry] : entries) {
                 const auto found = ours_.device.objects().find(index, subindex);
                 const bool in_image = entry.kind != naive::Entry::Kind::domain;
                 require(found.ok(), naive::Message{});
-                const ByteView ours = ours_.device.objects().value(found.value());
-                require(!in_image || naive::Bytes(ours.data(), ours.data() + ours.size()) == *entry.value,
+                require(!in_image || equal(ours_.device.objects().value(found.value()), *entry.value),
                         naive::Message{});
             }
         }
     }
 
   private:
+    static bool equal(ByteView ours, const naive::Bytes& theirs) {
+        return ours.size() == theirs.size() && std::equal(theirs.begin(), theirs.end(), ours.data());
+    }
+
     naive::Ours ours_;
     naive::Server naive_{naive::pair_model()};
+    std::vector<naive::Message> answers_;  ///< of ours; kept for its memory
     unsigned obedient_{0};
     std::uint64_t now_ms_{0};
     std::uint8_t next_data_{1};

@@ -92,15 +92,15 @@ class Server {
     /// Number that the next segment of a block download must have.
     std::uint8_t next_sequence() const { return static_cast<std::uint8_t>(in_order_ + 1); }
 
-    /// All answers to one request, in their order.
-    std::vector<Message> ask(const Message& request, std::uint64_t now_ms) {
-        answers_ = pass(now_ms);
+    /// All answers to one request, in their order; valid until the next call.
+    const std::vector<Message>& ask(const Message& request, std::uint64_t now_ms) {
+        pass(now_ms);
         now_ = now_ms;
         serve(request);
         return answers_;
     }
     /// What is sent without a request until `now_ms`.
-    std::vector<Message> pass(std::uint64_t now_ms) {
+    const std::vector<Message>& pass(std::uint64_t now_ms) {
         answers_.clear();
         if (doing_ != Doing::nothing && now_ms >= progress_ + 1000) {
             abort(0x05040000);

@@ -213,22 +213,30 @@ class Ours {
         return all;
     }
     std::vector<Message> pass(std::uint64_t ms) {
-        const Instant end = now + milliseconds(ms);
         std::vector<Message> all;
+        pass(ms, all);
+        return all;
+    }
+    /// Adds to `all`.
+    void pass(std::uint64_t ms, std::vector<Message>& all) {
+        const Instant end = now + milliseconds(ms);
         keep_deadlines(end, all);
         now = end;
-        return all;
     }
     /// SDO answers only; anything else on the bus is not ours to judge here.
     std::vector<Message> answers() {
         std::vector<Message> all;
+        answers(all);
+        return all;
+    }
+    /// Adds to `all`.
+    void answers(std::vector<Message>& all) {
         while (!queue.empty()) {
             const Frame frame = queue.pop();
             if (frame.id == 0x580U + pair_node_id) {
                 all.push_back(frame.data);
             }
         }
-        return all;
     }
 
     host::Memory memory{256};
@@ -241,8 +249,7 @@ class Ours {
         while (device.next_deadline() <= end) {
             now = device.next_deadline() < now ? now : device.next_deadline();
             device.advance(now);
-            const auto more = answers();
-            all.insert(all.end(), more.begin(), more.end());
+            answers(all);
         }
     }
 };
