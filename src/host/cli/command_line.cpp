@@ -33,25 +33,38 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     check->callback([&chosen] { chosen = [] { return check_spec(folder); }; });
 }
 
+/// What `run` and `panel` have in common.
+void add_run_options(CLI::App& command, RunOptions& running) {
+    command.add_option("DEVICE", running.devices, "NAME or NAME@NODE");
+    command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
+    command.add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
+        ->capture_default_str();
+    command.add_option("--bus-faults", running.bus_faults,
+                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
+    command.add_flag("--control-interface", running.control_interface,
+                     "may set the interface's bit rate when LSS asks, and restart it after bus-off");
+    command.add_option("--log", running.log, "candump log of all frames; T marks those of the devices");
+    command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
+    command.add_option("--stimulus", running.stimulus,
+                       "CSV seconds,signal,value; device.signal for one of several devices");
+    command.add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
+}
+
 void add_run(CLI::App& app, std::function<int()>& chosen) {
     static RunOptions running;
     auto* run = app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
-    run->add_option("DEVICE", running.devices, "NAME or NAME@NODE");
-    run->add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
-    run->add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
-        ->capture_default_str();
-    run->add_option("--bus-faults", running.bus_faults,
-                    "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
-    run->add_flag("--control-interface", running.control_interface,
-                  "may set the interface's bit rate when LSS asks, and restart it after bus-off");
-    run->add_option("--log", running.log, "candump log of all frames; T marks those of the devices");
-    run->add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
-    run->add_option("--stimulus", running.stimulus,
-                    "CSV seconds,signal,value; device.signal for one of several devices");
-    run->add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
+    add_run_options(*run, running);
     run->add_option("--seconds", running.seconds, "end after so long");
     run->add_flag("--plain", running.plain, "every frame as a line, on a terminal as well");
     run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
+
+    static PanelOptions showing;
+    auto* panel = app.add_subcommand("panel", "run devices as `run` does, and show them on a local page");
+    add_run_options(*panel, showing.run);
+    panel->add_option("--port", showing.port, "port of the loopback; 0: any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    panel->callback([&chosen] { chosen = [] { return run_panel(showing); }; });
 }
 
 void add_running(CLI::App& app, std::function<int()>& chosen) {

@@ -2,6 +2,7 @@
 // unreadable input.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,11 @@ struct RunOptions {
     std::optional<double> seconds;
 };
 
+struct PanelOptions {
+    RunOptions run;            ///< `plain` and `seconds` mean nothing here
+    std::uint16_t port{8404};  ///< 0: any that is free
+};
+
 struct AuditOptions {
     std::string root{"."};
     std::string subject;  ///< device, requirement id or nothing
@@ -60,6 +66,7 @@ int print_eds(const std::string& device, const std::string& format);
 int check_spec(const std::string& spec);
 int replay_log(const ReplayOptions& options);
 int run_devices(const RunOptions& options);
+int run_panel(const PanelOptions& options);
 int play_examples();
 int plot_outputs(const PlotOptions& options);
 int draw_figures(const std::string& folder);

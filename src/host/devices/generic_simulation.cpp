@@ -79,13 +79,20 @@ void GenericSimulation::keep_configuration() {
 
 bool GenericSimulation::set_input(const std::string& name, double value, Instant now) {
     if (name == "can_state") {
+        can_state_ = value;
         device_.node().set_can_state(static_cast<CanState>(static_cast<int>(value)), now);
     } else if (name == "can_overrun") {
-        device_.node().set_overrun(value != 0.0, now);
+        overrun_ = value != 0.0;
+        device_.node().set_overrun(overrun_, now);
     } else {
         return false;
     }
     return true;
+}
+
+const std::vector<std::string>& GenericSimulation::input_names() const {
+    static const std::vector<std::string> names{"can_state", "can_overrun"};
+    return names;
 }
 
 const std::vector<std::string>& GenericSimulation::output_names() const {

@@ -26,6 +26,8 @@ class GenericSimulation final : public SimulatedDevice {
     Instant next_deadline() const override { return device_.next_deadline(); }
     /// `can_state` and `can_overrun`, as the devices of the catalogue have them; its objects are written by SDO or PDO.
     bool set_input(const std::string& name, double value, Instant now) override;
+    std::vector<double> inputs() const override { return {can_state_, overrun_ ? 1.0 : 0.0}; }
+    const std::vector<std::string>& input_names() const override;
     std::vector<double> outputs() const override { return {}; }
     const std::vector<std::string>& output_names() const override;
     std::uint8_t node_id() const override { return device_.node().node_id(); }
@@ -41,6 +43,8 @@ class GenericSimulation final : public SimulatedDevice {
     LssStore store_;
     LssConfiguration shipped_;
     LssConfiguration kept_;
+    double can_state_{0.0};
+    bool overrun_{false};
 };
 
 }  // namespace canproof::host

@@ -27,6 +27,9 @@ class SimulatedDevice {
     virtual Instant next_deadline() const = 0;
     /// False when there is no input of that name.
     virtual bool set_input(const std::string& name, double value, Instant now) = 0;
+    /// The value of each input, in the order of input_names(): as it was set, or as the plant makes it.
+    virtual std::vector<double> inputs() const = 0;
+    virtual const std::vector<std::string>& input_names() const = 0;
     /// The value of each output, in the order of output_names().
     virtual std::vector<double> outputs() const = 0;
     virtual const std::vector<std::string>& output_names() const = 0;

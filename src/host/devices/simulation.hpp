@@ -24,6 +24,21 @@ class Simulation : public SimulatedDevice {
         return found;
     }
 
+    std::vector<double> inputs() const override {
+        std::vector<double> values;
+        for_each_input(inputs_, [&](const char*, const auto& value) { values.push_back(static_cast<double>(value)); });
+        return values;
+    }
+    const std::vector<std::string>& input_names() const override {
+        static const std::vector<std::string> names = [] {
+            std::vector<std::string> all;
+            const Inputs any{};
+            for_each_input(any, [&](const char* name, const auto&) { all.emplace_back(name); });
+            return all;
+        }();
+        return names;
+    }
+
     std::vector<double> outputs() const override {
         std::vector<double> values;
         for_each_output(device_.outputs(),

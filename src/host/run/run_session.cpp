@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/bus/candump.hpp"
 
 namespace canproof::host {
@@ -28,6 +30,7 @@ void RunSession::power_on() {
     }
     bus_->advance(Instant{});
     write_outputs(Instant{});
+    observe(Instant{});
 }
 
 Instant RunSession::next_deadline() const {
@@ -58,6 +61,14 @@ bool RunSession::put(const Frame& frame) {
     return taken;
 }
 
+void RunSession::schedule(const Stimulus& stimulus) {
+    stimuli_.erase(stimuli_.begin(), stimuli_.begin() + static_cast<std::ptrdiff_t>(next_stimulus_));
+    next_stimulus_ = 0;
+    const auto later = std::upper_bound(stimuli_.begin(), stimuli_.end(), stimulus.time,
+                                        [](Instant time, const Stimulus& one) { return time < one.time; });
+    stimuli_.insert(later, stimulus);
+}
+
 /// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
     now_ = at;
@@ -67,6 +78,13 @@ void RunSession::step(Instant at) {
     stimulate(at);
     bus_->advance(at);
     write_outputs(at);
+    observe(at);
+}
+
+void RunSession::observe(Instant at) {
+    if (outputs_.observer != nullptr) {
+        outputs_.observer->on_step(at);
+    }
 }
 
 void RunSession::stimulate(Instant at) {
@@ -97,6 +115,9 @@ void RunSession::record(const BusFrame& frame) {
             ++traffic_[i].frames;
             traffic_[i].last = logged;
         }
+    }
+    if (outputs_.observer != nullptr) {
+        outputs_.observer->on_frame(frame);
     }
 }
 

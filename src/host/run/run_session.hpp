@@ -15,11 +15,21 @@
 
 namespace canproof::host {
 
+/// Is told what a session does, as it happens.
+class SessionObserver {
+  public:
+    virtual ~SessionObserver() = default;
+    virtual void on_frame(const BusFrame& frame) = 0;
+    /// Everything of that time is done: states and outputs are those from now on.
+    virtual void on_step(Instant at) = 0;
+};
+
 /// Where a session writes; each may be nullptr.
 struct SessionOutputs {
     std::ostream* frames{nullptr};   ///< every frame as a candump line
     std::ostream* log{nullptr};      ///< the same, T behind the devices' own frames and R behind the others'
     std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` when there are several devices
+    SessionObserver* observer{nullptr};
 };
 
 /// What is known of a node's traffic.
@@ -41,6 +51,8 @@ class RunSession {
     Instant next_deadline() const;
     /// A frame from the user. False when the bus cannot take it now.
     bool put(const Frame& frame);
+    /// A stimulus from the user, behind what is planned for that time; one that is late comes next.
+    void schedule(const Stimulus& stimulus);
 
     Bus& bus() { return *bus_; }
     const Bus& bus() const { return *bus_; }
@@ -55,6 +67,7 @@ class RunSession {
     void stimulate(Instant at);
     void record(const BusFrame& frame);
     void write_outputs(Instant at);
+    void observe(Instant at);
 
     std::unique_ptr<Bus> bus_;
     std::vector<std::unique_ptr<DeviceNode>> nodes_;
