@@ -229,12 +229,17 @@ std::string FrameDecoder::nmt(ByteView data, const std::vector<KnownNode>& nodes
 std::string FrameDecoder::emcy(ByteView data, const KnownNode* node) const {
     const auto code = static_cast<std::uint32_t>(read_le(data, 0U, 2U));
     const std::string own = word(node == nullptr ? nullptr : node->part, "EmergencyCode", code);
-    std::string text =
-        fmt::format("{:04X}h {}, error register {:02X}h", code, own.empty() ? emcy_class(code) : own, data[2]);
+    const std::string named = fmt::format("{:04X}h {}", code, own.empty() ? emcy_class(code) : own);
+    const std::string state = fmt::format(", error register {:02X}h", data[2]);
+    const std::string description = word(node == nullptr ? nullptr : node->part, "ErrorDescription", data[4]);
+    if (!description.empty()) {
+        // A device whose register names descriptions tells the channel in byte 3 and the description in byte 4.
+        return named + (code == 0U ? "" : fmt::format(", channel {}, {}", data[3], description)) + state;
+    }
     const ByteView details = data.part(3U, 5U);
     const bool has_details =
         std::any_of(details.data(), details.data() + details.size(), [](auto b) { return b != 0U; });
-    return has_details ? text + ", details " + bytes_of(details) : text;
+    return named + state + (has_details ? ", details " + bytes_of(details) : "");
 }
 
 std::string FrameDecoder::error_control(const Frame& frame) const {

@@ -37,9 +37,8 @@ std::string LampHistory::words(Instant now) const {
             rises.push_back(edge.time);
         }
     }
-    if (rises.size() < 3U) {
-        return rises.size() < 2U && elapsed(edges_.back().time, now).us > between_groups.us ? (lit() ? "on" : "off")
-                                                                                            : "flashing";
+    if (rises.size() < 2U) {
+        return lit() ? "on" : "off";
     }
     // The newest whole group: between the last two pauses.
     int in_group = 1;

@@ -28,7 +28,8 @@ DeviceFace face_of(const json& view) {
     for (const json& lamp : view.value("lamps", json::array())) {
         face.leds.push_back(lamp.at("signal").get<std::string>());
     }
-    for (const auto& [signal, marks] : view.value("marks", json::object()).items()) {
+    const json all_marks = view.value("marks", json::object());
+    for (const auto& [signal, marks] : all_marks.items()) {
         for (const json& mark : marks) {
             face.settings.push_back(mark.at("entry").get<std::string>());
         }
@@ -90,6 +91,7 @@ json described_channels(const Recorder::Device& device) {
                             {"text", one.text},
                             {"unit", one.unit},
                             {"truth", one.truth},
+                            {"whole", one.whole},
                             {"min", optional_number(one.minimum)},
                             {"max", optional_number(one.maximum)}});
     }

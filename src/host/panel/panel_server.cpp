@@ -40,10 +40,13 @@ PanelRequest request_of(const httplib::Request& from) {
 /// body announces no length, so that the server's own limit would not hold it.
 std::string read_body(const httplib::ContentReader& reader) {
     std::string body;
-    reader([&](const char* bytes, std::size_t count) {
+    const bool whole = reader([&](const char* bytes, std::size_t count) {
         body.append(bytes, std::min(count, longest_body + 1U - body.size()));
         return body.size() <= longest_body;
     });
+    if (!whole) {
+        body.resize(longest_body + 1U);  // refused by its announced length, or while it came
+    }
     return body;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "generated/canopen/constants.hpp"
 
@@ -12,11 +13,20 @@ namespace {
 constexpr std::uint16_t error_register = 0x1001U;         // CiA 301, 7.5.2.2
 constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // below lies the communication area
 
+/// Of `0.1 degC; 0.1 V` the part of that sub-index; a unit without parts is everyone's.
+std::string own_unit(const std::string& units, std::uint8_t subindex) {
+    std::istringstream parts{units};
+    std::string one = units;
+    for (int n = 0; n < subindex && units.find(';') != std::string::npos && std::getline(parts, one, ';'); ++n) {
+        one.erase(0, one.find_first_not_of(' '));
+    }
+    return one;
+}
+
 /// `0.1 degC` counts tenths: the number in front, and the unit behind it.
 void split_unit(const std::string& text, Channel& channel) {
     const auto space = text.find(' ');
-    const bool counted = space != std::string::npos && text.find(';') == std::string::npos &&
-                         text.find_first_not_of("0123456789.") == space;
+    const bool counted = space != std::string::npos && text.find_first_not_of("0123456789.") == space;
     channel.scale = counted ? std::stod(text.substr(0, space)) : 1.0;
     channel.unit = counted ? text.substr(space + 1) : text;
 }
@@ -35,6 +45,7 @@ std::vector<Channel> output_channels(const SimulatedDevice& device, const Part* 
                 channel.minimum = signal.minimum;
                 channel.maximum = signal.maximum;
                 channel.truth = signal.type == "BOOLEAN";
+                channel.whole = signal.type.rfind("REAL", 0) != 0;
             }
         }
         channels.push_back(std::move(channel));
@@ -69,7 +80,8 @@ void add_entries(const SimulatedDevice& device, const Part* part, const DeviceFa
             channel.kind = setting ? Channel::Kind::setting : Channel::Kind::measured;
             channel.name = entry.name;
             channel.text = object.text;
-            split_unit(object.unit, channel);
+            split_unit(own_unit(object.unit, entry.subindex), channel);
+            channel.whole = channel.scale == 1.0 && entry.type.rfind("REAL", 0) != 0;
             channel.entry = &entry;
             channel.place = found.value();
             channels.push_back(std::move(channel));
@@ -118,7 +130,7 @@ void Recorder::add(const std::string& name, const SimulatedDevice& device, const
             lent_lamp("error", "Lent by the panel: lit while the error register 1001h is not zero."));
     }
     add_entries(device, part, face, one.channels);
-    one.values.assign(one.channels.size(), 0.0);
+    one.values.assign(one.channels.size(), std::nan(""));  // the first value is a change
     one.first_channel = devices_.empty() ? 0U : devices_.back().first_channel + devices_.back().channels.size();
     devices_.push_back(std::move(one));
 }

@@ -31,6 +31,7 @@ struct Channel {
     const Entry* entry{nullptr};  ///< of a measured value or setting
     EntryRef place{};
     bool truth{false};
+    bool whole{false};  ///< counts, without digits behind the point
 };
 
 /// What the page should know of a device beside its part of the register.

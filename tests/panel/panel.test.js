@@ -1,0 +1,276 @@
+// What a user of the panel sees and does, in a real browser. Every wait is for a condition; every port is any that is free.
+'use strict';
+const assert = require('node:assert/strict');
+const { spawn, spawnSync } = require('node:child_process');
+const http = require('node:http');
+const { after, before, test } = require('node:test');
+const { chromium } = require('playwright-core');
+const { lowContrast } = require('./contrast.js');
+
+const program = process.env.PROGRAM;
+const chromiumOptions = {
+  executablePath: '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--host-resolver-rules=MAP evil.example 127.0.0.1'],
+};
+const patience = 10000;
+
+let browser;
+let panel;
+
+/** The program on any free port, and what it said. */
+async function startPanel(...words) {
+  const child = spawn(program, ['panel', '--port', '0', ...words]);
+  const url = await new Promise((resolve, reject) => {
+    let text = '';
+    child.stdout.on('data', (data) => {
+      text += data;
+      const found = /http:\/\/\S+/.exec(text);
+      if (found) resolve(found[0]);
+    });
+    child.on('exit', (status) => reject(new Error(`canproof panel ended with ${status}: ${text}`)));
+  });
+  const ended = new Promise((resolve) => { child.on('exit', (status) => resolve(status)); });
+  return { child, url, ended };
+}
+
+/** A page that has met the program. Whatever it complains of on its console fails the test. */
+async function openPage(t, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(patience);
+  const complaints = [];
+  page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  t.after(async () => {
+    await context.close();
+    assert.deepEqual(complaints, []);
+  });
+  await page.goto(panel.url);
+  await page.waitForSelector('html[data-ready]');
+  return page;
+}
+
+const card = (page, device) => page.locator(`[data-device="${device}"]`);
+const control = (page, device, signal) => card(page, device).locator(`[data-signal="${signal}"]`);
+const lamp = (page, device, label) => card(page, device).locator('.lamp', { hasText: label });
+
+async function send(page, frame) {
+  await page.fill('#frame', frame);
+  await page.click('#send button');
+  await page.locator('#message', { hasText: `Sent ${frame}.` }).waitFor();
+}
+
+/** Everything that says that channel `number` is past its shutdown limit: lamp, emergency and frame. */
+async function expectShutdown(page, number) {
+  await card(page, 'ax188001').locator('.emcy.error', { hasText: `F011h limit exceeded, channel ${number}, positive shutdown` }).waitFor();
+  await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=lit]').waitFor();
+  const row = page.locator('#frames tr.is-EMCY', { hasText: `channel ${number}, positive shutdown` }).first();
+  await row.waitFor();
+  // AX188001 is node 2 here; 3.2.4: code F011h, register 01h, channel, description 40h.
+  assert.match(await row.innerText(), new RegExp(`082\\s+11 F0 01 0${number} 40 00 00 00\\s+EMCY\\s+ax188001`));
+}
+
+before(async () => {
+  panel = await startPanel();
+  browser = await chromium.launch(chromiumOptions);
+});
+after(async () => {
+  await browser?.close();
+  panel?.child.kill('SIGINT');
+  assert.equal(await panel?.ended, 0); // Ctrl-C ends it clean
+});
+
+test('a temperature dragged over the shutdown limit shows as lamp, emergency and frame', async (t) => {
+  const page = await openPage(t);
+  assert.equal(await lamp(page, 'ax188001', 'ERR').locator('.words').innerText(), 'off');
+  await send(page, '602#2B30400100000000'); // 4030h:1, no delay
+  const slider = control(page, 'ax188001', 'tc1_celsius').locator('input[type=range]');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  const at = (celsius) => box.x + 9 + (box.width - 18) * (celsius + 270) / 2090; // −270 … 1820 °C
+  await page.mouse.move(at(25), box.y + box.height / 2);
+  await page.mouse.down();
+  for (const celsius of [100, 200, 400, 600]) await page.mouse.move(at(celsius), box.y + box.height / 2);
+  await page.mouse.up();
+  await expectShutdown(page, 1);
+  assert.ok(Math.abs(Number(await slider.inputValue()) - 600) <= 20);
+  // The measured value follows the wire.
+  await page.waitForFunction(() => /^(58\d|59\d|60\d|61\d)\s°C$/.test(document.querySelector('[data-device=ax188001] .gauge .figure').textContent));
+  await control(page, 'ax188001', 'tc1_celsius').locator('input[type=number]').fill('25');
+  await page.keyboard.press('Enter');
+  await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=dark]').waitFor();
+});
+
+test('the keyboard alone does the same, and always shows where it is', async (t) => {
+  const page = await openPage(t);
+  const focus = () => page.evaluate(() => {
+    const at = document.activeElement;
+    return { id: at.id, signal: at.type === 'range' ? at.closest('[data-signal]')?.dataset.signal : '', outline: getComputedStyle(at).outlineStyle, named: at.getAttribute('aria-label') || at.labels?.[0]?.textContent || at.textContent || '' };
+  });
+  const tabTo = async (wanted, key = 'Tab') => {
+    for (let i = 0; i < 150; i += 1) {
+      await page.keyboard.press(key);
+      const at = await focus();
+      assert.notEqual(at.outline, 'none', `focus is not seen at ${JSON.stringify(at)}`);
+      assert.notEqual(at.named.trim(), '', `no name at ${JSON.stringify(at)}`);
+      if (wanted(at)) return;
+    }
+    assert.fail('not reached by Tab');
+  };
+  await page.keyboard.press('Tab'); // the skip link
+  await page.keyboard.press('Enter');
+  await tabTo((at) => at.id === 'frame');
+  await page.keyboard.type('602#2B30400200000000'); // 4030h:2, no delay
+  await page.keyboard.press('Enter');
+  await page.locator('#message', { hasText: 'Sent' }).waitFor();
+  await tabTo((at) => at.signal === 'tc2_celsius', 'Shift+Tab');
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press('PageUp'); // a tenth of the range each
+  await expectShutdown(page, 2);
+  assert.match(await page.evaluate(() => document.activeElement.getAttribute('aria-valuetext')), /°C$/);
+  assert.match(await page.evaluate(() => document.getElementById(document.activeElement.getAttribute('aria-describedby')).textContent), /shutdown limit 250/);
+  await page.keyboard.press('Home');
+  await card(page, 'ax188001').locator('.emcy', { hasText: 'negative warning' }).or(card(page, 'ax188001').locator('.emcy:not(.error)')).first().waitFor();
+});
+
+test('NMT goes over the bus, and the LED of the device flashes as the device switches it', async (t) => {
+  const page = await openPage(t);
+  const status = lamp(page, 'cbx-ao412', 'S');
+  await status.locator('.words', { hasText: 'blinking' }).waitFor();
+  // Pre-operational: 200 ms on, 200 ms off (CAN-CBX-AO412, Tables 5 and 7).
+  const median = await status.locator('.bulb').evaluate((bulb) => new Promise((resolve) => {
+    const times = [];
+    new MutationObserver((_, observer) => {
+      times.push(performance.now());
+      if (times.length < 10) return;
+      observer.disconnect();
+      resolve(times.slice(1).map((time, i) => time - times[i]).sort((a, b) => a - b)[4]);
+    }).observe(bulb, { attributeFilter: ['data-look'] });
+  }));
+  assert.ok(median > 150 && median < 250, `${median} ms`);
+  await card(page, 'cbx-ao412').getByRole('button', { name: 'Start, cbx-ao412' }).click();
+  await card(page, 'cbx-ao412').locator('.state', { hasText: /^operational$/ }).waitFor();
+  await page.locator('#frames tr.is-NMT', { hasText: 'cbx-ao412: start' }).first().waitFor();
+  await status.locator('.words', { hasText: /^on$/ }).waitFor();
+  assert.equal(await card(page, 'ax130751').locator('.state').innerText(), 'pre-operational');
+  await send(page, '603#2B116401B33E0000'); // the manual's 5.0 V at output 1 (7.10.2.3)
+  await card(page, 'cbx-ao412').locator('.gauge', { hasText: 'Output 1' }).locator('.figure', { hasText: /^5\.00/ }).waitFor();
+});
+
+test('tilt is dragged, and what the plant makes of it comes back', async (t) => {
+  const page = await openPage(t);
+  const horizon = card(page, 'ax060805').locator('.attitude');
+  await horizon.scrollIntoViewIfNeeded();
+  const box = await horizon.boundingBox();
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x, middle.y + box.height * 0.15, { steps: 4 }); // 200 units high: 30 degrees
+  await page.mouse.up();
+  await page.waitForFunction(() => Math.abs(Number(document.querySelector('[data-signal=pitch] input[type=number]').value) - 30) <= 2);
+  await page.waitForFunction(() => Math.abs(Number(document.querySelector('[data-device=ax060805] .gauge .figure').textContent) - 30) <= 3);
+});
+
+test('another page sees what this one sets', async (t) => {
+  const one = await openPage(t);
+  const other = await openPage(t);
+  const box = control(one, 'ax130751', 'supply').locator('input[type=number]');
+  await box.fill('13.5');
+  await box.press('Enter');
+  await other.waitForFunction(() => document.querySelector('[data-device=ax130751] [data-signal=supply] input[type=number]').value === '13.5');
+  const csv = await (await fetch(`${panel.url}stimuli.csv`)).text();
+  assert.match(csv, /^\d+\.\d{6},ax130751\.supply,13\.5$/m);
+});
+
+test('what cannot be is told in words', async (t) => {
+  const context = await browser.newContext();
+  t.after(() => context.close());
+  const page = await context.newPage();
+  await page.goto(panel.url);
+  await page.waitForSelector('html[data-ready]');
+  await page.fill('#frame', '900#00');
+  await page.click('#send button');
+  await page.locator('#message.wrong', { hasText: '900' }).waitFor({ timeout: patience });
+});
+
+test('nothing is wider than the screen, from a small phone to a wide desk', async (t) => {
+  const page = await openPage(t);
+  for (const summary of await page.locator('summary').all()) await summary.click();
+  for (const [width, height] of [[320, 640], [390, 844], [768, 1024], [1920, 1080]]) {
+    await page.setViewportSize({ width, height });
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('.device *, .log > header *, .bar *')]
+      .filter((one) => !one.closest('.visually-hidden, .attitude') && one.getBoundingClientRect().right > innerWidth + 0.5)
+      .map((one) => `${one.tagName} ${one.className} ${one.textContent}`)), [], `${width} wide`);
+  }
+});
+
+test('every text is readable, light and dark', async (t) => {
+  const page = await openPage(t);
+  for (const summary of await page.locator('summary').all()) await summary.click();
+  for (const [colorScheme, background] of [['light', 'rgb(236, 238, 236)'], ['dark', 'rgb(18, 22, 24)']]) {
+    await page.emulateMedia({ colorScheme });
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), background);
+    const { texts, faint } = await page.evaluate(lowContrast);
+    assert.ok(texts > 100);
+    assert.deepEqual(faint, [], colorScheme); // WCAG 2.1, 1.4.3
+  }
+});
+
+test('who wants less motion reads the pattern instead of seeing it flash', async (t) => {
+  const page = await openPage(t, { reducedMotion: 'reduce' });
+  await page.getByRole('group', { name: 'NMT, all nodes' }).getByRole('button', { name: 'Pre-op' }).click();
+  const status = lamp(page, 'cbx-ao412', 'S');
+  await status.locator('.words', { hasText: 'blinking' }).waitFor();
+  await status.locator('.bulb[data-look=pattern]').waitFor();
+  const looks = await status.locator('.bulb').evaluate((bulb) => new Promise((resolve) => {
+    const seen = new Set();
+    let frames = 0;
+    const look = () => {
+      seen.add(bulb.dataset.look);
+      frames += 1;
+      if (frames < 60) requestAnimationFrame(look);
+      else resolve([...seen]);
+    };
+    look();
+  }));
+  assert.deepEqual(looks, ['pattern']);
+});
+
+test('a page of another site can neither read nor change anything', async (t) => {
+  const evil = http.createServer((_, answer) => answer.setHeader('Content-Type', 'text/html').end('<!doctype html><title>evil</title>'));
+  await new Promise((resolve) => { evil.listen(0, '127.0.0.1', resolve); });
+  const context = await browser.newContext();
+  t.after(async () => {
+    await context.close();
+    evil.close();
+  });
+  const page = await context.newPage();
+  await page.goto(`http://127.0.0.1:${evil.address().port}/`);
+  const outcomes = await page.evaluate(async (url) => {
+    const body = JSON.stringify({ frame: '000#0202' });
+    const attempt = async (options) => {
+      try {
+        const answer = await fetch(`${url}api/frame`, { method: 'POST', body, ...options });
+        return `read ${answer.type} ${answer.status}`;
+      } catch {
+        return 'refused';
+      }
+    };
+    const read = await fetch(`${url}api/state`).then(() => 'read', () => 'refused');
+    return [await attempt({ headers: { 'Content-Type': 'application/json' } }), await attempt({ mode: 'no-cors', headers: { 'Content-Type': 'text/plain' } }), read];
+  }, panel.url);
+  assert.deepEqual(outcomes, ['refused', 'refused', 'refused']);
+  // The name of another site that points here: DNS rebinding.
+  const rebound = await page.goto(panel.url.replace('127.0.0.1', 'evil.example'));
+  assert.equal(rebound.status(), 403);
+  const state = await (await fetch(`${panel.url}api/state`)).json();
+  assert.deepEqual(state.frames.filter((frame) => frame.data === '0202'), []);
+});
+
+test('wrong options are told, with status 2', () => {
+  for (const [words, said] of [[['--port', '99999'], '--port'], [['nothing'], 'nothing'], [['--port', new URL(panel.url).port], 'cannot be had'], [['--bus', 'carrier-pigeon'], 'carrier-pigeon']]) {
+    const run = spawnSync(program, ['panel', ...words], { encoding: 'utf8' });
+    assert.equal(run.status, 2, words.join(' '));
+    assert.ok(run.stderr.includes(said) || run.stdout.includes(said), run.stderr + run.stdout);
+  }
+});
