@@ -141,7 +141,7 @@ const char* asset_type(const std::string& path) {
 }  // namespace
 
 Panel::Panel(const Register& content, Clock clock, std::function<void()> wake)
-    : register_{content}, clock_{std::move(clock)}, wake_{std::move(wake)}, recorder_{content} {}
+    : clock_{std::move(clock)}, wake_{std::move(wake)}, recorder_{content} {}
 
 void Panel::take(RunSession& session, std::vector<const Part*> parts) {
     const std::lock_guard<std::mutex> lock{mutex_};

@@ -51,7 +51,6 @@ class Panel {
     PanelResponse send(const nlohmann::json& body);
 
     mutable std::mutex mutex_;
-    const Register& register_;
     Clock clock_;
     std::function<void()> wake_;
     Recorder recorder_;
