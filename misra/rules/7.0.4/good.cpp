@@ -1,2 +1,7 @@
 // Nothing here may be flagged.
-unsigned mask(const unsigned value) { return ~(value & 3U); }
+unsigned mask(const unsigned value) {
+    return ~(value & 3U);
+}
+unsigned shifted(const unsigned value, const unsigned char by) {
+    return (value << by) | (value >> 3);
+}

@@ -1,5 +1,7 @@
 #include "firmware/blocks/angle_filter.hpp"
 
+#include <algorithm>
+
 #include "firmware/base/requirement.hpp"
 #include "generated/ax060805/requirements.hpp"
 
@@ -37,8 +39,9 @@ float to_degrees(const std::int64_t units) noexcept {
 }
 
 std::int64_t rounded_quotient(const std::int64_t sum, const std::int64_t count) noexcept {
-    const std::int64_t half = count / 2;
-    return ((sum < 0) ? (sum - half) : (sum + half)) / count;
+    const std::int64_t divisor = std::max(count, std::int64_t{1});
+    const std::int64_t half = divisor / 2;
+    return ((sum < 0) ? (sum - half) : (sum + half)) / divisor;
 }
 
 /// sum * taken / length without a product that could overflow.

@@ -26,10 +26,10 @@ struct BlockSignal {
 
 /// Ten to the number of decimal digits, 0…4; more count as 4.
 constexpr double power_of_ten(const std::uint8_t digits) noexcept {
-    constexpr std::uint8_t most = 4U;
-    const std::uint8_t count = (digits < most) ? digits : most;
+    constexpr std::uint32_t most = 4U;
+    const std::uint32_t count = (digits < most) ? digits : most;
     double power = 1.0;
-    for (std::uint8_t digit = 0U; digit < count; ++digit) {
+    for (std::uint32_t digit = 0U; digit < count; ++digit) {
         power *= 10.0;
     }
     return power;

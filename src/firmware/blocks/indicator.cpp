@@ -10,7 +10,7 @@ IndicatorPhase indicator_phase(const IndicatorPattern& pattern, const Instant no
     // Counted from one period before time 0, so that a shifted round is never before its start.
     const std::uint64_t position = ((now.us + period) - (shift.us % period)) % period;
     std::uint64_t edge{0U};
-    for (std::uint16_t flash = 0U; flash < pattern.flashes; ++flash) {
+    for (std::uint32_t flash = 0U; flash < pattern.flashes; ++flash) {
         edge += pattern.on.us;
         if (position < edge) {
             return IndicatorPhase{true, now + Duration{edge - position}};

@@ -9,11 +9,11 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint16_t error_register_index = 0x1001U;
-constexpr std::uint16_t error_list_index = 0x1003U;
-constexpr std::uint16_t cob_id_index = 0x1014U;
-constexpr std::uint16_t inhibit_time_index = 0x1015U;
-constexpr std::uint16_t error_cured_code = 0x0000U;
+constexpr std::uint32_t error_register_index = 0x1001U;
+constexpr std::uint32_t error_list_index = 0x1003U;
+constexpr std::uint32_t cob_id_index = 0x1014U;
+constexpr std::uint32_t inhibit_time_index = 0x1015U;
+constexpr std::uint32_t error_cured_code = 0x0000U;
 constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no room in the queue is not lost
 
 }  // namespace
@@ -28,7 +28,7 @@ void Emcy::reset() noexcept {
 
 void Emcy::show_register() noexcept {
     const std::uint8_t value = active_register();
-    register_changed_ = register_changed_ || (value != shown_register_);
+    register_changed_ = register_changed_ || (std::uint32_t{value} != shown_register_);
     shown_register_ = value;
     objects_.write(error_register_index, 0U, value);
 }
@@ -86,7 +86,7 @@ void Emcy::report(const ErrorId error, const Instant now) noexcept {
         enter_into_list(list_entry(at));
     }
     if (row.sent) {
-        announce(at, false, static_cast<std::uint8_t>(active_register() | row.register_bits), now);
+        announce(at, false, static_cast<std::uint8_t>(std::uint32_t{row.register_bits} | active_register()), now);
     }
 }
 
@@ -97,13 +97,13 @@ std::uint32_t Emcy::list_entry(const std::size_t error) const noexcept {
 }
 
 std::uint8_t Emcy::active_register() const noexcept {
-    std::uint8_t bits{0U};
+    std::uint32_t bits{0U};
     for (std::size_t i = 0U; i < max_errors; ++i) {
         if (active_[i]) {
-            bits = static_cast<std::uint8_t>(bits | errors_[i].register_bits);
+            bits |= errors_[i].register_bits;
         }
     }
-    return bits;
+    return static_cast<std::uint8_t>(bits);
 }
 
 static_assert(implements<req::CO_EMCY_008>);
@@ -141,15 +141,16 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 }
 
 std::uint8_t Emcy::list_capacity() const noexcept {
+    constexpr std::uint32_t most_subindices{254U};
     std::uint8_t capacity{0U};
-    while ((capacity < (UINT8_MAX - 1U)) && objects_.has(error_list_index, static_cast<std::uint8_t>(capacity + 1U))) {
+    while ((capacity < most_subindices) && objects_.has(error_list_index, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
     return capacity;
 }
 
 void Emcy::clear_list() noexcept {
-    const std::uint8_t capacity = list_capacity();
+    const std::uint32_t capacity = list_capacity();
     for (std::uint8_t sub = 0U; sub <= capacity; ++sub) {
         objects_.write(error_list_index, sub, 0U);
     }
@@ -167,7 +168,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_
     const std::size_t last = find_last(error);
     std::size_t waiting{0U};
     for (std::size_t i = 0U; i < pending_count_; ++i) {
-        waiting += (pending_[i].error == told.error) ? 1U : 0U;
+        waiting += (std::uint32_t{pending_[i].error} == told.error) ? 1U : 0U;
     }
     const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
     if (repeats) {

@@ -9,11 +9,11 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint16_t guard_time_index = 0x100CU;
-constexpr std::uint16_t life_time_factor_index = 0x100DU;
-constexpr std::uint16_t guarding_identifier_index = 0x100EU;
-constexpr std::uint16_t heartbeat_time_index = 0x1017U;
-constexpr std::uint8_t toggle_bit = 0x80U;
+constexpr std::uint32_t guard_time_index = 0x100CU;
+constexpr std::uint32_t life_time_factor_index = 0x100DU;
+constexpr std::uint32_t guarding_identifier_index = 0x100EU;
+constexpr std::uint32_t heartbeat_time_index = 0x1017U;
+constexpr std::uint32_t toggle_bit = 0x80U;
 constexpr std::uint32_t max_node_id = 127U;
 
 /// 701h…77Fh: restricted for all else, made for this (CiA 301, 7.3.5).

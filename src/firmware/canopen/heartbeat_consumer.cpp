@@ -15,8 +15,8 @@ constexpr std::uint32_t node_id_of(const std::uint32_t setting) noexcept {
     return (setting >> 16U) & 0xFFU;
 }
 
-constexpr std::uint8_t slot_bit(const std::size_t slot) noexcept {
-    return static_cast<std::uint8_t>(1U << slot);
+constexpr std::uint32_t slot_bit(const std::size_t slot) noexcept {
+    return std::uint32_t{1U} << slot;
 }
 
 static_assert(implements<req::CO_HB_003>);
@@ -37,7 +37,7 @@ void HeartbeatConsumer::reset() noexcept {
 void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
     const std::uint32_t watched = setting(slot);
     watches_[slot] = Watch{};
-    failed_ = static_cast<std::uint8_t>(failed_ & ~slot_bit(slot));
+    failed_ &= ~slot_bit(slot);
     if (is_active(watched)) {
         watches_[slot].identifier = generated::canopen::guarding_cob_id_base + node_id_of(watched);
         watches_[slot].time = milliseconds(watched & time_mask);
@@ -64,7 +64,7 @@ void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept 
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         Watch& watch = watches_[slot];
         if ((watch.identifier != 0U) && (frame.id == watch.identifier)) {
-            failed_ = static_cast<std::uint8_t>(failed_ & ~slot_bit(slot));
+            failed_ &= ~slot_bit(slot);
             watch.deadline = now + watch.time;
         }
     }
@@ -74,7 +74,7 @@ void HeartbeatConsumer::advance(const Instant now) noexcept {
     for (std::size_t slot = 0U; (slot < max_producers) && any_; ++slot) {
         if (watches_[slot].deadline <= now) {
             watches_[slot].deadline = never;
-            failed_ = static_cast<std::uint8_t>(failed_ | slot_bit(slot));
+            failed_ |= slot_bit(slot);
         }
     }
 }

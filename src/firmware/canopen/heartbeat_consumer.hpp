@@ -13,7 +13,7 @@ class HeartbeatConsumer {
   public:
     /// The AX devices watch up to four producers, the CAN-CBX-AO412 one.
     static constexpr std::size_t max_producers = 4U;
-    static constexpr std::uint16_t index = 0x1016U;
+    static constexpr std::uint32_t index = 0x1016U;
 
     explicit HeartbeatConsumer(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
@@ -23,7 +23,7 @@ class HeartbeatConsumer {
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
     /// Producers that were heard, have fallen silent and have not been heard again: bit n for 1016h:n + 1.
-    std::uint8_t failed() const noexcept { return failed_; }
+    std::uint32_t failed() const noexcept { return failed_; }
     /// The node-ID that this entry watches.
     std::uint8_t producer(std::size_t slot) const noexcept;
 
@@ -43,7 +43,7 @@ class HeartbeatConsumer {
 
     ObjectDictionary& objects_;
     std::array<Watch, max_producers> watches_{};
-    std::uint8_t failed_{0U};
+    std::uint32_t failed_{0U};
     bool any_{false};  ///< somebody is watched
 };
 

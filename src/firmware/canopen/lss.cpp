@@ -9,13 +9,13 @@ namespace {
 
 namespace requests = generated::canopen::t_co_t_lss;
 
-constexpr std::uint16_t identity_index = 0x1018U;
+constexpr std::uint32_t identity_index = 0x1018U;
 constexpr std::size_t full_length = 8U;
 
 static_assert(implements<req::CO_E_LSS_COMMAND> && implements<req::CO_T_LSS>);
 const requests::Row* request_row(const std::uint8_t specifier) noexcept {
     for (const requests::Row& row : requests::rows) {
-        if (static_cast<std::uint8_t>(row.command) == specifier) {
+        if (static_cast<std::uint32_t>(row.command) == specifier) {
             return &row;
         }
     }
@@ -57,7 +57,7 @@ std::uint8_t answer_specifier(const LssCommand command) noexcept {
 
 /// Frame `step` of a sequence whose first `done` frames fitted: how many have fitted now.
 constexpr std::uint8_t follow(const std::uint8_t done, const std::uint8_t step, const bool fits) noexcept {
-    const bool in_order = (step == 0U) || (step == done);
+    const bool in_order = (step == 0U) || (std::uint32_t{step} == done);
     return (in_order && fits) ? static_cast<std::uint8_t>(step + 1U) : std::uint8_t{0U};
 }
 
@@ -65,7 +65,7 @@ constexpr std::uint8_t follow(const std::uint8_t done, const std::uint8_t step, 
 
 std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
     for (std::size_t i = 0U; i < count_; ++i) {
-        if (bit_rates_[i].index == index) {
+        if (std::uint32_t{bit_rates_[i].index} == index) {
             return bit_rates_[i].bit_rate;
         }
     }
@@ -196,9 +196,9 @@ Lss::Said Lss::execute(const LssCommand command, const ByteView request, const I
 
 static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
 Lss::Said Lss::switch_globally(const std::uint8_t mode) noexcept {
-    if (mode == static_cast<std::uint8_t>(LssState::waiting)) {
+    if (mode == static_cast<std::uint32_t>(LssState::waiting)) {
         state_ = LssState::waiting;
-    } else if (mode == static_cast<std::uint8_t>(LssState::configuration)) {
+    } else if (mode == static_cast<std::uint32_t>(LssState::configuration)) {
         state_ = LssState::configuration;
     } else {
         return std::nullopt;
@@ -218,7 +218,7 @@ Lss::Said Lss::select(const LssNumber number, const ByteView request) noexcept {
 
 static_assert(implements<req::CO_LSS_042> && implements<req::CO_LSS_043>);
 Lss::Said Lss::identify(const LssCommand command, const std::uint32_t bound) noexcept {
-    constexpr std::uint8_t first = static_cast<std::uint8_t>(LssCommand::identify_vendor_id);
+    constexpr std::uint32_t first = static_cast<std::uint8_t>(LssCommand::identify_vendor_id);
     bool fits{false};
     if (command == LssCommand::identify_vendor_id) {
         fits = own(LssNumber::vendor_id) == bound;

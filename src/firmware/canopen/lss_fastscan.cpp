@@ -12,7 +12,7 @@ constexpr std::size_t id_number_at = 1U;
 constexpr std::size_t bit_check_at = 5U;
 constexpr std::size_t number_at = 6U;
 constexpr std::size_t next_at = 7U;
-constexpr std::uint8_t all_confirmed = (1U << lss_number_count) - 1U;
+constexpr std::uint32_t all_confirmed = (1U << lss_number_count) - 1U;
 
 }  // namespace
 
@@ -24,30 +24,30 @@ void LssFastscan::restart() noexcept {
 static_assert(implements<req::CO_LSS_051> && implements<req::CO_LSS_055> && implements<req::CO_K_LSS_RESTART> &&
               implements<req::CO_K_LSS_HIGHEST_BIT>);
 LssFastscan::Outcome LssFastscan::scan(const ByteView request, const LssAddress& own) noexcept {
-    const std::uint8_t bit_check = request[bit_check_at];
+    const std::uint32_t bit_check = request[bit_check_at];
     const std::uint8_t next = request[next_at];
     if (bit_check == generated::canopen::fastscan_restart) {
         restart();
         return Outcome::matched;
     }
     const bool is_sound = (bit_check <= generated::canopen::fastscan_highest_bit) && (next < lss_number_count);
-    if (!is_sound || (request[number_at] != position_) || !matches(request, own[position_])) {
+    if (!is_sound || (std::uint32_t{request[number_at]} != position_) || !matches(request, own[position_])) {
         return Outcome::silent;
     }
-    const bool confirms = (bit_check == 0U) && (next != position_);
+    const bool confirms = (bit_check == 0U) && (std::uint32_t{next} != position_);
     return confirms ? confirm(next) : Outcome::matched;
 }
 
 static_assert(implements<req::CO_LSS_052> && implements<req::CO_E_LSS_NUMBER>);
 bool LssFastscan::matches(const ByteView request, const std::uint32_t own) noexcept {
     const std::uint32_t differing = own ^ read_u32(request, id_number_at);
-    return (differing >> request[bit_check_at]) == 0U;
+    return (differing >> std::uint32_t{request[bit_check_at]}) == 0U;
 }
 
 // A master may lead through the numbers in any order; what it cannot do is leave one out (CO-D-LSS-004).
 static_assert(implements<req::CO_LSS_053> && implements<req::CO_LSS_054>);
 LssFastscan::Outcome LssFastscan::confirm(const std::uint8_t next) noexcept {
-    confirmed_ = static_cast<std::uint8_t>(confirmed_ | (1U << position_));
+    confirmed_ |= std::uint32_t{1U} << std::uint32_t{position_};
     position_ = next;
     if (confirmed_ != all_confirmed) {
         return Outcome::matched;

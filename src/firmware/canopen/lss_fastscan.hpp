@@ -33,8 +33,8 @@ class LssFastscan {
     static bool matches(ByteView request, std::uint32_t own) noexcept;
     Outcome confirm(std::uint8_t next) noexcept;
 
-    std::uint8_t position_{0U};   ///< the number that the master is expected to ask for
-    std::uint8_t confirmed_{0U};  ///< a bit for each number that matched in all bits
+    std::uint8_t position_{0U};    ///< the number that the master is expected to ask for
+    std::uint32_t confirmed_{0U};  ///< a bit for each number that matched in all bits
 };
 
 }  // namespace canproof

@@ -18,7 +18,7 @@ bool is_allowed(const NmtService service, const NmtState state) noexcept {
 AllowedServices::AllowedServices(const NmtState state) noexcept {
     for (const services::Row& row : services::rows) {
         if (is_allowed(row.service, state)) {
-            bits_ = static_cast<std::uint8_t>(bits_ | (1U << static_cast<std::uint32_t>(row.service)));
+            bits_ |= std::uint32_t{1U} << static_cast<std::uint32_t>(row.service);
         }
     }
 }
@@ -26,12 +26,12 @@ AllowedServices::AllowedServices(const NmtState state) noexcept {
 static_assert(implements<req::CO_NMT_003> && implements<req::CO_NMT_004> && implements<req::CO_E_NMT_COMMAND> &&
               implements<req::CO_K_NMT_ID>);
 std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
-    constexpr std::uint8_t command_length{2U};
+    constexpr std::uint32_t command_length{2U};
     if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||
         (frame.length != command_length)) {
         return std::nullopt;
     }
-    const std::uint8_t addressed = frame.data[1];
+    const std::uint32_t addressed = frame.data[1];
     if ((addressed != 0U) && (addressed != node_id)) {
         return std::nullopt;
     }

@@ -27,7 +27,7 @@ class AllowedServices {
     }
 
   private:
-    std::uint8_t bits_{0U};
+    std::uint32_t bits_{0U};
 };
 
 /// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or

@@ -6,19 +6,19 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint16_t error_register_index = 0x1001U;
-constexpr std::uint16_t error_behaviour_index = 0x1029U;
-constexpr std::uint8_t communication_error_subindex = 1U;
+constexpr std::uint32_t error_register_index = 0x1001U;
+constexpr std::uint32_t error_behaviour_index = 0x1029U;
+constexpr std::uint32_t communication_error_subindex = 1U;
 // Values of 1029h (CiA 301, 7.5.2.32).
 constexpr std::uint32_t to_pre_operational = 0U;
 constexpr std::uint32_t no_change = 1U;
 constexpr std::uint32_t to_stopped = 2U;
-constexpr std::uint16_t store_index = 0x1010U;
+constexpr std::uint32_t store_index = 0x1010U;
 
 bool are_equal(const ByteView a, const ByteView b) noexcept {
     bool equal = a.size() == b.size();
     for (std::size_t i = 0U; equal && (i < a.size()); ++i) {
-        equal = a[i] == b[i];
+        equal = std::uint32_t{a[i]} == b[i];
     }
     return equal;
 }
@@ -27,7 +27,8 @@ bool are_equal(const ByteView a, const ByteView b) noexcept {
 
 Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
            const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept
-    : objects_{objects},
+    : ObjectAccess{},
+      objects_{objects},
       queue_{queue},
       application_{application},
       profile_{profile},
@@ -283,7 +284,7 @@ void Node::set_overrun(const bool lost, const Instant now) noexcept {
 }
 
 void Node::set_controller(const std::uint8_t state, const bool overrun, const Instant now) noexcept {
-    constexpr std::uint8_t worst = static_cast<std::uint8_t>(CanState::bus_off);
+    constexpr std::uint32_t worst = static_cast<std::uint8_t>(CanState::bus_off);
     set_can_state(static_cast<CanState>((state < worst) ? state : worst), now);
     set_overrun(overrun, now);
 }
@@ -315,7 +316,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_PDO_032>);
-Node::CommunicationFaults Node::communication_faults() const noexcept {
+CommunicationFaults Node::communication_faults() const noexcept {
     CommunicationFaults faults{};
     faults.silent_producers = heartbeats_.failed();
     faults.guarding = error_control_.life_guarding_failed();
@@ -460,8 +461,8 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
 /// Date and time of the configuration tool mean the configuration that it left, no other.
 static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
-    constexpr std::uint16_t verify_index = 0x1020U;
-    constexpr std::uint8_t parts = 2U;  // date, time
+    constexpr std::uint32_t verify_index = 0x1020U;
+    constexpr std::uint32_t parts = 2U;  // date, time
     for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
         const auto found = objects_.find(verify_index, subindex);
         if (found.ok() && found.value().may(rights::write)) {

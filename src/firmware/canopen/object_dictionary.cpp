@@ -42,8 +42,8 @@ bool has_variable_length(const DataType type) noexcept {
 }
 
 ParameterGroup parameter_group(const std::uint16_t index) noexcept {
-    constexpr std::uint16_t first_manufacturer_index{0x2000U};
-    constexpr std::uint16_t first_profile_index{0x6000U};
+    constexpr std::uint32_t first_manufacturer_index{0x2000U};
+    constexpr std::uint32_t first_profile_index{0x6000U};
     if (index < first_manufacturer_index) {
         return ParameterGroup::communication;
     }
@@ -60,7 +60,7 @@ const ObjectRow* ObjectDictionary::find_object(const std::uint16_t index) const 
     std::size_t slot = object_slot(index, tables_.slot_factor, count);
     while (tables_.slots[slot] != no_object) {
         const ObjectRow& object = tables_.objects[tables_.slots[slot]];
-        if (object.index == index) {
+        if (std::uint32_t{object.index} == index) {
             return &object;
         }
         slot = (slot + 1U) & (count - 1U);
@@ -77,13 +77,14 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
         return Found::failure(AbortCode::object_missing);
     }
     // Sub-indices ascend and rarely have holes: the wanted row lies at or before its own number.
-    std::size_t at = (subindex < object->count) ? std::size_t{subindex} : (object->count - std::size_t{1U});
-    while ((at > 0U) && (tables_.entries[object->first_entry + at].subindex > subindex)) {
+    const std::size_t wanted{subindex};
+    std::size_t at = (wanted < object->count) ? wanted : (object->count - std::size_t{1U});
+    while ((at > 0U) && (tables_.entries[object->first_entry + at].subindex > wanted)) {
         --at;
     }
     const EntryRow& row = tables_.entries[object->first_entry + at];
-    return (row.subindex == subindex) ? Found::success(EntryRef{&row, index})
-                                      : Found::failure(AbortCode::subindex_missing);
+    return (row.subindex == wanted) ? Found::success(EntryRef{&row, index})
+                                    : Found::failure(AbortCode::subindex_missing);
 }
 
 ByteView ObjectDictionary::value(const EntryRef& entry) const noexcept {

@@ -18,9 +18,9 @@ struct EntryRef {
     std::uint16_t index{0U};
 
     bool is(const std::uint16_t wanted_index, const std::uint8_t subindex) const noexcept {
-        return (index == wanted_index) && (row->subindex == subindex);
+        return (std::uint32_t{index} == wanted_index) && (std::uint32_t{row->subindex} == subindex);
     }
-    bool may(const std::uint8_t right) const noexcept { return (row->rights & right) != 0U; }
+    bool may(const std::uint32_t right) const noexcept { return (row->rights & right) != 0U; }
 };
 
 /// Which abort codes a value outside its limits gets; the manuals differ in what they list.
@@ -31,7 +31,7 @@ enum class LimitAbort : std::uint8_t {
 
 /// Parameter groups of 1010h and 1011h (CiA 301, 7.5.2.13).
 enum class ParameterGroup : std::uint8_t { communication = 0U, application = 1U, manufacturer = 2U };
-constexpr std::uint8_t parameter_group_count = 3U;
+constexpr std::uint32_t parameter_group_count = 3U;
 
 /// 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
 ParameterGroup parameter_group(std::uint16_t index) noexcept;

@@ -27,13 +27,13 @@ enum class DataType : std::uint8_t {
 
 /// What SDO and PDO may do with an entry, as bits of EntryRow::rights.
 namespace rights {
-constexpr std::uint8_t read = 0x01U;
-constexpr std::uint8_t write = 0x02U;
-constexpr std::uint8_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
-constexpr std::uint8_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
-constexpr std::uint8_t stored = 0x10U;    ///< kept by 1010h
-constexpr std::uint8_t node_id = 0x20U;   ///< the default has the node-ID added
-constexpr std::uint8_t constant = 0x40U;  ///< the value lies in flash: `offset` counts in the constant pool
+constexpr std::uint32_t read = 0x01U;
+constexpr std::uint32_t write = 0x02U;
+constexpr std::uint32_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
+constexpr std::uint32_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
+constexpr std::uint32_t stored = 0x10U;    ///< kept by 1010h
+constexpr std::uint32_t node_id = 0x20U;   ///< the default has the node-ID added
+constexpr std::uint32_t constant = 0x40U;  ///< the value lies in flash: `offset` counts in the constant pool
 }  // namespace rights
 
 /// The firmware file that guards an entry: asked before a write, told after it.
@@ -64,7 +64,7 @@ struct EntryRow {
     Service service;
 };
 
-constexpr std::uint16_t no_limit = 0xFFFFU;
+constexpr std::uint32_t no_limit = 0xFFFFU;
 
 enum class ObjectKind : std::uint8_t { var = 0x07U, array = 0x08U, record = 0x09U };
 
@@ -139,12 +139,12 @@ struct DictionaryTables {
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, node-ID terms not yet added
-    std::uint32_t layout;               ///< fingerprint of entries and offsets: a stored set fits only its own layout
+    std::uint32_t layout{0U};           ///< fingerprint of entries and offsets: a stored set fits only its own layout
     TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object where a slot is free
-    std::uint32_t slot_factor;
+    std::uint32_t slot_factor{0U};
 };
 
-constexpr std::uint16_t no_object = 0xFFFFU;
+constexpr std::uint32_t no_object = 0xFFFFU;
 
 /// Where the search for an index begins in a table of `count` slots, a power of two. An object stands in that slot or
 /// soon after it, before the next free one.
@@ -169,7 +169,7 @@ struct StringField {
 template <typename T, std::uint8_t N>
 struct ArrayField {
     std::uint16_t offset;
-    static constexpr std::uint8_t count = N;
+    static constexpr std::uint32_t count = N;
 
     constexpr Field<T> operator[](const std::uint8_t subindex) const noexcept {
         return Field<T>{static_cast<std::uint16_t>(offset + ((subindex - 1U) * sizeof(T)))};

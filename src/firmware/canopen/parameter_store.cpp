@@ -12,7 +12,7 @@ namespace {
 using generated::canopen::restore_signature;
 using generated::canopen::store_signature;
 
-constexpr std::uint16_t store_index = 0x1010U;
+constexpr std::uint32_t store_index = 0x1010U;
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory
 constexpr std::size_t chunk_size = 64U;            // longest stored value, and the piece in which a bank is checked
 
@@ -141,14 +141,15 @@ void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_
     node_id_ = node_id;
     const ParameterGroups wanted = groups & current_.groups;
     const std::size_t payload = bank_address(bank_) + header_size;
-    for_each_stored(objects_.tables(), [&](const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
-        std::array<std::uint8_t, chunk_size> bytes{};
-        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
-        if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
-            follow_node_id(entry, value);
-            objects_.put(entry, value.view());
-        }
-    });
+    for_each_stored(objects_.tables(),
+                    [this, wanted, payload](const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
+                        std::array<std::uint8_t, chunk_size> bytes{};
+                        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
+                        if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
+                            follow_node_id(entry, value);
+                            objects_.put(entry, value.view());
+                        }
+                    });
 }
 
 static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
@@ -159,7 +160,7 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const ByteView value) n
         return AbortCode::cannot_store;
     }
     const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
-    const ParameterGroups others = static_cast<ParameterGroups>(current_.groups & ~groups);
+    const ParameterGroups others = current_.groups & ~groups;
     return is_store ? write_set(groups, others) : write_set(no_groups, others);
 }
 
@@ -172,7 +173,8 @@ bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroup
     const std::size_t source = bank_address(bank_) + header_size;
     const std::size_t target = bank_address(to_bank) + header_size;
     bool done{true};
-    for_each_stored(objects_.tables(), [&](const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
+    for_each_stored(objects_.tables(), [this, fresh, source, target, &crc, &done](
+                                           const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
         std::array<std::uint8_t, chunk_size> bytes{};
         const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
         if (((group & fresh) != 0U) || !in_use_) {
@@ -181,7 +183,9 @@ bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroup
             done = done && memory_.read(source + at, value);
             follow_node_id(entry, value);
         }
-        done = done && write_checked(target + at, value.view(), crc);
+        if (done) {
+            done = write_checked(target + at, value.view(), crc);
+        }
     });
     return done;
 }
@@ -196,22 +200,26 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     header.magic = bank_magic;
     header.layout = objects_.tables().layout;
     header.sequence = current_.sequence + 1U;
-    header.groups = static_cast<ParameterGroups>(fresh | kept);
+    header.groups = fresh | kept;
     header.node_id = node_id_;
 
     std::array<std::uint8_t, header_size> bytes{};
     write_le(MutableBytes{bytes}, 0U, 4U, header.magic);
     write_le(MutableBytes{bytes}, 4U, 4U, header.layout);
     write_le(MutableBytes{bytes}, 8U, 4U, header.sequence);
-    bytes[12] = header.groups;
+    bytes[12] = static_cast<std::uint8_t>(header.groups);
     bytes[13] = header.node_id;
 
     Crc32 crc{};
     bool done = write_checked(bank_address(to_bank), ByteView{bytes}, crc);
-    done = done && copy_values(to_bank, fresh, crc);
-    std::array<std::uint8_t, crc_size> check{};
-    write_le(MutableBytes{check}, 0U, crc_size, crc.value());
-    done = done && memory_.write(bank_address(to_bank) + header_size + payload_size(), ByteView{check});
+    if (done) {
+        done = copy_values(to_bank, fresh, crc);
+    }
+    if (done) {
+        std::array<std::uint8_t, crc_size> check{};
+        write_le(MutableBytes{check}, 0U, crc_size, crc.value());
+        done = memory_.write(bank_address(to_bank) + header_size + payload_size(), ByteView{check});
+    }
     done = done && is_sound(to_bank, header);
     if (!done) {
         return AbortCode::hardware_error;

@@ -13,11 +13,11 @@
 namespace canproof {
 
 /// Groups as bits: 1 << ParameterGroup.
-using ParameterGroups = std::uint8_t;
+using ParameterGroups = std::uint32_t;
 constexpr ParameterGroups no_groups = 0x00U;
 constexpr ParameterGroups all_groups = 0x07U;
 constexpr ParameterGroups group_bit(const ParameterGroup group) noexcept {
-    return static_cast<ParameterGroups>(1U << static_cast<std::uint8_t>(group));
+    return ParameterGroups{1U} << static_cast<std::uint32_t>(group);
 }
 
 /// What start-up found in the memory.

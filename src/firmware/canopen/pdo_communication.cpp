@@ -11,11 +11,11 @@ namespace {
 
 namespace transmission = generated::canopen::t_co_t_transmission_type;
 
-constexpr std::uint8_t cob_id_subindex = 1U;
-constexpr std::uint8_t type_subindex = 2U;
-constexpr std::uint8_t inhibit_subindex = 3U;
-constexpr std::uint8_t event_subindex = 5U;
-constexpr std::uint8_t sync_start_subindex = 6U;
+constexpr std::uint32_t cob_id_subindex = 1U;
+constexpr std::uint32_t type_subindex = 2U;
+constexpr std::uint32_t inhibit_subindex = 3U;
+constexpr std::uint32_t event_subindex = 5U;
+constexpr std::uint32_t sync_start_subindex = 6U;
 
 /// What a mapped entry needs.
 constexpr std::uint8_t mapping_right(const PdoDirection direction) noexcept {
@@ -31,7 +31,7 @@ std::uint32_t cob_id_entry(const ObjectDictionary& objects, const PdoDirection d
 
 /// Whether another valid PDO of that direction has this identifier.
 bool is_taken(const ObjectDictionary& objects, const PdoDirection direction, const std::uint32_t identifier,
-              const std::uint16_t but_index) noexcept {
+              const std::uint32_t but_index) noexcept {
     bool taken{false};
     for (std::size_t number = 0U; number < max_pdos; ++number) {
         const std::uint32_t entry = cob_id_entry(objects, direction, number);
@@ -77,7 +77,7 @@ AbortCode check_type(const PdoDirection direction, const std::uint8_t type) noex
 static_assert(implements<req::CO_PDO_023> && implements<req::CO_PDO_024>);
 AbortCode check_communication_write(const ObjectDictionary& objects, const PdoDirection direction,
                                     const std::size_t number, const EntryRef& entry, const ByteView value) noexcept {
-    constexpr std::uint8_t max_sync_counter{240U};
+    constexpr std::uint32_t max_sync_counter{240U};
     const std::uint32_t current = cob_id_entry(objects, direction, number);
     const AbortCode locked = cob_id::is_valid(current) ? AbortCode::device_state : AbortCode::none;
     switch (entry.row->subindex) {
@@ -112,7 +112,7 @@ AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirectio
 }  // namespace
 
 std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
-    const std::uint16_t first = static_cast<std::uint16_t>(index & 0xFF00U);
+    const std::uint32_t first = index & 0xFF00U;
     const std::size_t number = index & 0x00FFU;
     const bool belongs = ((first == communication_object(direction, 0U)) || (first == mapping_object(direction, 0U))) &&
                          (number < max_pdos);
@@ -146,7 +146,7 @@ AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry
         if (number == max_pdos) {
             continue;
         }
-        const bool communicates = entry.index == communication_object(direction, number);
+        const bool communicates = std::uint32_t{entry.index} == communication_object(direction, number);
         return communicates ? check_communication_write(objects, direction, number, entry, value)
                             : check_mapping_write(objects, direction, number, entry, value);
     }

@@ -8,7 +8,7 @@ namespace canproof {
 namespace {
 
 constexpr std::uint32_t max_bits = 64U;
-constexpr std::uint16_t last_dummy_index = 0x0007U;  // data types 0001h BOOLEAN … 0007h UNSIGNED32 stand for gaps
+constexpr std::uint32_t last_dummy_index = 0x0007U;  // data types 0001h BOOLEAN … 0007h UNSIGNED32 stand for gaps
 
 /// Length of a dummy entry by data type 1…7; zero for a type that cannot be one.
 constexpr std::uint8_t dummy_bits(const std::uint16_t type_index) noexcept {
@@ -38,7 +38,12 @@ std::uint32_t bit_length(const EntryRow& row) noexcept {
 /// `bits` (0…64) bits from bit `at` (0…63) of eight bytes, counted from the least significant bit of the first.
 constexpr std::uint64_t extract(const std::uint64_t packed, const std::uint32_t at, const std::uint32_t bits) noexcept {
     const std::uint64_t mask = (bits >= max_bits) ? UINT64_MAX : ((std::uint64_t{1U} << bits) - 1U);
-    return (packed >> at) & mask;
+    return (at < max_bits) ? ((packed >> at) & mask) : 0U;
+}
+
+/// The value moved up to bit `at`: nothing is left of it from bit 64 on.
+constexpr std::uint64_t placed(const std::uint64_t value, const std::uint32_t at) noexcept {
+    return (at < max_bits) ? (value << at) : 0U;
 }
 
 std::uint64_t packed_of(const Frame& frame) noexcept {
@@ -59,7 +64,7 @@ static_assert(implements<req::CO_PDO_010> && implements<req::CO_PDO_012>);
 AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint8_t right,
                               const std::uint32_t entry) noexcept {
     const std::uint16_t index = index_of(entry);
-    const std::uint8_t bits = bits_of(entry);
+    const std::uint32_t bits = bits_of(entry);
     if (entry == 0U) {
         return AbortCode::none;
     }
@@ -115,7 +120,7 @@ void PdoMapping::append(const Line& line) noexcept {
     const bool joins =
         (last != nullptr) && last->plain && line.plain && (line.row->offset == (last->row->offset + (last->bits / 8U)));
     if (joins) {
-        last->bits = static_cast<std::uint8_t>(last->bits + line.bits);
+        last->bits = static_cast<std::uint8_t>(std::uint32_t{last->bits} + line.bits);
     } else if (count_ < lines_.count) {
         lines_[count_] = line;
         ++count_;
@@ -173,8 +178,10 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
             ValueBytes scratch{};
             const EntryRef entry{line.row, line.index};
             const ByteView value = as_bytes(extract(packed, at, line.bits), line.bits, scratch);
-            const bool fits = objects.check_value(entry, value) == AbortCode::none;
-            if (!fits || (access.before_received(entry, value) != AbortCode::none)) {
+            if (objects.check_value(entry, value) != AbortCode::none) {
+                return false;
+            }
+            if (access.before_received(entry, value) != AbortCode::none) {
                 return false;
             }
         }
@@ -216,7 +223,7 @@ Frame PdoMapping::pack(const ObjectDictionary& objects, const std::uint32_t id) 
         if (line.bytes) {
             data.copy(at / 8U, objects.image().part(line.row->offset, line.bits / 8U));
         } else if (line.row != nullptr) {
-            packed |= extract(objects.bits(EntryRef{line.row, line.index}), 0U, line.bits) << at;
+            packed |= placed(extract(objects.bits(EntryRef{line.row, line.index}), 0U, line.bits), at);
         } else {
             // a gap
         }

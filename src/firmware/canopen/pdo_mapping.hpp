@@ -100,7 +100,7 @@ void lend_lines(const MutableTable<Pdo> pdos, const MutableTable<PdoMapping::Lin
 }
 
 /// The bit of a 64-bit set that stands for an entry. Two entries may share one.
-constexpr std::uint64_t watch_mark(const std::uint16_t index, const std::uint8_t subindex) noexcept {
+constexpr std::uint64_t watch_mark(const std::uint32_t index, const std::uint32_t subindex) noexcept {
     const std::uint32_t spread = index + (index >> 4U) + subindex;
     return std::uint64_t{1U} << (spread & 63U);
 }

@@ -65,7 +65,7 @@ static_assert(implements<req::CO_PDO_001> && implements<req::CO_PDO_004> && impl
               implements<req::CO_PDO_021>);
 void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
     Rpdo& rpdo = rpdos_[number];
-    const bool too_short = frame.length < rpdo.mapping.length();
+    const bool too_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     short_ = with_bit(short_, number, too_short);
     if (too_short) {
         return;

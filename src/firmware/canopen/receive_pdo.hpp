@@ -67,7 +67,7 @@ class ReceivePdos {
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
-    std::uint8_t answering_remote_;
+    std::uint32_t answering_remote_;
     MutableTable<Rpdo> rpdos_;
     std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
     std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1

@@ -17,7 +17,7 @@ static_assert(implements<req::CO_SDO_026>);
 static_assert(implements<req::CO_SDO_027>);
 SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
     const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
-    const std::uint8_t sequence = segment[0] & static_cast<std::uint8_t>(~sdo::block_last_segment_flag);
+    const std::uint32_t sequence = segment[0] & ~sdo::block_last_segment_flag;
     if (sequence == 0U) {
         return Step::invalid_sequence;
     }
@@ -29,7 +29,7 @@ SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
         // Bytes beyond the place may be unused ones of the last segment; finish() knows.
         place_.copy_first<sdo::segment_capacity>(size_, segment.part(1U, sdo::segment_capacity));
         size_ += sdo::segment_capacity;
-        in_order_ = sequence;
+        in_order_ = static_cast<std::uint8_t>(sequence);
         complete_ = last;
     }
     return (last || (sequence == sdo_block_size)) ? Step::acknowledge : Step::none;
@@ -48,7 +48,7 @@ AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_
         return AbortCode::too_long;
     }
     add_to_crc();
-    return (checks_crc_ && (crc != crc_.value())) ? AbortCode::crc_error : AbortCode::none;
+    return (checks_crc_ && (std::uint32_t{crc} != crc_.value())) ? AbortCode::crc_error : AbortCode::none;
 }
 
 void SdoBlockDownload::add_to_crc() noexcept {
@@ -81,13 +81,13 @@ void SdoBlockUpload::put_segment(MutableBytes frame) noexcept {
 static_assert(implements<req::CO_SDO_022>);
 static_assert(implements<req::CO_SDO_023>);
 AbortCode SdoBlockUpload::acknowledge(const std::uint8_t sequence, const std::uint8_t block_size) noexcept {
-    if (sequence > sent_) {
+    if (std::uint32_t{sequence} > sent_) {
         return AbortCode::invalid_sequence_number;
     }
     if (!is_block_size(block_size)) {
         return AbortCode::invalid_block_size;
     }
-    const bool all = sequence == sent_;
+    const bool all = std::uint32_t{sequence} == sent_;
     complete_ = last_sent_ && all;
     last_sent_ = complete_;
     base_ += sequence * sdo::segment_capacity;

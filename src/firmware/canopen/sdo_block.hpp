@@ -59,7 +59,7 @@ class SdoBlockUpload {
     /// `value` stays where it is until the transfer ends. `block_size` is one of is_block_size().
     void start(ByteView value, std::uint8_t block_size) noexcept;
     /// Whether the present sub-block has another segment.
-    bool has_segment() const noexcept { return !last_sent_ && (sent_ < block_size_); }
+    bool has_segment() const noexcept { return !last_sent_ && (std::uint32_t{sent_} < block_size_); }
     /// Writes that segment, sequence number and data, into the eight bytes of a frame.
     void put_segment(MutableBytes frame) noexcept;
     /// The client has segments up to `sequence` (0: none) and wants `block_size` segments next. 05040003h when that

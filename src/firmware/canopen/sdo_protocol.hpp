@@ -28,24 +28,24 @@ enum class ClientCommand : std::uint8_t {
 enum class BlockUploadCommand : std::uint8_t { initiate = 0U, end = 1U, acknowledge = 2U, start = 3U };
 
 // Byte 0 of answers.
-constexpr std::uint8_t download_segment_done = 0x20U;
-constexpr std::uint8_t upload_initiated = 0x40U;
-constexpr std::uint8_t download_done = 0x60U;
-constexpr std::uint8_t aborted = 0x80U;
-constexpr std::uint8_t block_download_initiated = 0xA0U;
-constexpr std::uint8_t block_download_done = 0xA1U;
-constexpr std::uint8_t block_acknowledged = 0xA2U;
-constexpr std::uint8_t block_upload_initiated = 0xC0U;
-constexpr std::uint8_t block_upload_ended = 0xC1U;
+constexpr std::uint32_t download_segment_done = 0x20U;
+constexpr std::uint32_t upload_initiated = 0x40U;
+constexpr std::uint32_t download_done = 0x60U;
+constexpr std::uint32_t aborted = 0x80U;
+constexpr std::uint32_t block_download_initiated = 0xA0U;
+constexpr std::uint32_t block_download_done = 0xA1U;
+constexpr std::uint32_t block_acknowledged = 0xA2U;
+constexpr std::uint32_t block_upload_initiated = 0xC0U;
+constexpr std::uint32_t block_upload_ended = 0xC1U;
 
 // Bits of byte 0.
-constexpr std::uint8_t toggle_bit = 0x10U;
-constexpr std::uint8_t expedited_flag = 0x02U;
-constexpr std::uint8_t size_flag = 0x01U;
-constexpr std::uint8_t last_segment_flag = 0x01U;
-constexpr std::uint8_t block_crc_flag = 0x04U;
-constexpr std::uint8_t block_size_flag = 0x02U;
-constexpr std::uint8_t block_end_flag = 0x01U;  ///< in block download: end of the transfer, not its initiation
-constexpr std::uint8_t block_last_segment_flag = 0x80U;
+constexpr std::uint32_t toggle_bit = 0x10U;
+constexpr std::uint32_t expedited_flag = 0x02U;
+constexpr std::uint32_t size_flag = 0x01U;
+constexpr std::uint32_t last_segment_flag = 0x01U;
+constexpr std::uint32_t block_crc_flag = 0x04U;
+constexpr std::uint32_t block_size_flag = 0x02U;
+constexpr std::uint32_t block_end_flag = 0x01U;  ///< in block download: end of the transfer, not its initiation
+constexpr std::uint32_t block_last_segment_flag = 0x80U;
 
 }  // namespace canproof::sdo

@@ -35,7 +35,7 @@ void SdoServer::dispatch(const ByteView request, const Instant now) noexcept {
         block_download_segment(request, now);
         return;
     }
-    switch (static_cast<ClientCommand>(request[0] >> 5U)) {
+    switch (static_cast<ClientCommand>(std::uint32_t{request[0]} >> 5U)) {
         case ClientCommand::download_segment:
             download_segment(request, now);
             break;
@@ -127,7 +127,7 @@ void SdoServer::initiate_download(const ByteView request, const Instant now) noe
 
 static_assert(implements<req::CO_SDO_003>);
 void SdoServer::download_expedited(const ByteView request, const std::uint8_t command, const Instant now) noexcept {
-    std::size_t length = sdo::expedited_capacity - ((command >> 2U) & 0x03U);
+    std::size_t length = sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
     if ((command & sdo::size_flag) == 0U) {
         // Size not shown: the entry's own length is meant.
         const auto place = objects_.writable(index_, subindex_);
@@ -152,7 +152,7 @@ void SdoServer::download_segment(const ByteView request, const Instant now) noex
     if (!toggle_fits(command)) {
         return;
     }
-    const ByteView data = request.part(1U, sdo::segment_capacity - ((command >> 1U) & 0x07U));
+    const ByteView data = request.part(1U, sdo::segment_capacity - ((std::uint32_t{command} >> 1U) & 0x07U));
     if ((done_ + data.size()) > place_.size()) {
         abort(AbortCode::too_long);
         return;

@@ -82,7 +82,7 @@ void SdoServer::end_block_download(const ByteView request, const Instant now) no
         refuse_command();
         return;
     }
-    const std::uint8_t unused = (request[0] >> 2U) & 0x07U;
+    const auto unused = static_cast<std::uint8_t>((std::uint32_t{request[0]} >> 2U) & 0x07U);
     AbortCode code = received_.finish(unused, read_u16(request, crc_position));
     if (code == AbortCode::none) {
         code = commit(received_.size(), now);
@@ -169,7 +169,7 @@ void SdoServer::acknowledge_block_upload(const ByteView request, const Instant n
         send_segments(now);
         return;
     }
-    Frame frame = answer(static_cast<std::uint8_t>(sdo::block_upload_ended | (sent_.unused() << 2U)));
+    Frame frame = answer(static_cast<std::uint8_t>(sdo::block_upload_ended | (std::uint32_t{sent_.unused()} << 2U)));
     write_le(MutableBytes{frame.data}, crc_position, 2U, sent_.crc());
     send(frame);
     state_ = State::block_upload_ending;

@@ -8,9 +8,9 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint16_t cob_id_index = 0x1005U;
-constexpr std::uint16_t period_index = 0x1006U;
-constexpr std::uint16_t counter_overflow_index = 0x1019U;
+constexpr std::uint32_t cob_id_index = 0x1005U;
+constexpr std::uint32_t period_index = 0x1006U;
+constexpr std::uint32_t counter_overflow_index = 0x1019U;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ SyncEvent Sync::classify(const Frame& frame) const noexcept {
     if (frame.extended || frame.remote || (identifier_ == 0U) || (frame.id != identifier_)) {
         return SyncEvent::none;
     }
-    return (frame.length == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
+    return (std::uint32_t{frame.length} == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
 }
 
 static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);
@@ -75,7 +75,7 @@ AbortCode Sync::before_write(const EntryRef& entry, const ByteView value) const 
     if (entry.index != counter_overflow_index) {
         return AbortCode::none;
     }
-    constexpr std::uint8_t reserved_overflow{1U};
+    constexpr std::uint32_t reserved_overflow{1U};
     if (value[0] == reserved_overflow) {
         return AbortCode::value_range;
     }

@@ -98,11 +98,11 @@ void TransmitPdos::sync_one(Tpdo& tpdo, const std::uint8_t counter) noexcept {
         is_sent = tpdo.pending;
         tpdo.pending = false;
     } else if (tpdo.parameters.sent == PdoSent::each_nth_sync) {
-        const bool starts =
-            (counter == 0U) || (tpdo.parameters.sync_start == 0U) || (counter == tpdo.parameters.sync_start);
+        const bool starts = (counter == 0U) || (tpdo.parameters.sync_start == 0U) ||
+                            (std::uint32_t{counter} == tpdo.parameters.sync_start);
         tpdo.cycle_begun = tpdo.cycle_begun || starts;
         tpdo.syncs = static_cast<std::uint8_t>(tpdo.syncs + (tpdo.cycle_begun ? 1U : 0U));
-        is_sent = tpdo.syncs >= tpdo.parameters.type;
+        is_sent = std::uint32_t{tpdo.syncs} >= tpdo.parameters.type;
         tpdo.syncs = is_sent ? std::uint8_t{0U} : tpdo.syncs;
     } else {
         // sent on request
@@ -195,7 +195,7 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     const PdoParameters before = tpdo.parameters;
     const bool was_usable = tpdo.usable;
     refresh(number);
-    const bool is_other = !was_usable || (before.type != tpdo.parameters.type);
+    const bool is_other = !was_usable || (std::uint32_t{before.type} != tpdo.parameters.type);
     if (running_ && is_other) {
         begin(tpdo, now);
     } else if (before.event.us != tpdo.parameters.event.us) {

@@ -11,7 +11,7 @@ bool TransmitQueue::push(const Frame& frame) noexcept {
     }
     const std::size_t first_free = boot_up_waits_ ? 1U : 0U;
     std::size_t at{count_};
-    while ((at > first_free) && (place(at - 1U).id > frame.id)) {
+    while ((at > first_free) && (id_at(at - 1U) > frame.id)) {
         place(at) = place(at - 1U);
         --at;
     }

@@ -34,6 +34,7 @@ class TransmitQueue {
 
   private:
     Frame& place(const std::size_t at) noexcept { return frames_[(first_ + at) % capacity]; }
+    std::uint32_t id_at(const std::size_t at) const noexcept { return frames_[(first_ + at) % capacity].id; }
 
     std::array<Frame, capacity> frames_{};  ///< a ring, ascending: a frame that is not urgent goes to its end
     std::size_t first_{0U};                 ///< the next one to send

@@ -16,23 +16,23 @@ namespace {
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
-constexpr std::uint16_t slew_rate_index = 0x2000U;
-constexpr std::uint16_t filter_type_index = 0x2050U;
-constexpr std::uint16_t filter_constant_index = 0x2051U;
-constexpr std::uint16_t filter_rate_index = 0x2052U;
-constexpr std::uint16_t angle_type_index = 0x2100U;
-constexpr std::uint16_t initial_pitch_index = 0x2200U;
-constexpr std::uint16_t initial_roll_index = 0x2210U;
-constexpr std::uint16_t auto_null_index = 0x2300U;
-constexpr std::uint16_t received_index = 0x2500U;
-constexpr std::uint16_t function_operation_index = 0x300AU;
-constexpr std::uint16_t function_scaling_index = 0x300BU;
-constexpr std::uint16_t function_offset_index = 0x300CU;
-constexpr std::uint16_t first_function_index = 0x3010U;  // 30x0h of function 1
-constexpr std::uint16_t function_index_step = 0x0010U;
-constexpr std::uint16_t supply_index = 0x5020U;
-constexpr std::uint16_t processor_temperature_index = 0x5030U;
-constexpr std::uint8_t sensor_error_class = 2U;  // sub-index of 1029h
+constexpr std::uint32_t slew_rate_index = 0x2000U;
+constexpr std::uint32_t filter_type_index = 0x2050U;
+constexpr std::uint32_t filter_constant_index = 0x2051U;
+constexpr std::uint32_t filter_rate_index = 0x2052U;
+constexpr std::uint32_t angle_type_index = 0x2100U;
+constexpr std::uint32_t initial_pitch_index = 0x2200U;
+constexpr std::uint32_t initial_roll_index = 0x2210U;
+constexpr std::uint32_t auto_null_index = 0x2300U;
+constexpr std::uint32_t received_index = 0x2500U;
+constexpr std::uint32_t function_operation_index = 0x300AU;
+constexpr std::uint32_t function_scaling_index = 0x300BU;
+constexpr std::uint32_t function_offset_index = 0x300CU;
+constexpr std::uint32_t first_function_index = 0x3010U;  // 30x0h of function 1
+constexpr std::uint32_t function_index_step = 0x0010U;
+constexpr std::uint32_t supply_index = 0x5020U;
+constexpr std::uint32_t processor_temperature_index = 0x5030U;
+constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
 
 constexpr ErrorId temperature_error = ErrorId::first_of_device;
 constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U);
@@ -116,7 +116,8 @@ constexpr std::size_t distance(const own::t_inc_t1::Signal first, const own::t_i
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
-    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       lss_store_{memory},
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}

@@ -12,27 +12,27 @@ namespace {
 
 namespace own = generated::ax130751;
 
-constexpr std::uint16_t override_value_index = 0x2300U;
-constexpr std::uint16_t bit_rate_index = 0x5B50U;
-constexpr std::uint16_t node_id_index = 0x5B51U;
-constexpr std::uint16_t output_type_index = 0x6310U;
-constexpr std::uint16_t scaling_1_fv_index = 0x7321U;
-constexpr std::uint16_t scaling_2_fv_index = 0x7323U;
-constexpr std::uint16_t fault_value_index = 0x7341U;
-constexpr std::uint16_t first_table_index = 0x3000U;  // 3yz0h of a table "00": 3010h is that of table 1
-constexpr std::uint16_t tenth_table_index = 0x3100U;
-constexpr std::uint16_t table_index_step = 0x0010U;
-constexpr std::uint16_t point_response_offset = 5U;
-constexpr std::uint16_t point_x_offset = 6U;
+constexpr std::uint32_t override_value_index = 0x2300U;
+constexpr std::uint32_t bit_rate_index = 0x5B50U;
+constexpr std::uint32_t node_id_index = 0x5B51U;
+constexpr std::uint32_t output_type_index = 0x6310U;
+constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
+constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
+constexpr std::uint32_t fault_value_index = 0x7341U;
+constexpr std::uint32_t first_table_index = 0x3000U;  // 3yz0h of a table "00": 3010h is that of table 1
+constexpr std::uint32_t tenth_table_index = 0x3100U;
+constexpr std::uint32_t table_index_step = 0x0010U;
+constexpr std::uint32_t point_response_offset = 5U;
+constexpr std::uint32_t point_x_offset = 6U;
 
 constexpr ErrorId supply_error = ErrorId::first_of_device;
 constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
-constexpr std::uint8_t producer_count = 4U;  // of 1016h
+constexpr std::uint32_t producer_count = 4U;  // of 1016h
 
 static_assert(implements<req::AOR_K_CYCLE>);
 constexpr Duration cycle_time = milliseconds(own::cycle_ms);
 /// A cycle that changed nothing after one that changed nothing: so will all that follow, until something new comes.
-constexpr std::uint8_t cycles_to_rest = 2U;
+constexpr std::uint32_t cycles_to_rest = 2U;
 
 static_assert(implements<req::AOR_T22>);
 constexpr auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
@@ -126,7 +126,8 @@ std::int32_t to_int32(const ByteView value) noexcept {
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
-    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       lss_store_{memory},
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory},
@@ -276,7 +277,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
     if (entry.index == output_type_index) {
         const std::uint8_t output = entry.row->subindex;
         const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
-        if (type != types_[output - 1U]) {
+        if (std::uint32_t{type} != types_[output - 1U]) {
             types_[output - 1U] = type;
             universal_[output - 1U].take_type_defaults();
         }

@@ -97,7 +97,7 @@ MathInput read_math_input(const ObjectDictionary& objects, const Sources& source
                           const std::uint8_t input) noexcept {
     const MathFields& fields = math_fields[number - 1U];
     const SourceRef ref = resolve(objects.get(fields.source[input]), objects.get(fields.number[input]));
-    const bool own_block = (ref.quantity == Quantity::math) && (ref.channel == number);
+    const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
     const std::uint8_t digits = objects.get(fields.digits[input]);
     MathInput made{};
     made.signal = sources.signal(ref);
@@ -206,10 +206,11 @@ bool advance_logic(const std::uint8_t number, ObjectDictionary& objects, Sources
         selected = objects.get(logic_fields[number - 1U].tables[static_cast<std::uint8_t>(function + 1U)]);
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
-    constexpr std::uint8_t tenths = 1U;
+    constexpr std::uint32_t tenths = 1U;
     const double output = table.is_available() ? percentage_of_limits(table) : 0.0;
     sources.set_logic(number, table.state);
-    const bool reselects = replace(objects, field::o3310_logic_block_selected_table[number], selected);
+    const bool reselects = std::uint32_t{objects.get(field::o3310_logic_block_selected_table[number])} != selected;
+    objects.set(field::o3310_logic_block_selected_table[number], selected);
     return replace(objects, field::o3320_logic_block_output_pv[number], process_value(output, tenths)) || reselects;
 }
 

@@ -11,9 +11,9 @@ namespace canproof::ax130751 {
 
 namespace field = generated::ax130751::field;
 
-constexpr std::uint8_t table_count = 10U;
-constexpr std::uint8_t logic_count = 3U;
-constexpr std::uint8_t math_count = 4U;
+constexpr std::uint32_t table_count = 10U;
+constexpr std::uint32_t logic_count = 3U;
+constexpr std::uint32_t math_count = 4U;
 
 /// 3yz0h to 3yz8h.
 struct LookupFields {

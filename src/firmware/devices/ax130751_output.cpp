@@ -87,7 +87,7 @@ void UniversalOutput::reset() noexcept {
 
 static_assert(implements<req::AOR_OUT_023>);
 void UniversalOutput::follow_type() noexcept {
-    if (objects_.get(field::o6310_ao_output_type[number_]) != type_) {
+    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} != type_) {
         reset();
     }
 }

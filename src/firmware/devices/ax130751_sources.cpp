@@ -13,11 +13,11 @@ namespace {
 
 namespace own = generated::ax130751;
 
-constexpr std::uint16_t write_state_index = 0x6220U;
-constexpr std::uint16_t process_value_index = 0x7300U;
-constexpr std::uint16_t extra_received_index = 0x2500U;
-constexpr std::uint16_t first_rpdo_mapping = 0x1600U;
-constexpr std::uint8_t rpdo_count = 4U;
+constexpr std::uint32_t write_state_index = 0x6220U;
+constexpr std::uint32_t process_value_index = 0x7300U;
+constexpr std::uint32_t extra_received_index = 0x2500U;
+constexpr std::uint32_t first_rpdo_mapping = 0x1600U;
+constexpr std::uint32_t rpdo_count = 4U;
 
 /// Whether RPDO number + 1 maps an entry.
 bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
@@ -231,7 +231,7 @@ static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && im
 SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
     bool failed = silent_;
     for (std::uint8_t number = 0U; number < rpdo_count; ++number) {
-        const bool overdue = ((static_cast<std::uint32_t>(overdue_) >> number) & 1U) != 0U;
+        const bool overdue = ((overdue_ >> std::uint32_t{number}) & 1U) != 0U;
         failed = failed || (overdue && maps(objects_, number, index, subindex));
     }
     return failed ? SignalState::error : SignalState::valid;

@@ -58,7 +58,7 @@ class Sources {
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};
-    std::uint8_t overdue_{0U};
+    std::uint32_t overdue_{0U};
     bool silent_{false};
 };
 

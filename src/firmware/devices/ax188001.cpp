@@ -16,8 +16,8 @@ namespace {
 namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
-constexpr std::uint16_t filter_index = 0x2020U;
-constexpr std::uint8_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
+constexpr std::uint32_t filter_index = 0x2020U;
+constexpr std::uint32_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
 static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 constexpr LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
@@ -120,7 +120,8 @@ constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) n
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
-    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       queue_{queue},
       lss_store_{memory},
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
@@ -186,8 +187,8 @@ void Device::scan_when_due(const Instant now) noexcept {
 static_assert(implements<req::TCS_ERR_001> && implements<req::TCS_ERR_002> && implements<req::TCS_ERR_010> &&
               implements<req::TCS_LIM_004>);
 void Device::tell_faults(const Instant now) noexcept {
-    constexpr std::uint8_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
-    constexpr std::uint8_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
+    constexpr std::uint32_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
+    constexpr std::uint32_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
         return;  // told when the node boots
     }
@@ -259,7 +260,7 @@ static_assert(implements<req::TCS_START_004>);
 void Device::start_others_when_due(const Instant now) noexcept {
     if (start_others_at_ <= now) {
         start_others_at_ = never;
-        constexpr std::uint8_t all_nodes = 0U;
+        constexpr std::uint32_t all_nodes = 0U;
         Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);
         command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);
         command.data[1] = all_nodes;

@@ -20,10 +20,10 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
 constexpr double microvolts_per_millivolt = 1000.0;
-constexpr std::uint16_t channel_field_value_index = 0x6100U;
-constexpr std::uint16_t average_field_value_index = 0x2100U;
-constexpr std::uint8_t filter_50_hz = 50U;
-constexpr std::uint8_t filter_60_hz = 60U;
+constexpr std::uint32_t channel_field_value_index = 0x6100U;
+constexpr std::uint32_t average_field_value_index = 0x2100U;
+constexpr std::uint32_t filter_50_hz = 50U;
+constexpr std::uint32_t filter_60_hz = 60U;
 
 static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
               implements<req::TCS_K_FV_DISABLED>);

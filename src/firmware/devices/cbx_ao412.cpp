@@ -14,14 +14,14 @@ namespace own = generated::cbx_ao412;
 namespace field = generated::cbx_ao412::field;
 using own::IndicatorState;
 
-constexpr std::uint16_t output_index = 0x6411U;
-constexpr std::uint16_t offset_index = 0x2404U;
-constexpr std::uint16_t gain_index = 0x2405U;
-constexpr std::uint16_t program_data_index = 0x1F50U;
+constexpr std::uint32_t output_index = 0x6411U;
+constexpr std::uint32_t offset_index = 0x2404U;
+constexpr std::uint32_t gain_index = 0x2405U;
+constexpr std::uint32_t program_data_index = 0x1F50U;
 constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
-constexpr std::uint8_t max_node_id = 0x7FU;
+constexpr std::uint32_t max_node_id = 0x7FU;
 
-constexpr std::uint8_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
+constexpr std::uint32_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
 constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, EmcyContent::listed_errors, rpdo2_answers_remote,
                               true};
 
@@ -89,7 +89,8 @@ IndicatorState led_of(const Row* const row) noexcept {
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
-    : objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 

@@ -15,7 +15,7 @@ namespace canproof::cbx_ao412 {
 using Inputs = generated::cbx_ao412::Inputs;
 using Outputs = generated::cbx_ao412::Outputs;
 
-constexpr std::uint8_t output_count = 4U;
+constexpr std::uint32_t output_count = 4U;
 
 /// What belongs to one unit and left the factory with it. 7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2.
 struct FactoryData {

@@ -67,12 +67,18 @@ std::string visitor(const Part& part, bool input) {
         group, calls);
 }
 
+/// A constant narrower than int would change its sign where it meets another narrow operand (MISRA C++:2023 7.0.5).
+std::string constant_type(const std::string& type) {
+    const std::string exact = cpp_type(type);
+    return exact == "std::uint8_t" || exact == "std::uint16_t" ? "std::uint32_t" : exact;
+}
+
 }  // namespace
 
 std::string write_constants(const Part& part) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        const std::string type = cpp_type(constant.type);
+        const std::string type = constant_type(constant.type);
         text += item_comment(constant, constant.unit);
         text += fmt::format("inline constexpr {} {}{{{}}};\n", type, constant.name, cpp_literal(constant.value, type));
     }

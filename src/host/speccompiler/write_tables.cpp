@@ -70,6 +70,12 @@ class TableWriter {
         }
     }
 
+    /// Two narrow operands would both become int, and change their sign (MISRA C++:2023 7.0.5).
+    std::string wide_type_of(const Column& column) const {
+        const std::string type = type_of(column);
+        return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
+    }
+
     std::string enumeration_of(const Column& column) const {
         if (column.enumeration.empty())
             return pascal_case(column.name);
@@ -145,7 +151,7 @@ class TableWriter {
         std::vector<std::string> parameters;
         std::vector<std::string> tests;
         for (const auto& column : table_.inputs) {
-            parameters.push_back(fmt::format("const {} {}", type_of(column), column.name));
+            parameters.push_back(fmt::format("const {} {}", wide_type_of(column), column.name));
             tests.push_back(is_ranged(column)
                                 ? fmt::format("(row.{0}_first <= {0}) && ({0} <= row.{0}_last)", column.name)
                                 : fmt::format("(row.{0} == {0})", column.name));
