@@ -1,4 +1,6 @@
-// Needs what the firmware library must not: the heap, exceptions, run-time type information.
+// Needs what the firmware library must not: the heap, exceptions, run-time type information, floating-point traps.
+#include <cfenv>
+
 struct Base {
     virtual int read();
 };
@@ -12,4 +14,8 @@ int use(Base* const base) {
     }
     const auto* const derived = dynamic_cast<Derived*>(base);
     return (derived == nullptr) ? *new int(4) : derived->kept;
+}
+
+int trap() {
+    return feenableexcept(FE_DIVBYZERO);
 }

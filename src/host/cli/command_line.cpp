@@ -159,6 +159,22 @@ void add_fuzz(CLI::App& app, std::function<int()>& chosen) {
     });
 }
 
+void add_misra(CLI::App& app, std::function<int()>& chosen) {
+    static MisraOptions options;
+    auto* command =
+        app.add_subcommand("misra", "MISRA C++:2023 over the firmware, by checkers that are themselves tested");
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--build", options.build, "folder with a built firmware; build/release without it");
+    command->add_option("--html", options.out,
+                        "folder for misra.html, misra.sarif, compliance.md; BUILD/misra without it");
+    auto* review = command->add_subcommand("review", "record that a person judged a file for a guideline");
+    review->add_option("FILE", options.review_file, "as the finding names it")->required();
+    review->add_option("RULE", options.review_rule)->required();
+    review->add_option("--by", options.reviewer, "who judged")->required();
+    review->add_option("--judgement", options.judgement, "what was looked at, and why it holds")->required();
+    command->callback([&chosen] { chosen = [] { return check_misra(options); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -170,6 +186,7 @@ int run_command_line(int argc, char** argv) {
     add_fuzz(app, chosen);
     add_audit(app, chosen);
     add_coverage(app, chosen);
+    add_misra(app, chosen);
     try {
         app.parse(argc, argv);
         return chosen();

@@ -60,6 +60,16 @@ struct PlotOptions {
     std::vector<std::string> signals;
 };
 
+struct MisraOptions {
+    std::string root{"."};
+    std::string build;        ///< folder with a built firmware; build/release or build/debug without it
+    std::string out;          ///< folder for misra.sarif, compliance.md and misra.html; BUILD/misra without it
+    std::string review_file;  ///< instead of a check: record that `reviewer` judged this file for `review_rule`
+    std::string review_rule;
+    std::string reviewer;
+    std::string judgement;
+};
+
 int list_devices();
 int list_signals(const std::string& device);
 int print_eds(const std::string& device, const std::string& format);
@@ -73,6 +83,7 @@ int draw_figures(const std::string& folder);
 int fuzz_targets(const CampaignOptions& options);
 int audit(const AuditOptions& options);
 int check_coverage(const CoverageOptions& options);
+int check_misra(const MisraOptions& options);
 
 int run_command_line(int argc, char** argv);
 

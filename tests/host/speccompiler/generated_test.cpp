@@ -328,13 +328,13 @@ TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
                           "    {0U, 3U, false, Word::a, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n" +
                           "    {0U, 3U, false, Word::b, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n"));
     EXPECT_THAT(text,
-                HasSubstr("constexpr const Row* find(const std::uint8_t setting, const bool enable, const Word word)"));
+                HasSubstr("constexpr const Row* find(const std::uint32_t setting, const bool enable, const Word word)"));
 }
 
 TEST_F(Generated, ConstantsEnumerationsAndSignals) {
     EXPECT_THAT(write_constants(box()), HasSubstr("/// Reference of the converter. (AO4-K-1; M1:1) [V]\n"
                                                   "inline constexpr float reference_voltage{4.096F};\n"));
-    EXPECT_THAT(write_constants(box()), HasSubstr("inline constexpr std::uint16_t steps{4095U};\n"));
+    EXPECT_THAT(write_constants(box()), HasSubstr("inline constexpr std::uint32_t steps{4095U};\n"));
     EXPECT_THAT(write_enumerations(canopen()), HasSubstr("enum class NmtState : std::uint8_t {\n"
                                                          "    initialising = 0U,\n    stopped = 4U,\n"
                                                          "    operational = 5U,\n    pre_operational = 127U,\n};"));

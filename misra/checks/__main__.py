@@ -1,0 +1,107 @@
+"""MISRA C++:2023 over src/firmware and the generated headers, by checkers that are themselves tested.
+
+misra/run BUILD_FOLDER [OUTPUT_FOLDER]
+misra/run review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
+
+Exit status 0: no open finding and no fault in checkers or records; 1: there are; 2: wrong use or a missing tool.
+"""
+import argparse
+import datetime
+import pathlib
+import shutil
+import sys
+import tempfile
+import time
+
+from .callgraph import check_call_graph
+from .examples import prove_on_firmware, prove_rules
+from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
+from .reports import Outcome, lead, write_all
+from .rules import ROOT, Faults, Rules, short_path
+from .structure import check_layers, check_symbols
+from .tools import TOOLS, find
+
+
+def scope(generated):
+    """The firmware's units, and every header with the generated ones."""
+    units = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "src/firmware").rglob("*.cpp"))
+    headers = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "src/firmware").rglob("*.hpp"))
+    headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))
+    return units, headers
+
+
+class Progress:
+    """One line a step, so that a wait has a reason."""
+
+    def __init__(self):
+        self.start = time.monotonic()
+
+    def step(self, text):
+        print(f"[{time.monotonic() - self.start:4.0f} s] {text}", flush=True)
+
+
+def check(build, output):
+    progress, faults, rules = Progress(), Faults(), Rules()
+    generated = build / "generated"
+    plan = read_plan(rules, faults)
+    progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
+    prove_rules(rules, generated, faults)
+    progress.step("proving them on violations seeded into copies of the firmware")
+    seeds = prove_on_firmware(rules, generated, faults)
+    units, headers = scope(generated)
+    progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen)")
+    with tempfile.TemporaryDirectory() as graphs:
+        found = find(rules, units, headers, generated, graphs, faults)
+        progress.step("call graph, stack, symbols, layers")
+        figures = check_call_graph(graphs, generated, faults)
+    check_layers(faults)
+    check_symbols(build, faults)
+
+    in_scope = {short_path(ROOT / path, generated) for path in [*units, *headers]}
+    found = {item for item in found if item.path in in_scope}
+    reviewed = {item for item in found if item.rule in rules.scopes}
+    records, reviews = read_deviations(), read_reviews()
+    open_findings, deviated = apply_deviations(found - reviewed, generated, datetime.date.today(), records, faults)
+    unjudged = list(apply_reviews(reviewed, generated, reviews, faults))
+    outcome = Outcome(plan, sorted([*open_findings, *unjudged]), deviated, reviews, figures, faults, records)
+    write_all(output, outcome)
+    for finding in open_findings:
+        print(f"{finding.path}:{finding.line}: MISRA C++:2023 rule {finding.rule}")
+    for finding in unjudged:
+        print(f"{finding.path}:{finding.line}: no valid review for {finding.rule}; judge the file, then "
+              f"`canproof misra review {finding.path} {finding.rule} --by NAME --judgement TEXT`")
+    for fault in faults:
+        print(fault)
+    for name, (used, allowed) in figures["stack"].items():
+        print(f"stack of {name}: {used} of {allowed} bytes")
+    progress.step(f"wrote {output}/misra.sarif, compliance.md, misra.html")
+    print(f"misra: {lead(outcome)}")
+    return 1 if outcome.open or faults else 0
+
+
+def main(arguments):
+    if arguments[:1] == ["review"]:
+        parser = argparse.ArgumentParser(prog="misra/run review")
+        for name in ("build", "file", "rule"):
+            parser.add_argument(name)
+        parser.add_argument("--by", required=True)
+        parser.add_argument("--judgement", required=True)
+        parsed = parser.parse_args(arguments[1:])
+        add_review(parsed, pathlib.Path(parsed.build) / "generated")
+        return 0
+    if len(arguments) not in (1, 2):
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    build = pathlib.Path(arguments[0]).resolve()
+    missing = [tool for tool in TOOLS if shutil.which(tool) is None]
+    if missing:
+        print(f"misra: not installed: {', '.join(missing)}; `./run setup` installs what is needed", file=sys.stderr)
+        return 2
+    if not (build / "libcanproof_firmware.a").exists() or not (build / "generated").is_dir():
+        print(f"misra: {build} holds no built firmware; build it first: `./run build`, or name another build folder", file=sys.stderr)
+        return 2
+    return check(build, pathlib.Path(arguments[1] if len(arguments) == 2 else build / "misra"))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

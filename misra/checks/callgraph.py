@@ -1,0 +1,117 @@
+"""The call graph that g++ leaves beside each object: no recursion, no indirect call but the listed ones, bounded stack.
+
+callgraph.toml lists the indirect calls by the object they go through, with what they can reach, and the stack that each
+entry point may use. A call through a reference adds an edge to all that its interface names."""
+import pathlib
+import re
+import tempfile
+import tomllib
+
+from .rules import HERE, ROOT, run_tool
+from .tools import compile_with_gcc
+
+NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*?)\\n([^"\\]*?)\\n(\d+) bytes \(([a-z,]+)\)', re.MULTILINE)
+EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"(?: label: "([^"]*)")? \}', re.MULTILINE)
+CALL = re.compile(r"(\w+)(?:\.|->)(\w+)$")
+INDIRECT = "__indirect_call"
+
+
+def called_through(place):
+    """`memory_` and `read` for the call at file:line:column, which is that of the opening parenthesis or the name's end."""
+    path, line, column = place.rsplit(":", 2)
+    text = (ROOT / path).read_text().splitlines()[int(line) - 1]
+    before = re.match(r"[\s\S]*", text[: int(column) - 1]).group()
+    rest = re.match(r"\w*", text[int(column) - 1 :]).group()
+    match = CALL.search(before + rest)
+    return match.groups() if match else ("", before[-20:] + rest)
+
+
+class CallGraph:
+    def __init__(self, folder):
+        self.stack, self.names, self.calls, self.indirect = {}, {}, {}, []
+        for path in sorted(pathlib.Path(folder).glob("*.ci")):
+            text = path.read_text()
+            for title, name, _, size, kind in NODE.findall(text):
+                self.stack[title] = int(size)
+                self.names[title] = name
+                if kind not in ("static", "dynamic,bounded"):
+                    self.stack[title] = 1 << 30  # unbounded
+            for caller, callee, place in EDGE.findall(text):
+                if callee == INDIRECT:
+                    self.indirect.append((caller, place))
+                else:
+                    self.calls.setdefault(caller, set()).add(callee)
+
+    def resolve(self, listed, faults):
+        """Edges for the indirect calls; a call that the list does not hold is a fault, as is an entry that nothing uses."""
+        used = set()
+        for caller, place in sorted(set(self.indirect)):
+            through, method = called_through(place)
+            entry = next((one for one in listed if through in one["through"]), None)
+            if entry is None:
+                faults.add(f"{place}: an indirect call that callgraph.toml does not list ({through}.{method})")
+                continue
+            used.add(entry["interface"])
+            for title, name in self.names.items():
+                if any(re.search(rf"\b{target}::{method}\(", name) for target in entry["reaches"]):
+                    self.calls.setdefault(caller, set()).add(title)
+        for entry in listed:
+            if entry["interface"] not in used:
+                faults.add(f"callgraph.toml lists calls through {entry['interface']}, and there are none")
+
+    def deepest(self, title, path=(), known=None):
+        """Bytes from here down, and whether the way leads back to itself."""
+        known = {} if known is None else known
+        if title in path:
+            return 0, path[path.index(title) :]
+        if title not in known:
+            depth, cycle = 0, None
+            for callee in self.calls.get(title, ()):
+                below, found = self.deepest(callee, (*path, title), known)
+                depth, cycle = max(depth, below), cycle or found
+            if cycle:
+                return depth + self.stack.get(title, 0), cycle
+            known[title] = (depth + self.stack.get(title, 0), None)
+        return known[title]
+
+
+def check(graph, listed, bounds, faults):
+    """What the graph holds, in figures for the report."""
+    graph.resolve(listed, faults)
+    known = {}
+    for title in sorted(graph.stack):
+        _, cycle = graph.deepest(title, (), known)
+        if cycle:
+            faults.add("recursion: " + " → ".join(graph.names.get(one, one) for one in cycle))
+    used = {}
+    for bound in bounds:
+        titles = [title for title, name in graph.names.items() if re.search(bound["entry"], name)]
+        if not titles:
+            faults.add(f"callgraph.toml: no function matches the entry {bound['entry']}")
+            continue
+        used[bound["name"]] = (max(graph.deepest(title, (), known)[0] for title in titles), bound["bytes"])
+        if used[bound["name"]][0] > bound["bytes"]:
+            faults.add(f"stack: {bound['name']} may use {used[bound['name']][0]} bytes, {bound['bytes']} are allowed")
+    return {"functions": len(graph.stack), "indirect_calls": len(set(graph.indirect)), "stack": used}
+
+
+def check_call_graph(graphs, generated, faults):
+    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs."""
+    seeded = []
+    with tempfile.TemporaryDirectory() as scratch:
+        class Collected(list):
+            def add(self, text):
+                self.append(text)
+        seeded = Collected()
+
+        class NoRules:
+            @staticmethod
+            def of_check(name):
+                return ()
+        list(compile_with_gcc(NoRules, ["misra/callgraph/bad.cpp"], generated, scratch, seeded))
+        check(CallGraph(scratch), [], [{"name": "deep", "entry": r"\bdeep\(", "bytes": 512}], seeded)
+    for word in ("recursion: ", "an indirect call that callgraph.toml does not list (place.read)", "stack: deep may use"):
+        if not any(word in text for text in seeded):
+            faults.add(f"the call graph's check misses what misra/callgraph/bad.cpp holds: {word} in {seeded}")
+    listed = tomllib.loads((HERE / "callgraph.toml").read_text())
+    return check(CallGraph(graphs), listed["indirect"], listed["stack"], faults)

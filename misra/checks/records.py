@@ -1,0 +1,118 @@
+"""The plan, the deviations and the reviews: what people wrote down, matched with what the tools found."""
+import csv
+import datetime
+import fnmatch
+import hashlib
+import pathlib
+import re
+import tomllib
+
+from .rules import HERE, ROOT, Finding, without_comments_and_literals
+
+REVIEWS = HERE / "reviews.toml"
+WEAKER = {"mandatory": [], "required": ["mandatory"], "advisory": ["mandatory", "required", "disapplied"]}
+
+
+def read_plan(rules, faults):
+    """plan.csv: the 179 guidelines, each once; what is `enforced` has tested checkers, what is under `review` a tested scope."""
+    with open(HERE / "plan.csv", newline="", encoding="utf-8") as file:
+        plan = list(csv.DictReader(file))
+    numbers = [row["guideline"] for row in plan]
+    if numbers != (HERE / "guidelines.txt").read_text().split():
+        faults.add("plan.csv does not hold the guidelines of guidelines.txt, each once and in order")
+    for row in plan:
+        number, how = row["guideline"], row["enforcement"]
+        if how not in ("enforced", "review", "not applicable"):
+            faults.add(f"plan.csv {number}: unknown enforcement {how}")
+        if (how in ("enforced", "review")) != (number in rules.folders):
+            faults.add(f"plan.csv {number} is {how}: rules/{number} {'not expected' if how == 'not applicable' else 'missing'}")
+        if (how == "review") != (number in rules.scopes):
+            faults.add(f"plan.csv {number} is {how}: rules/{number}/review.query {'missing' if how == 'review' else 'not expected'}")
+        if how != "enforced" and not row["note"]:
+            faults.add(f"plan.csv {number}: {how} without a reason")
+        if row["recategorised"] and row["recategorised"] not in WEAKER[row["category"]]:
+            faults.add(f"plan.csv {number}: a {row['category']} guideline cannot become {row['recategorised']}")
+    for number in rules.folders.keys() - set(numbers):
+        faults.add(f"rules/{number} is no guideline")
+    return plan
+
+
+def file_of(path, generated):
+    return (pathlib.Path(generated) if path.startswith("generated/") else ROOT) / path
+
+
+def source_line(finding, generated):
+    return file_of(finding.path, generated).read_text().splitlines()[finding.line - 1]
+
+
+def read_deviations():
+    return tomllib.loads((HERE / "deviations.toml").read_text()).get("deviation", [])
+
+
+def apply_deviations(findings, generated, today, records, faults):
+    """The findings that no record covers, and those that one does."""
+    open_findings, deviated, used = [], [], set()
+    for at, record in enumerate(records):
+        missing = {"rule", "place", "line", "reason", "risk", "expiry"} - record.keys()
+        if missing:
+            faults.add(f"deviation {at + 1} lacks {', '.join(sorted(missing))}")
+        elif record["expiry"] < today:
+            faults.add(f"deviation {at + 1} (rule {record['rule']}) expired on {record['expiry']}")
+    for finding in sorted(findings):
+        text = source_line(finding, generated)
+        for at, record in enumerate(records):
+            if finding.rule == record["rule"] and fnmatch.fnmatchcase(finding.path, record["place"]) and re.search(record["line"], text):
+                used.add(at)
+                deviated.append((finding, record))
+                break
+        else:
+            open_findings.append(finding)
+    for at, record in enumerate(records):
+        if at not in used:
+            faults.add(f"deviation {at + 1} (rule {record.get('rule')} in {record.get('place')}) matches no finding")
+    return open_findings, deviated
+
+
+def fingerprint(text):
+    """Of what a file says to the compiler: comments and spacing may change without a new review."""
+    bare = without_comments_and_literals(text)
+    return hashlib.sha256(" ".join(bare.split()).encode()).hexdigest()[:16]
+
+
+def read_reviews():
+    return tomllib.loads(REVIEWS.read_text()).get("review", []) if REVIEWS.exists() else []
+
+
+def apply_reviews(scoped, generated, reviews, faults):
+    """Places that a person must judge and has not judged as the file now stands: one finding a file and rule."""
+    first = {}
+    for finding in sorted(scoped):
+        first.setdefault((finding.rule, finding.path), finding)
+    known = {}
+    for review in reviews:
+        missing = {"rule", "file", "date", "by", "fingerprint", "judgement"} - review.keys()
+        if missing:
+            faults.add(f"review of {review.get('file')} for {review.get('rule')} lacks {', '.join(sorted(missing))}")
+        elif (review["rule"], review["file"]) not in first:
+            faults.add(f"review of {review['file']} for {review['rule']} has nothing to judge: remove it from reviews.toml")
+        known[(review.get("rule"), review.get("file"))] = review
+    for key, finding in sorted(first.items()):
+        now = fingerprint(file_of(finding.path, generated).read_text())
+        if key not in known or known[key].get("fingerprint") != now:
+            yield finding
+
+
+def add_review(arguments, generated):
+    """`review FILE RULE --by NAME --judgement TEXT`: writes or renews the record for the file as it stands."""
+    file, rule = arguments.file, arguments.rule
+    if not file_of(file, generated).exists():
+        raise SystemExit(f"misra review: there is no {file}; name it from the project's folder, as the finding does")
+    kept = [review for review in read_reviews() if (review["rule"], review["file"]) != (rule, file)]
+    kept.append({"rule": rule, "file": file, "date": datetime.date.today(), "by": arguments.by,
+                 "fingerprint": fingerprint(file_of(file, generated).read_text()), "judgement": arguments.judgement})
+    lines = ["# What a person judged, for one content of one file; `canproof misra review FILE RULE` writes these records.", ""]
+    for review in sorted(kept, key=lambda one: ([int(part) for part in one["rule"].split(".")], one["file"])):
+        quoted = review["judgement"].replace("\\", "\\\\").replace('"', '\\"')
+        lines += ["[[review]]", f'rule = "{review["rule"]}"', f'file = "{review["file"]}"', f'date = {review["date"]}',
+                  f'by = "{review["by"]}"', f'fingerprint = "{review["fingerprint"]}"', f'judgement = "{quoted}"', ""]
+    REVIEWS.write_text("\n".join(lines))

@@ -1,0 +1,122 @@
+"""What a run leaves: misra.sarif, and for people compliance.md and misra.html in the form of MISRA Compliance:2020."""
+import html
+import json
+
+MARKS = {"violations": "open", "deviations": "", "compliant": "shown"}
+STYLE = """:root{color-scheme:light dark}body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem}
+h1,h2{line-height:1.2}table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid #8884}
+code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}small{opacity:.75}
+@media(prefers-color-scheme:dark){.open{color:#f77}.shown{color:#7c7}}@media print{body{max-width:none}}"""
+
+
+class Outcome:
+    """All that the reports tell."""
+
+    def __init__(self, plan, open_findings, deviated, reviews, figures, faults, records):
+        self.plan, self.open, self.deviated, self.reviews = plan, open_findings, deviated, reviews
+        self.figures, self.faults, self.records = figures, faults, records
+        self.counts = {how: sum(row["enforcement"] == how for row in plan) for how in ("enforced", "review", "not applicable")}
+
+    def level(self, row):
+        """A guideline's level as MISRA Compliance:2020 has it."""
+        if row["recategorised"] == "disapplied":
+            return "disapplied"
+        if any(finding.rule == row["guideline"] for finding in self.open):
+            return "violations"
+        return "deviations" if any(finding.rule == row["guideline"] for finding, _ in self.deviated) else "compliant"
+
+
+def write_sarif(folder, outcome):
+    def result(finding, record=None):
+        location = {"artifactLocation": {"uri": finding.path}, "region": {"startLine": finding.line}}
+        entry = {
+            "ruleId": finding.rule,
+            "ruleIndex": numbers.index(finding.rule),
+            "level": "error",
+            "message": {"text": f"MISRA C++:2023 {finding.rule}: {topics[finding.rule]}"},
+            "locations": [{"physicalLocation": location}],
+        }
+        if record:
+            entry["suppressions"] = [{"kind": "external", "status": "accepted", "justification": record["reason"]}]
+        return entry
+
+    topics = {row["guideline"]: row["topic"] for row in outcome.plan}
+    numbers = list(topics)
+    descriptors = [
+        {"id": row["guideline"], "shortDescription": {"text": row["topic"]}, "properties": {"category": row["category"]}}
+        for row in outcome.plan
+    ]
+    run = {
+        "tool": {"driver": {"name": "canproof misra", "rules": descriptors}},
+        "invocations": [{"executionSuccessful": not outcome.faults,
+                         "toolExecutionNotifications": [{"level": "error", "message": {"text": fault}} for fault in outcome.faults]}],
+        "results": [result(finding) for finding in outcome.open] + [result(*pair) for pair in outcome.deviated],
+    }
+    sarif = {"$schema": "https://json.schemastore.org/sarif-2.1.0.json", "version": "2.1.0", "runs": [run]}
+    (folder / "misra.sarif").write_text(json.dumps(sarif, indent=1) + "\n")
+
+
+def tables(outcome):
+    """(title, introduction, columns, rows) of each section; both reports show the same."""
+    plan = outcome.plan
+    summary = [[row["guideline"], row["category"], row["recategorised"] or row["category"], outcome.level(row)] for row in plan]
+    yield "Guideline compliance summary", "The level of each guideline in this build.", ["guideline", "category", "recategorised", "compliance"], summary
+    findings = [[finding.rule, f"{finding.path}:{finding.line}"] for finding in outcome.open]
+    yield "Open findings", "Violations without a deviation, and places without a valid review.", ["guideline", "place"], findings
+    yield "Faults", "In checkers, plan, records, call graph, symbols or layers.", ["fault"], [[fault] for fault in outcome.faults]
+    enforcement = [[row["guideline"], row["topic"], row["decidability"], row["enforcement"], row["checkers"], row["note"]] for row in plan]
+    yield "Guideline enforcement plan", "How each guideline is checked. Every checker is proven on examples before it counts.", [
+        "guideline", "topic in our words", "decidability", "enforcement", "checkers", "note"], enforcement
+    changed = [[row["guideline"], row["category"], row["recategorised"]] for row in plan if row["recategorised"]]
+    yield "Guideline recategorisation plan", "Guidelines held to a stricter or a disapplied category; the others keep theirs.", [
+        "guideline", "category", "recategorised"], changed
+    records = [[record["rule"], record["place"], record["reason"], record["risk"], str(record["expiry"]),
+                str(sum(one is record for _, one in outcome.deviated))] for record in outcome.records]
+    yield "Deviation records", "Each with the findings it covers; an unused or expired record is a fault.", [
+        "guideline", "place", "reason", "risk", "expiry", "findings"], records
+    reviews = [[one["rule"], one["file"], str(one["date"]), one["by"], one["judgement"]] for one in outcome.reviews]
+    yield "Review records", "What a person judged, valid for the content it was written for.", ["guideline", "file", "date", "by", "judgement"], reviews
+    stack = [[name, str(used), str(allowed)] for name, (used, allowed) in outcome.figures["stack"].items()]
+    yield "Stack", "Deepest use of any public call of a device, from the call graph without recursion (host, g++ -O1).", ["device", "bytes", "allowed"], stack
+
+
+def lead(outcome):
+    counts, figures = outcome.counts, outcome.figures
+    return (f"{counts['enforced']} guidelines enforced by tested checkers, {counts['review']} reviewed, {counts['not applicable']} not applicable, "
+            f"of {len(outcome.plan)}; {len(outcome.open)} open finding(s), {len(outcome.deviated)} under {len(outcome.records)} deviation(s), "
+            f"{len(outcome.reviews)} review(s), {len(outcome.faults)} fault(s). Call graph of {figures['functions']} functions: no recursion, "
+            f"{figures['indirect_calls']} indirect calls, all listed.")
+
+
+def write_markdown(folder, outcome):
+    lines = ["# MISRA C++:2023 compliance", "", lead(outcome), ""]
+    for title, introduction, columns, rows in tables(outcome):
+        lines += [f"## {title}", "", introduction if rows else "None.", ""]
+        if rows:
+            lines += ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+            lines += ["| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in row) + " |" for row in rows] + [""]
+    (folder / "compliance.md").write_text("\n".join(lines))
+
+
+def write_html(folder, outcome):
+    mark = "open" if outcome.open or outcome.faults else "shown"
+    text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+            f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<h1>MISRA C++:2023</h1>"
+            f'<p><b class="{mark}">{html.escape(lead(outcome))}</b></p>'
+            '<p><a href="index.html">audit</a> · <a href="misra.sarif">findings as SARIF 2.1.0</a></p>\n']
+    for title, introduction, columns, rows in tables(outcome):
+        text.append(f"<h2>{title}</h2><p>{introduction if rows else 'None.'}</p>\n")
+        if rows:
+            text.append("<div class=wrap><table><tr>" + "".join(f"<th>{column}" for column in columns) + "\n")
+            for row in rows:
+                cells = "".join(f'<td class="{MARKS.get(cell, "")}">{html.escape(cell)}' for cell in row)
+                text.append(f"<tr>{cells}\n")
+            text.append("</table></div>\n")
+    (folder / "misra.html").write_text("".join(text) + "</html>\n")
+
+
+def write_all(folder, outcome):
+    folder.mkdir(parents=True, exist_ok=True)
+    write_sarif(folder, outcome)
+    write_markdown(folder, outcome)
+    write_html(folder, outcome)

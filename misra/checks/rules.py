@@ -1,0 +1,82 @@
+"""The rules' checkers as misra/rules/ holds them, and what a checker finds."""
+import fnmatch
+import os
+import pathlib
+import re
+import subprocess
+from typing import NamedTuple
+
+HERE = pathlib.Path(__file__).resolve().parent.parent
+ROOT = HERE.parent
+
+
+class Finding(NamedTuple):
+    rule: str
+    path: str
+    line: int
+
+
+class Rules:
+    """The checkers of every rule, read from misra/rules/."""
+
+    def __init__(self):
+        self.folders = {folder.name: folder for folder in sorted((HERE / "rules").iterdir()) if folder.is_dir()}
+        self.checks = {}  # pattern of a check's name → rules
+        self.patterns = []  # (rule, compiled, whether comments and literals count)
+        self.matchers = ["set output diag", "set bind-root false"]
+        self.scopes = set()  # rules whose matcher says what a person must review
+        for rule, folder in self.folders.items():
+            for check in self._lines(folder / "rule.checks"):
+                self.checks.setdefault(check, set()).add(rule)
+            for pattern in self._lines(folder / "rule.pattern"):
+                raw = pattern.startswith("raw ")
+                self.patterns.append((rule, re.compile(pattern.removeprefix("raw "), re.MULTILINE), raw))
+            if (folder / "review.query").exists():
+                self.scopes.add(rule)
+            for matcher in self._lines(folder / "rule.query") + self._lines(folder / "review.query"):
+                self.matchers.append(matcher.replace('bind("finding")', f'bind("{rule}")'))
+
+    @staticmethod
+    def _lines(path):
+        return [line for line in path.read_text().splitlines() if line] if path.exists() else []
+
+    def of_check(self, name):
+        return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern) for rule in rules}
+
+    def concerns(self, tool, path):
+        """Whether checks of this tool look at a file: at an example only those of its own rule, for others may break it."""
+        folder = (ROOT / path).parent
+        if folder.parent != HERE / "rules":
+            return True
+        return any(name.startswith(tool) and folder.name in rules for name, rules in self.checks.items())
+
+    def examples(self):
+        return [path for folder in self.folders.values() for path in sorted(folder.glob("*.?pp"))]
+
+
+class Faults(list):
+    """What is wrong with the checkers, the plan or the records: any of them fails the run."""
+
+    def add(self, text):
+        if text not in self:
+            self.append(text)
+
+
+def without_comments_and_literals(text):
+    """Same length and lines, with comments and the insides of literals blank."""
+    whole = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\'', re.DOTALL)
+    return whole.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def short_path(path, generated):
+    """As records and reports name a file: from the root of the sources, or generated/…"""
+    path = os.path.realpath(path)
+    for base, prefix in ((os.path.realpath(generated), ""), (str(ROOT), "")):
+        if path.startswith(base + os.sep):
+            return prefix + path[len(base) + 1 :]
+    return path
+
+
+def run_tool(command):
+    result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    return result.returncode, result.stdout + result.stderr

@@ -1,0 +1,100 @@
+"""Runs the tools and reads what they say: clang-query, clang-tidy (with clang's warnings and analyzer), cppcheck, g++."""
+import concurrent.futures
+import os
+import pathlib
+import re
+import tempfile
+
+from .definitions import one_definition, same_aliases
+from .rules import ROOT, Finding, run_tool, short_path, without_comments_and_literals
+
+LANGUAGE = ["-std=c++17", "-Isrc"]
+CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic"]
+# Without the analyzer's check of uninitialised values: that of g++ 12 does not follow C++ constructors; clang's does.
+GCC = ["-O1", "-fno-exceptions", "-fno-rtti", "-fanalyzer", "-Wno-analyzer-use-of-uninitialized-value", "-Wno-analyzer-too-complex",
+       "-fdiagnostics-plain-output", "-fdiagnostics-path-format=none", "-Wall", "-Wextra", "-Wnull-dereference", "-Wduplicated-cond",
+       "-Wduplicated-branches", "-Wlogical-op", "-Wfloat-equal", "-Wdouble-promotion", "-fcallgraph-info=su"]
+CHUNK = 6  # files a run of a tool: clang-query keeps all their syntax trees
+TOOLS = ["clang-query-19", "clang-tidy-19", "cppcheck", "g++", "nm", "c++filt"]
+
+
+def query(rules, files, generated, faults):
+    with tempfile.NamedTemporaryFile("w", suffix=".query") as script:
+        script.write("\n".join(rules.matchers) + "\n")
+        script.flush()
+        status, output = run_tool(["clang-query-19", "-f", script.name, *map(str, files), "--", *LANGUAGE, f"-I{generated}"])
+    if status != 0:
+        faults.add("clang-query-19 failed:\n" + output[-2000:])
+    for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
+        faults.add("under clang-query: " + error)
+    for path, line, rule in re.findall(r'^([^\s:]+):(\d+):\d+: note: "([\d.]+)" binds here$', output, re.MULTILINE):
+        yield Finding(rule, short_path(ROOT / path, generated), int(line))
+
+
+def named_findings(rules, output, prefix, generated, faults):
+    """Lines `file:line:column: severity: text [name]` of any tool, as findings of the rules that name the check."""
+    pattern = r"^([^\s:]+):(\d+):\d+: (?:fatal )?(warning|error|style|performance|portability): (.*) \[([^\]]+)\]$"
+    for path, line, _, text, names in re.findall(pattern, output, re.MULTILINE):
+        if "clang-diagnostic-error" in names:
+            faults.add(f"does not compile: {path}:{line}: {text}")
+        for name in names.split(","):
+            for rule in rules.of_check(prefix + name):
+                yield Finding(rule, short_path(ROOT / path, generated), int(line))
+
+
+def tidy(rules, files, generated, faults):
+    checks = "-*," + ",".join(sorted(name for name in rules.checks if not name.startswith(("cppcheck-", "gcc-"))))
+    _, output = run_tool(
+        ["clang-tidy-19", "--quiet", f"--checks={checks}", "--header-filter=.*", "--config={}", *map(str, files), "--",
+         *LANGUAGE, *CLANG_WARNINGS, f"-I{generated}"])
+    yield from named_findings(rules, output, "", generated, faults)
+
+
+def cppcheck(rules, files, generated, faults):
+    status, output = run_tool(
+        ["cppcheck", "--quiet", "--enable=warning,performance,portability,style", "--std=c++17", "--language=c++", "-Isrc",
+         f"-I{generated}", "--template={file}:{line}:{column}: {severity}: {message} [{id}]", *map(str, files)])
+    if status != 0:
+        faults.add("cppcheck failed:\n" + output[-2000:])
+    yield from named_findings(rules, output, "cppcheck-", generated, faults)
+
+
+def compile_with_gcc(rules, files, generated, graphs, faults):
+    """g++'s warnings and analyzer; what it leaves in the folder `graphs` is the call graph with stack use."""
+    for path in files:
+        target = pathlib.Path(graphs) / (str(path).replace("/", "_") + ".o")
+        status, output = run_tool(["g++", *LANGUAGE, *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)])
+        if status != 0:
+            faults.add("does not compile with g++:\n" + output[-2000:])
+        output = re.sub(r"(?: \[CWE-\d+\])? \[-W([\w+=-]+)\]$", r" [\1]", output, flags=re.MULTILINE)
+        yield from named_findings(rules, output, "gcc-", generated, faults)
+
+
+def search(rules, files, generated):
+    for path in files:
+        text = (ROOT / path).read_text()
+        code = without_comments_and_literals(text)
+        header = str(path).endswith(".hpp")
+        for rule, pattern, raw in rules.patterns:
+            if "header" in pattern.groupindex and not header:
+                continue
+            for match in pattern.finditer(text if raw else code):
+                start = match.start("at") if "at" in pattern.groupindex else match.start()
+                yield Finding(rule, short_path(ROOT / path, generated), text.count("\n", 0, start) + 1)
+
+
+def find(rules, units, headers, generated, graphs, faults, progress=lambda done, of: None):
+    """All findings in the units, in what they include, and (by text) in the headers."""
+    chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
+    texts = {short_path(ROOT / path, generated): (ROOT / path).read_text() for path in [*units, *headers]}
+    found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts)}
+    work = [(tool, chunk) for chunk in chunks for tool in (query, tidy)]
+    work += [(cppcheck, [path for path in chunk if rules.concerns("cppcheck-", path)]) for chunk in chunks]
+    gcc = lambda r, c, g, f: compile_with_gcc(r, c, g, graphs, f)
+    work += [(gcc, [path for path in chunk if rules.concerns("gcc-", path)]) for chunk in chunks]
+    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        jobs = [pool.submit(lambda t=tool, c=chunk: list(t(rules, c, generated, faults))) for tool, chunk in work if chunk]
+        for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
+            found.update(job.result())
+            progress(done, len(jobs))
+    return found

@@ -1,0 +1,9 @@
+// Each marked line must be put to a person.
+#include <cmath>
+#include <optional>
+double root(const double value) {
+    return std::sqrt(value);  // flagged
+}
+int kept(const std::optional<int>& value) {
+    return *value;  // flagged
+}

@@ -1,0 +1,10 @@
+// Nothing here may be flagged: each name is defined once, and what is local to a file is its own.
+namespace odr {
+struct Place {
+    int across;
+};
+namespace {
+int hidden(const Place& place) { return place.across; }
+}  // namespace
+int shown(const Place& place) { return hidden(place); }
+}  // namespace odr

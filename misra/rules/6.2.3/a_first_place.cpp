@@ -1,0 +1,4 @@
+// The place of implementation; the other file repeats it.
+namespace places {
+inline int twice(const int value) { return 2 * value; }
+}  // namespace places

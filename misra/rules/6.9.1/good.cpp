@@ -1,0 +1,7 @@
+// Nothing here may be flagged: one alias throughout, and overloads that differ.
+namespace aliases {
+using Number = int;
+int before(Number at);
+int before(const Number at) { return at - 1; }
+long before(const long at) { return at - 1; }
+}  // namespace aliases

@@ -1,0 +1,5 @@
+// Each marked line must be put to a person.
+constexpr unsigned few = 3U;
+unsigned below() {
+    return few - 4U;  // flagged
+}

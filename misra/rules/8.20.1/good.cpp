@@ -1,0 +1,3 @@
+// Nothing here needs a person: an operand is no constant, or the arithmetic is signed.
+unsigned next(const unsigned value) { return value + 1U; }
+int below() { return 3 - 4; }
