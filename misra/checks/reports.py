@@ -56,6 +56,27 @@ def write_sarif(folder, outcome):
     (folder / "misra.sarif").write_text(json.dumps(sarif, indent=1) + "\n")
 
 
+def sarif_faults(path):
+    """What section 3 of SARIF 2.1.0 demands of the properties written here, and is not so in the file."""
+    log = json.loads(path.read_text())
+    if log.get("version") != "2.1.0" or len(log.get("runs", [])) != 1:
+        yield "misra.sarif: version must be 2.1.0, with one run"
+        return
+    run = log["runs"][0]
+    driver = run["tool"]["driver"]
+    if not driver.get("name") or not all(rule.get("id") for rule in driver["rules"]):
+        yield "misra.sarif: the driver needs a name, each rule an id"
+    for result in run["results"]:
+        place = result["locations"][0]["physicalLocation"]
+        uri, line = place["artifactLocation"]["uri"], place["region"]["startLine"]
+        if driver["rules"][result["ruleIndex"]]["id"] != result["ruleId"]:
+            yield f"misra.sarif: ruleIndex and ruleId of {uri}:{line} differ"
+        if not result["message"]["text"] or line < 1 or uri.startswith("/") or result["level"] not in ("none", "note", "warning", "error"):
+            yield f"misra.sarif: result {uri}:{line} lacks a message, a line, a relative place or a level"
+        if any(one["kind"] not in ("inSource", "external") for one in result.get("suppressions", [])):
+            yield f"misra.sarif: a suppression of {uri}:{line} has no kind"
+
+
 def tables(outcome):
     """(title, introduction, columns, rows) of each section; both reports show the same."""
     plan = outcome.plan
@@ -118,5 +139,7 @@ def write_html(folder, outcome):
 def write_all(folder, outcome):
     folder.mkdir(parents=True, exist_ok=True)
     write_sarif(folder, outcome)
+    for fault in sarif_faults(folder / "misra.sarif"):
+        outcome.faults.add(fault)
     write_markdown(folder, outcome)
     write_html(folder, outcome)

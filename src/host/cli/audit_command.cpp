@@ -53,11 +53,11 @@ int print_story(const AuditedItem& audited, const Part& part, const Evidence& ev
     return open ? 1 : 0;
 }
 
-/// The names of the SVG files in a folder, in order.
+/// The names of what a folder holds to be shown, in order: SVG files, and the page of `canproof misra`.
 std::vector<std::string> plots_in(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     for (const auto& file : std::filesystem::directory_iterator{folder}) {
-        if (file.path().extension() == ".svg") {
+        if (file.path().extension() == ".svg" || file.path().filename() == misra_page) {
             names.push_back(file.path().filename().string());
         }
     }

@@ -146,7 +146,7 @@ std::string write_objects(const Part& part) {
         allowed.push_back(fmt::format("0x{:08X}U,", bits));
     }
     std::string text = heading(part);
-    text += "#include <array>\n#include <cstdint>\n\n#include \"firmware/canopen/object_types.hpp\"\n\n";
+    text += "#include <array>\n#include <cstdint>\n\n#include \"firmware/canopen/dictionary_check.hpp\"\n\n";
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
     text += string_rows("ObjectRow", "object_rows", objects);
     text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
@@ -161,7 +161,8 @@ std::string write_objects(const Part& part) {
         "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
         "table_view(limit_rows),\n"
         "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U,\n"
-        "    table_view(object_slots), 0x{:08X}U}};\n\n",
+        "    table_view(object_slots), 0x{:08X}U}};\n"
+        "static_assert(is_sound(tables));\n\n",
         layout.fingerprint, rows.slot_factor);
     text += "namespace field {\n" + fields + "}  // namespace field\n\n";
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());

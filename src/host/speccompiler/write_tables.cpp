@@ -150,18 +150,31 @@ class TableWriter {
     std::string find() const {
         std::vector<std::string> parameters;
         std::vector<std::string> tests;
+        std::vector<std::string> firsts;
+        std::vector<std::string> lasts;
         for (const auto& column : table_.inputs) {
+            const std::string name = "row." + column.name;
+            firsts.push_back(is_ranged(column) ? name + "_first" : name);
+            lasts.push_back(is_ranged(column) ? name + "_last" : name);
             parameters.push_back(fmt::format("const {} {}", wide_type_of(column), column.name));
             tests.push_back(is_ranged(column)
                                 ? fmt::format("(row.{0}_first <= {0}) && ({0} <= row.{0}_last)", column.name)
                                 : fmt::format("(row.{0} == {0})", column.name));
         }
+        std::string hidden = fmt::format("find({}) != &row", fmt::join(firsts, ", "));
+        if (firsts != lasts) {
+            hidden = fmt::format("({}) || (find({}) != &row)", hidden, fmt::join(lasts, ", "));
+        }
         return fmt::format(
             "/// The row for these inputs; nullptr outside the table's domain.\nconstexpr const Row* find({}) noexcept "
             "{{\n"
             "    for (const Row& row : rows) {{\n        if ({}) {{\n            return &row;\n        }}\n    }}\n    "
-            "return nullptr;\n}}\n\n",
-            fmt::join(parameters, ", "), fmt::join(tests, " && "));
+            "return nullptr;\n}}\n\n"
+            "/// No row hides another.\nconstexpr bool finds_each_row() noexcept {{\n"
+            "    for (const Row& row : rows) {{\n        if ({}) {{\n"
+            "            return false;\n        }}\n    }}\n    return true;\n}}\n"
+            "static_assert(finds_each_row());\n\n",
+            fmt::join(parameters, ", "), fmt::join(tests, " && "), hidden);
     }
 
     const Register& content_;

@@ -118,6 +118,11 @@ std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidenc
         "failed, "
         "<b class={}>{} gap(s)</b>.</p>\n",
         evidence.tests, evidence.failed, gaps == 0 ? "shown" : "open", gaps);
+    if (std::find(figures.begin(), figures.end(), misra_page) != figures.end()) {
+        text += fmt::format(
+            "<p><a href=\"{}\">MISRA C++:2023</a>: the firmware's guidelines, how each is checked, what is open.</p>\n",
+            misra_page);
+    }
     text += "<div class=wrap><table><tr><th>Part<th>Items<th>Gaps\n";
     for (const auto& audit : audits) {
         text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}\n", audit.part->name, audit.items.size(),

@@ -1,0 +1,65 @@
+// What the services rely on in a generated dictionary, checked by the compiler where the tables stand.
+#pragma once
+
+#include "firmware/canopen/object_types.hpp"
+
+namespace canproof {
+
+/// Sub-indices ascend, limits exist, and every value lies in its pool.
+constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
+    std::uint32_t least{0U};  // the sub-index that the next entry has at least
+    for (std::size_t i = 0U; i < object.count; ++i) {
+        const EntryRow& row = tables.entries[object.first_entry + i];
+        const bool constant = (row.rights & rights::constant) != 0U;
+        const std::size_t pool = constant ? tables.constants.count : tables.defaults.count;
+        const std::size_t end = std::size_t{row.offset} + row.size;
+        const bool limited = row.limit != no_limit;
+        if ((row.subindex < least) || (end > pool) || (limited && (row.limit >= tables.limits.count))) {
+            return false;
+        }
+        least = row.subindex + std::uint32_t{1U};
+    }
+    return object.count > 0U;
+}
+
+/// The search by slots ends at the object, as find_object() does it.
+constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
+    const std::size_t count = tables.slots.count;
+    std::size_t slot = object_slot(tables.objects[wanted].index, tables.slot_factor, count);
+    for (std::size_t step = 0U; step < count; ++step) {
+        if (tables.slots[slot] == wanted) {
+            return true;
+        }
+        if (tables.slots[slot] == no_object) {
+            return false;
+        }
+        slot = (slot + 1U) & (count - 1U);
+    }
+    return false;
+}
+
+/// Searches for what does not exist end: a slot is free, and the number of slots is a power of two.
+constexpr bool has_free_slot(const DictionaryTables& tables) noexcept {
+    const std::size_t count = tables.slots.count;
+    return (count > tables.objects.count) && ((count & (count - 1U)) == 0U);
+}
+
+/// Objects ascend, their entries follow one another without a gap, and each object is found.
+constexpr bool is_sound(const DictionaryTables& tables) noexcept {
+    std::uint32_t least{0U};
+    std::size_t entry{0U};
+    for (std::size_t i = 0U; i < tables.objects.count; ++i) {
+        const ObjectRow& object = tables.objects[i];
+        if ((object.index < least) || (object.first_entry != entry)) {
+            return false;
+        }
+        if (!has_sound_entries(tables, object) || !is_found(tables, i)) {
+            return false;
+        }
+        least = object.index + std::uint32_t{1U};
+        entry += object.count;
+    }
+    return (entry == tables.entries.count) && has_free_slot(tables);
+}
+
+}  // namespace canproof

@@ -1,0 +1,92 @@
+// The check that the compiler runs on every generated dictionary, on a small one that is sound and on ones that are
+// not.
+#include "firmware/canopen/dictionary_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace canproof {
+namespace {
+
+/// 1000h with one entry of 4 bytes in flash, 2000h with two of 1 byte each; factor 1 << 16 puts index i at slot i & 3.
+struct Dictionary {
+    std::array<ObjectRow, 2> objects{{{0x1000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 2U, ObjectKind::array}}};
+    std::array<EntryRow, 3> entries{
+        {{0U, 4U, no_limit, 0U, DataType::unsigned32, rights::read | rights::constant, Service::none},
+         {0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::none},
+         {1U, 1U, 0U, 1U, DataType::unsigned8, rights::read | rights::write, Service::none}}};
+    std::array<LimitRow, 1> limits{};
+    std::array<std::uint32_t, 1> allowed{};
+    std::array<std::uint8_t, 4> constants{};
+    std::array<std::uint8_t, 2> defaults{};
+    std::array<std::uint16_t, 4> slots{{0U, 1U, no_object, no_object}};
+    std::uint32_t factor{0x10000U};
+
+    bool sound() const {
+        return is_sound(DictionaryTables{table_view(objects), table_view(entries), table_view(limits),
+                                         table_view(allowed), table_view(constants), table_view(defaults), 0U,
+                                         table_view(slots), factor});
+    }
+};
+
+TEST(DictionaryCheck, TakesASoundDictionary) {
+    EXPECT_TRUE(Dictionary{}.sound());
+}
+
+TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
+    Dictionary twice;
+    twice.objects[1].index = 0x1000U;
+    EXPECT_FALSE(twice.sound());
+    Dictionary gap;
+    gap.objects[1].first_entry = 2U;
+    EXPECT_FALSE(gap.sound());
+    Dictionary rest;
+    rest.objects[1].count = 1U;
+    EXPECT_FALSE(rest.sound());
+    Dictionary empty;
+    empty.objects[0].count = 0U;
+    EXPECT_FALSE(empty.sound());
+}
+
+TEST(DictionaryCheck, SubindicesAscend) {
+    Dictionary twice;
+    twice.entries[2].subindex = 0U;
+    EXPECT_FALSE(twice.sound());
+}
+
+TEST(DictionaryCheck, ValuesLieInTheirPool) {
+    Dictionary flash;
+    flash.entries[0].offset = 1U;
+    EXPECT_FALSE(flash.sound());
+    Dictionary memory;
+    memory.entries[2].size = 2U;
+    EXPECT_FALSE(memory.sound());
+}
+
+TEST(DictionaryCheck, LimitsExist) {
+    Dictionary missing;
+    missing.entries[2].limit = 1U;
+    EXPECT_FALSE(missing.sound());
+}
+
+TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
+    Dictionary lost;
+    lost.slots = {{0U, no_object, no_object, no_object}};
+    EXPECT_FALSE(lost.sound());
+    Dictionary later;  // 2001h was displaced by another at its slot: the search goes on to the next
+    later.objects[1].index = 0x2000U;
+    EXPECT_TRUE(later.sound());
+    Dictionary full;
+    full.slots = {{0U, 0U, 0U, 0U}};
+    EXPECT_FALSE(full.sound());
+    Dictionary odd;  // three slots: the mask of the search skips one
+    std::array<std::uint16_t, 3> three{{0U, 1U, no_object}};
+    EXPECT_FALSE(
+        has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(three), 1U}));
+    std::array<std::uint16_t, 2> two{{0U, 1U}};
+    EXPECT_FALSE(has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(two), 1U}));
+}
+
+}  // namespace
+}  // namespace canproof
