@@ -327,8 +327,8 @@ TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
                           "    {3U, 3U, true, Word::b, 66U, Action::and_" + state + "stopped},  // AO4-T1\n" +
                           "    {0U, 3U, false, Word::a, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n" +
                           "    {0U, 3U, false, Word::b, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n"));
-    EXPECT_THAT(text,
-                HasSubstr("constexpr const Row* find(const std::uint32_t setting, const bool enable, const Word word)"));
+    EXPECT_THAT(
+        text, HasSubstr("constexpr const Row* find(const std::uint32_t setting, const bool enable, const Word word)"));
 }
 
 TEST_F(Generated, ConstantsEnumerationsAndSignals) {
