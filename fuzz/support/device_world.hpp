@@ -4,8 +4,9 @@
 //
 // A record of an input is twelve bytes: what happens, how, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
-//   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time · D power cut while a
-//   frame is served · E power cycle · F memory fails, cannot be read, or works again
+//   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time, with no deadline kept
+//   when `how` is odd · D power cut while a frame is served · E power cycle · F memory fails, cannot be read, or works
+//   again
 #pragma once
 
 #include <memory>
@@ -92,7 +93,7 @@ class DeviceWorld {
             case 0xB:
                 return set_input(how, data);
             case 0xC:
-                return pass(duration_in(record));
+                return (how & 1U) != 0 ? pass_unattended(duration_in(record)) : pass(duration_in(record));
             case 0xD:
                 return cut_power((how & 1U) != 0 ? frame_of(0x7E5, 8, data) : request(data), data[8] + 256U * data[9]);
             case 0xE:
@@ -142,6 +143,13 @@ class DeviceWorld {
         now_ = end;
     }
     void pass(Duration time) { run_until(now_ + time); }
+    /// As with a driver that comes late: no deadline on the way is kept.
+    void pass_unattended(Duration time) {
+        now_ = now_ + time;
+        device_->advance(now_);
+        drain(nullptr, true);
+        run_until(now_);
+    }
 
     void receive(const Frame& frame) {
         if (start_ == 0) {
@@ -312,9 +320,10 @@ class DeviceWorld {
     }
 
     /// Everything that one event brought: well-formed frames on identifiers of the device, at most one SDO answer, and
-    /// room left in the queue, so that nothing was lost.
-    void drain(const Frame* cause) {
-        require(queue_.size() < TransmitQueue::capacity, "room in the queue");
+    /// room left in the queue, so that nothing was lost, unless
+    /// nobody emptied it for long.
+    void drain(const Frame* cause, bool may_be_full = false) {
+        require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;
         known_ = own_identifiers(device_->objects(), device_->node_id(), Unit::answers_remote);
         int answers = 0;
