@@ -48,7 +48,7 @@ constexpr std::size_t count_pdos(const DictionaryTables& tables, const PdoDirect
     std::size_t count{0U};
     for (const ObjectRow& object : tables.objects) {
         for (std::size_t number = count; number < max_pdos; ++number) {
-            count = (object.index == communication_object(direction, number)) ? (number + 1U) : count;
+            count = (std::uint32_t{object.index} == communication_object(direction, number)) ? (number + 1U) : count;
         }
     }
     return count;

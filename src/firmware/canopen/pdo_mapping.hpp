@@ -69,8 +69,8 @@ class PdoMapping {
 constexpr std::size_t count_mapping_lines(const DictionaryTables& tables, const std::uint16_t index) noexcept {
     std::size_t count{0U};
     for (const ObjectRow& object : tables.objects) {
-        if (object.index == index) {
-            count = tables.entries[(object.first_entry + object.count) - 1U].subindex;
+        if (std::uint32_t{object.index} == index) {
+            count = tables.entries[(object.first_entry + std::size_t{object.count}) - 1U].subindex;
         }
     }
     return (count < PdoMapping::max_lines) ? count : PdoMapping::max_lines;
