@@ -37,7 +37,7 @@ class ActiveList : public testing::Test {
         return all;
     }
 
-    host::DictionaryRows rows{host::make_rows(slave_part())};
+    host::DictionaryRows rows{slave().rows};
     DictionaryTables tables{rows.tables()};
     std::vector<std::uint8_t> image = std::vector<std::uint8_t>(rows.layout.image.size());
     ObjectDictionary objects{tables, MutableBytes{image.data(), image.size()}, LimitAbort::high_low};

@@ -875,8 +875,10 @@ TEST_F(Unconfigured, FastscanFindsTheAddressBitByBit) {
              req::CO_K_LSS_HIGHEST_BIT>();
     const auto ask = [this](std::uint32_t number, unsigned bit_check, unsigned which, unsigned next) {
         char request[32];
-        std::snprintf(request, sizeof request, "7E5#51%02X%02X%02X%02X%02X%02X%02X", number & 0xFFU,
-                      (number >> 8U) & 0xFFU, (number >> 16U) & 0xFFU, number >> 24U, bit_check, which, next);
+        std::snprintf(request, sizeof request, "7E5#51%02X%02X%02X%02X%02X%02X%02X",
+                      static_cast<unsigned>(number & 0xFFU), static_cast<unsigned>((number >> 8U) & 0xFFU),
+                      static_cast<unsigned>((number >> 16U) & 0xFFU), static_cast<unsigned>(number >> 24U), bit_check,
+                      which, next);
         return !send(request).empty();
     };
     ASSERT_TRUE(ask(0, 128, 0, 0));

@@ -178,6 +178,7 @@ TEST(NoAllocation, TheAllocatorDoesFail) {
 
 TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
     SlaveBench bench;
+    bench.device->take_domain_memory();
     const auto frames = parsed({
         // SDO: expedited, segmented and block, both ways, refused, aborted, stalled
         "605#4000100000000000",

@@ -9,6 +9,7 @@
 #include "firmware/canopen/transmit_queue.hpp"
 #include "host/bus/candump.hpp"
 #include "host/devices/memory.hpp"
+#include "support/bench_watch.hpp"
 
 namespace canproof::test {
 
@@ -20,8 +21,12 @@ class FrameBench {
   public:
     explicit FrameBench(std::size_t memory_size) : memory{memory_size} {}
 
-    Frames send(const std::string& frame) {
-        device->receive(host::parse_frame(frame, "test"), now);
+    Frames send(const std::string& text) {
+        const Frame frame = host::parse_frame(text, "test");
+        bench_watch.heard(now, frame);
+        bench_watch.begins();
+        device->receive(frame, now);
+        bench_watch.ends(Work::frame, text.c_str());
         return sent();
     }
     /// Lets time pass; every deadline on the way is kept. Frames as `milliseconds:frame`, counted from the call.
@@ -31,7 +36,9 @@ class FrameBench {
         Frames all;
         while (device->next_deadline() <= end) {
             now = device->next_deadline() < now ? now : device->next_deadline();
+            bench_watch.begins();
             device->advance(now);
+            bench_watch.ends(Work::tick, "");
             for (const auto& frame : sent()) {
                 all.push_back(std::to_string(elapsed(start, now).us / 1000) + ":" + frame);
             }
@@ -42,9 +49,19 @@ class FrameBench {
     Frames sent() {
         Frames all;
         while (!queue.empty()) {
-            all.push_back(host::format_frame(queue.pop()));
+            const Frame frame = queue.pop();
+            bench_watch.said(now, frame);
+            all.push_back(host::format_frame(frame));
         }
         return all;
+    }
+    /// `power_on` switches a new device on. Returns what it sends.
+    template <typename PowerOn>
+    Frames switch_on(const PowerOn& power_on) {
+        bench_watch.begins();
+        power_on();
+        bench_watch.ends(Work::power_on, "");
+        return sent();
     }
 
     host::Memory memory;
@@ -63,8 +80,7 @@ class UnitBench : public FrameBench<Device> {
     Frames power_on() {
         this->queue = TransmitQueue{};
         this->device = std::make_unique<Device>(this->memory, this->queue, factory);
-        this->device->power_on(inputs, this->now);
-        return this->sent();
+        return this->switch_on([this] { this->device->power_on(inputs, this->now); });
     }
     Frames set_inputs() {
         this->device->set_inputs(inputs, this->now);

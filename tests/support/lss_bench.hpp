@@ -15,11 +15,10 @@ class LssBench : public SlaveBench {
     /// A power cycle with this in the device's memory. Returns what it sends.
     Frames start(const LssConfiguration& stored) {
         queue = TransmitQueue{};
-        device = resets_itself ? std::make_unique<host::GenericDevice>(slave_part(), memory, queue,
-                                                                       LssProfile{ax_bit_rates, true})
-                               : std::make_unique<host::GenericDevice>(slave_part(), memory, queue);
-        device->power_on(stored, now);
-        return sent();
+        host::GenericDescription description = slave();
+        description.profile.lss = resets_itself ? LssProfile{ax_bit_rates, true} : host::standard_lss();
+        device = std::make_unique<host::GenericDevice>(description, memory, queue);
+        return switch_on([this, &stored] { device->power_on(stored, now); });
     }
 
     NmtState state() { return device->node().state(); }

@@ -1,9 +1,8 @@
 // The conformance slave on a bench.
 #pragma once
 
-#include "host/devices/generic_device.hpp"
 #include "support/frame_bench.hpp"
-#include "support/slave_register.hpp"
+#include "support/slave.hpp"
 
 namespace canproof::test {
 
@@ -18,10 +17,9 @@ class SlaveBench : public FrameBench<host::GenericDevice> {
     /// Makes the slave anew on the same memory and switches it on: what a power cycle is. Returns what it sends.
     Frames power_on() {
         queue = TransmitQueue{};
-        device = std::make_unique<host::GenericDevice>(slave_part(), memory, queue);
+        device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
         device->lend(program_index, 0, program_size);
-        device->power_on(node_id, now);
-        return sent();
+        return switch_on([this] { device->power_on(node_id, now); });
     }
 
     std::uint8_t node_id{5};

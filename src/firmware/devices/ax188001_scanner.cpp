@@ -158,8 +158,8 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
     result.celsius = exact_celsius(thermocouple_curve(type), microvolts / microvolts_per_millivolt);
     namespace table = own::t_tcs_t1;
     const auto* const range = table::find(type);
-    const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, 0));
-    const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, 0));
+    const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
+    const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));
     result.above = microvolts > (highest + own::range_margin_uv);
     result.below = microvolts < (lowest - own::range_margin_uv);
     return result;

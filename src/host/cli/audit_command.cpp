@@ -8,6 +8,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
 #include "host/trace/audit.hpp"
+#include "host/trace/target_html.hpp"
 
 namespace canproof::host {
 
@@ -65,11 +66,12 @@ std::vector<std::string> plots_in(const std::filesystem::path& folder) {
     return names;
 }
 
-void write_page(const std::string& folder, const std::vector<PartAudit>& audits, const Evidence& evidence) {
+void write_page(const std::string& folder, const std::vector<PartAudit>& audits, const Evidence& evidence,
+                const std::filesystem::path& target_build) {
     std::filesystem::create_directories(folder);
     const auto page = std::filesystem::path{folder} / "index.html";
     std::ofstream out{page};
-    out << write_audit_html(audits, evidence, plots_in(folder));
+    out << write_audit_html(audits, evidence, plots_in(folder), write_target_html(target_build));
     if (!out.flush()) {
         throw InputError{fmt::format("cannot write {}", page.string())};
     }
@@ -107,7 +109,7 @@ int audit(const AuditOptions& options) {
         print_part(one);
     }
     if (!options.html.empty()) {
-        write_page(options.html, audits, evidence);
+        write_page(options.html, audits, evidence, root / "build" / "target");
     }
     fmt::print("{} test(s), {} failed, {} gap(s)\n", evidence.tests, evidence.failed, gaps);
     return gaps == 0 && evidence.failed == 0 ? 0 : 1;

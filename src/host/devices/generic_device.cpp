@@ -1,6 +1,7 @@
 #include "host/devices/generic_device.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canproof::host {
 
@@ -11,20 +12,20 @@ constexpr std::uint8_t communication_error = 0x11;  // bits 0 and 4 of 1001h
 
 constexpr auto standard_bit_rates = lss_bit_rates(generated::canopen::t_co_t_lss_bit_rate::rows);
 
-LssProfile lss_of(const Part& part) {
-    return part.info.lss ? LssProfile{standard_bit_rates, false} : LssProfile{};
+}  // namespace
+
+LssProfile standard_lss() {
+    return LssProfile{standard_bit_rates, false};
 }
 
-NodeProfile profile_of(const Part& part, const LssProfile& lss) {
+GenericDescription describe(const Part& part) {
     NodeProfile profile;
     profile.limit_abort = part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low;
     profile.error_list = part.info.error_list == "active" ? ErrorList::active : ErrorList::history;
     profile.block_sdo = part.info.block_sdo;
-    profile.lss = lss;
-    return profile;
+    profile.lss = part.info.lss ? standard_lss() : LssProfile{};
+    return {make_rows(part), profile};
 }
-
-}  // namespace
 
 ErrorTable standard_errors() {
     ErrorTable table{};
@@ -44,14 +45,13 @@ ErrorTable standard_errors() {
 }
 
 GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue)
-    : GenericDevice{part, memory, queue, lss_of(part)} {}
+    : GenericDevice{describe(part), memory, queue} {}
 
-GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue, const LssProfile& lss)
-    : rows_{make_rows(part)},
+GenericDevice::GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue)
+    : rows_{std::move(description.rows)},
       tables_{rows_.tables()},
       image_(rows_.layout.image.size()),
-      objects_{tables_, MutableBytes{image_.data(), image_.size()},
-               part.info.limit_abort == "range" ? LimitAbort::range : LimitAbort::high_low},
+      objects_{tables_, MutableBytes{image_.data(), image_.size()}, description.profile.limit_abort},
       errors_{standard_errors()},
       rpdos_(count_pdos(tables_, PdoDirection::receive)),
       rpdo_lines_(count_mapping_lines(tables_, PdoDirection::receive)),
@@ -62,11 +62,18 @@ GenericDevice::GenericDevice(const Part& part, NonVolatileMemory& memory, Transm
             queue,
             *this,
             errors_,
-            profile_of(part, lss),
+            description.profile,
             {mutable_table(rpdos_), mutable_table(rpdo_lines_), mutable_table(tpdos_), mutable_table(tpdo_lines_)}} {}
 
 void GenericDevice::lend(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
-    domains_.push_back({index, subindex, std::vector<std::uint8_t>(size), std::vector<std::uint8_t>(size), 0, false});
+    domains_.push_back({index, subindex, size, {}, {}, 0, false});
+}
+
+void GenericDevice::take_domain_memory() {
+    for (Domain& one : domains_) {
+        one.value.resize(one.size);
+        one.staging.resize(one.size);
+    }
 }
 
 GenericDevice::Domain* GenericDevice::domain(std::uint16_t index, std::uint8_t subindex) {
@@ -86,8 +93,9 @@ ByteView GenericDevice::held(std::uint16_t index, std::uint8_t subindex) const {
 
 void GenericDevice::fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes) {
     Domain& place = *domain(index, subindex);
-    std::copy_n(bytes.begin(), std::min(bytes.size(), place.value.size()), place.value.begin());
-    place.length = std::min(bytes.size(), place.value.size());
+    place.value.resize(place.size);
+    place.length = std::min(bytes.size(), place.size);
+    std::copy_n(bytes.begin(), place.length, place.value.begin());
     place.holds_value = true;
 }
 
@@ -108,7 +116,11 @@ Result<ByteView, AbortCode> GenericDevice::domain_value(const EntryRef& entry) {
 
 MutableBytes GenericDevice::staging(const EntryRef& entry) {
     Domain* place = domain(entry.index, entry.row->subindex);
-    return place == nullptr ? Application::staging(entry) : MutableBytes{place->staging.data(), place->staging.size()};
+    if (place == nullptr) {
+        return Application::staging(entry);
+    }
+    place->staging.resize(place->size);
+    return MutableBytes{place->staging.data(), place->staging.size()};
 }
 
 AbortCode GenericDevice::commit(const EntryRef& entry, std::size_t length, Instant) {

@@ -12,13 +12,21 @@ namespace canproof::host {
 /// The emergency codes that CiA 301 gives to the errors every node can notice (7.2.7.1, Table 26).
 ErrorTable standard_errors();
 
+/// The dictionary of a generic device and what its node offers.
+struct GenericDescription {
+    DictionaryRows rows;
+    NodeProfile profile;
+};
+
+/// With LSS, the bit rates are those of CiA 305 and nothing resets the node but its master.
+GenericDescription describe(const Part& part);
+/// The bit rates of CiA 305, and nothing resets the node but its master.
+LssProfile standard_lss();
+
 class GenericDevice final : private Application {
   public:
-    /// `part` describes the dictionary and what the node offers; it is copied into rows, not kept. With LSS, the bit
-    /// rates are those of CiA 305 and nothing resets the node but its master.
     GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue);
-    /// The same with an LSS of its own kind.
-    GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue, const LssProfile& lss);
+    GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
     void power_on(std::uint8_t node_id, Instant now) { node_.power_on(node_id, now); }
     /// With what an earlier life stored; `bit_rate()` is then that of `stored`.
@@ -33,6 +41,8 @@ class GenericDevice final : private Application {
     const ObjectDictionary& objects() const { return objects_; }
     /// Gives a DOMAIN entry a memory of `size` bytes, holding nothing yet.
     void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
+    /// Takes the memory of every DOMAIN now: nothing allocates any more.
+    void take_domain_memory();
     /// What that entry holds; empty when it holds nothing.
     ByteView held(std::uint16_t index, std::uint8_t subindex) const;
     /// As a download would put it there.
@@ -66,10 +76,12 @@ class GenericDevice final : private Application {
     MutableBytes staging(const EntryRef& entry) override;
     AbortCode commit(const EntryRef& entry, std::size_t length, Instant now) override;
 
-    /// Two memories of one size: a download gathers in the one while the other keeps the value.
+    /// Two memories of one size, taken when they are needed: a download gathers in the one while the other keeps the
+    /// value.
     struct Domain {
         std::uint16_t index{0};
         std::uint8_t subindex{0};
+        std::size_t size{0};
         std::vector<std::uint8_t> value;
         std::vector<std::uint8_t> staging;
         std::size_t length{0};

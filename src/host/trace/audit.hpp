@@ -38,8 +38,8 @@ PartAudit audit_part(const Register& content, const Part& part, const Evidence& 
 inline constexpr const char* misra_page = "misra.html";
 
 /// A page for people: what is claimed, what shows it, what is open. `figures`: plots beside the page, each shown with
-/// the device whose name it begins with.
+/// the device whose name it begins with. `more`: sections behind them, as HTML.
 std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidence& evidence,
-                             const std::vector<std::string>& figures);
+                             const std::vector<std::string>& figures, const std::string& more = {});
 
 }  // namespace canproof::host

@@ -107,7 +107,7 @@ std::string part_section(const PartAudit& audit, const Evidence& evidence, const
 }  // namespace
 
 std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidence& evidence,
-                             const std::vector<std::string>& figures) {
+                             const std::vector<std::string>& figures, const std::string& more) {
     std::string text = head;
     std::size_t gaps = 0;
     for (const auto& audit : audits) {
@@ -132,7 +132,7 @@ std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidenc
     for (const auto& audit : audits) {
         text += part_section(audit, evidence, figures);
     }
-    return text + "</html>\n";
+    return text + more + "</html>\n";
 }
 
 }  // namespace canproof::host

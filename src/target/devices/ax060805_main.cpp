@@ -10,6 +10,9 @@ target::MappedMemory<4096> memory;
 TransmitQueue queue;
 ax060805::Device device{memory, queue, ax060805::FactoryData{}};
 
+[[gnu::used, gnu::section(".footprint")]] const target::Footprint footprint =
+    target::footprint<generated::ax060805::tables>;
+
 }  // namespace
 
 extern "C" void image_main() {

@@ -10,6 +10,9 @@ target::MappedMemory<8192> memory;
 TransmitQueue queue;
 ax130751::Device device{memory, queue, ax130751::FactoryData{}};
 
+[[gnu::used, gnu::section(".footprint")]] const target::Footprint footprint =
+    target::footprint<generated::ax130751::tables>;
+
 }  // namespace
 
 extern "C" void image_main() {

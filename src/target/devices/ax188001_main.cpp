@@ -10,6 +10,9 @@ target::MappedMemory<1024> memory;
 TransmitQueue queue;
 ax188001::Device device{memory, queue, ax188001::FactoryData{}};
 
+[[gnu::used, gnu::section(".footprint")]] const target::Footprint footprint =
+    target::footprint<generated::ax188001::tables>;
+
 }  // namespace
 
 extern "C" void image_main() {

@@ -5,7 +5,7 @@
 
 #include "firmware/base/non_volatile_memory.hpp"
 #include "firmware/base/time.hpp"
-#include "firmware/canopen/transmit_queue.hpp"
+#include "firmware/canopen/node.hpp"
 
 namespace canproof::target {
 
@@ -78,6 +78,16 @@ inline void put(Mailbox& box, const Frame& frame) {
     }
     box.full = 1U;
 }
+
+/// What src/target/footprint cannot read from an image: the RAM of the protocol layer, in bytes, and of the values.
+struct Footprint {
+    std::uint32_t node;
+    std::uint32_t values;
+};
+template <const DictionaryTables& Tables>
+constexpr Footprint footprint{
+    sizeof(Node) + sizeof(ObjectDictionary) + sizeof(PdoMemoryFor<Tables>) + sizeof(TransmitQueue),
+    Tables.defaults.count};
 
 /// Power-on, then for ever: inputs in, frames in, what is due, frames out, outputs out.
 template <typename Device, typename Inputs, typename Outputs>

@@ -10,6 +10,9 @@ target::MappedMemory<1024> memory;
 TransmitQueue queue;
 cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};
 
+[[gnu::used, gnu::section(".footprint")]] const target::Footprint footprint =
+    target::footprint<generated::cbx_ao412::tables>;
+
 }  // namespace
 
 extern "C" void image_main() {

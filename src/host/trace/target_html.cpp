@@ -1,0 +1,113 @@
+#include "host/trace/target_html.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/plot/markup.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using nlohmann::json;
+
+/// null when there is no such file.
+json read_json(const std::filesystem::path& path) {
+    std::ifstream in{path};
+    return in.is_open() ? json::parse(in) : json{};
+}
+
+/// A figure with what it may be; `goal` is the stricter one where there are two.
+std::string bounded(std::uint64_t value, std::uint64_t goal) {
+    return fmt::format("<td class={}>{} <small>of {}</small>", value <= goal ? "shown" : "open", value, goal);
+}
+
+std::uint64_t goal_of(const json& budgets, const char* key) {
+    return budgets.value("canopen_goals", json::object())
+        .value(key, budgets.at("canopen").at(key).get<std::uint64_t>());
+}
+
+std::string memory_table(const json& footprint) {
+    const json& budgets = footprint.at("budgets");
+    std::string text =
+        "<div class=wrap><table><tr><th>Image, -Os, bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen "
+        "layer: "
+        "code<th>RAM without values<th>stack\n";
+    for (const auto& [device, found] : footprint.at("devices").items()) {
+        const json& budget = budgets.at("devices").at(device);
+        const json& layer = found.at("canopen");
+        text += fmt::format("<tr><td>{}", escaped(device));
+        for (const char* key : {"flash", "ram", "stack"}) {
+            text += bounded(found.at(key), budget.at(key));
+        }
+        for (const char* key : {"code", "ram", "stack"}) {
+            text += bounded(layer.at(key), goal_of(budgets, key));
+        }
+        text += '\n';
+    }
+    return text + "</table></div>\n";
+}
+
+std::string work_table(const json& work) {
+    std::string text =
+        "<div class=wrap><table><tr><th>Device<th>Work<th>Times<th>Instructions at most<th>Frame<th>Where\n";
+    for (const auto& [device, kinds] : work.at("devices").items()) {
+        for (const auto& [kind, one] : kinds.items()) {
+            if (kind != "share") {
+                text += fmt::format(
+                    "<tr><td>{}<td>{}<td>{}<td>{}<td><code>{}</code><td>{}\n", escaped(device), escaped(kind),
+                    one.at("count").get<std::uint64_t>(), one.at("instructions").get<std::uint64_t>(),
+                    escaped(one.at("what").get<std::string>()), escaped(one.at("where").get<std::string>()));
+            }
+        }
+    }
+    text += "</table></div>\n";
+    text += fmt::format(
+        "<p>A bus at {} bit/s full of the frame that costs most for its bits, {} cycles an instruction assumed, a core "
+        "of "
+        "{} MHz: instructions × cycles × bit rate ÷ bits of the frame (47 and its data, no stuff bits) ÷ "
+        "clock.</p><ul>\n",
+        work.at("bit_rate").get<std::uint64_t>(), work.at("cycles_an_instruction").get<double>(),
+        work.at("core_hz").get<std::uint64_t>() / 1000000U);
+    for (const auto& [device, kinds] : work.at("devices").items()) {
+        const json& share = kinds.at("share");
+        text += fmt::format("<li class={}>{}: {:.1f} % of the core by <code>{}</code>\n",
+                            share.at("holds").get<bool>() ? "shown" : "open", escaped(device),
+                            100.0 * share.at("bus_load").get<double>(), escaped(share.at("what").get<std::string>()));
+    }
+    return text +
+           "</ul><p>Commands (NMT resets, LSS back to waiting, store and restore) are listed apart: nothing is claimed "
+           "of a "
+           "bus full of them.</p>\n";
+}
+
+std::string suites_words(const json& suites) {
+    std::uint64_t tests = 0;
+    std::uint64_t frames = 0;
+    for (const auto& [image, one] : suites.at("images").items()) {
+        tests += one.at("passed").get<std::uint64_t>();
+        frames += one.at("frames").get<std::uint64_t>();
+    }
+    return fmt::format("<p>{} tests passed on QEMU's STM32F405; {} frames, {} difference(s) to this machine.</p>\n",
+                       tests, frames, suites.at("differences").get<std::uint64_t>());
+}
+
+}  // namespace
+
+std::string write_target_html(const std::filesystem::path& build) {
+    const json footprint = read_json(build / "footprint.json");
+    const json suites = read_json(build / "suites.json");
+    const json work = read_json(build / "work.json");
+    std::string text = "<h2 id=\"target\">Performance and memory</h2>\n<p>STM32F405 (Cortex-M4F).</p>\n";
+    if (footprint.is_null() && suites.is_null()) {
+        return text + "<p class=open>Not measured in this build: ./test does.</p>\n";
+    }
+    text += footprint.is_null() ? "" : memory_table(footprint);
+    text += suites.is_null() ? "" : suites_words(suites);
+    text += work.is_null() ? "" : work_table(work);
+    return text;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,58 @@
+// Plays a fuzz target's corpus: --list=FILE names its files, one a line; --work=FILE takes the instructions of each
+// frame. A violated invariant ends the image with a status other than 0.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "host/bus/candump.hpp"
+#include "semihosting.hpp"
+#include "support/frame_probe.hpp"
+#include "work_log.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+using namespace canproof;
+
+std::string input_name;
+
+std::vector<std::uint8_t> read_file(const std::string& path) {
+    std::vector<std::uint8_t> bytes;
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr) {
+        std::fprintf(stderr, "cannot read %s\n", path.c_str());
+        std::exit(2);
+    }
+    std::uint8_t part[256];
+    for (std::size_t count = std::fread(part, 1, sizeof part, file); count > 0;
+         count = std::fread(part, 1, sizeof part, file)) {
+        bytes.insert(bytes.end(), part, part + count);
+    }
+    std::fclose(file);
+    return bytes;
+}
+
+}  // namespace
+
+extern "C" void image_main() {
+    std::vector<std::string> words = target::begin_image();
+    const std::vector<std::uint8_t> list = read_file(target::take_option(words, "list"));
+    fuzz::frame_probe.begins = [](const Frame&, Instant) { target::work_begins(); };
+    fuzz::frame_probe.ends = [](const Frame& frame) {
+        target::work_stops();
+        target::note_work(test::Work::frame, host::format_frame(frame), input_name);
+    };
+    std::string path;
+    for (const std::uint8_t byte : list) {
+        if (byte != '\n') {
+            path += static_cast<char>(byte);
+            continue;
+        }
+        input_name = path.substr(path.find_last_of('/') + 1);
+        const std::vector<std::uint8_t> input = read_file(path);
+        LLVMFuzzerTestOneInput(input.data(), input.size());
+        path.clear();
+    }
+    std::exit(target::write_work(target::take_option(words, "work")) ? 0 : 2);
+}

@@ -1,0 +1,54 @@
+#include "instruction_clock.hpp"
+
+#include <cstddef>
+
+namespace canproof::target {
+
+namespace {
+
+/// System timer of ARMv7-M.
+struct SysTick {
+    volatile std::uint32_t control;
+    volatile std::uint32_t reload;
+    volatile std::uint32_t value;
+};
+
+SysTick& timer() {
+    constexpr std::uintptr_t address = 0xE000E010U;
+    return *reinterpret_cast<SysTick*>(address);
+}
+
+constexpr std::uint32_t longest = 0x00FFFFFFU;
+constexpr std::uint32_t enabled = 1U;
+constexpr std::uint32_t processor_clock = 1U << 2U;
+constexpr std::uint32_t has_wrapped = 1U << 16U;
+
+/// 16 ns at 168 MHz are 2.688 ticks: 336 ticks for 125 instructions.
+std::uint32_t instructions_of(std::uint32_t ticks) {
+    return static_cast<std::uint32_t>((std::uint64_t{ticks} * 125U + 168U) / 336U);
+}
+
+}  // namespace
+
+InstructionClock::InstructionClock() {
+    timer().reload = longest;
+    timer().control = enabled | processor_clock;
+    start();
+    own_ = instructions();
+}
+
+void InstructionClock::start() const {
+    timer().value = 0;                   // any write begins anew
+    static_cast<void>(timer().control);  // reading clears has_wrapped
+}
+
+std::uint32_t InstructionClock::instructions() const {
+    const std::uint32_t value = timer().value;
+    if ((timer().control & has_wrapped) != 0U) {
+        return UINT32_MAX;
+    }
+    const std::uint32_t all = instructions_of(value == 0U ? 0U : longest - value);
+    return all < own_ ? 0U : all - own_;
+}
+
+}  // namespace canproof::target

@@ -1,0 +1,88 @@
+#include "semihosting.hpp"
+
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+extern "C" {
+void initialise_monitor_handles();
+void fault();
+}
+
+namespace canproof::target {
+
+namespace {
+
+/// Arm semihosting 2.0: BKPT ABh with the operation in r0 and its block in r1.
+int semihost(int operation, const void* block) {
+    register int r0 asm("r0") = operation;
+    register const void* r1 asm("r1") = block;
+    asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+    return r0;
+}
+
+constexpr int sys_get_cmdline = 0x15;
+
+}  // namespace
+
+std::vector<std::string> begin_image() {
+    initialise_monitor_handles();
+    static std::array<char, 1024> text{};
+    struct {
+        char* text;
+        std::size_t size;
+    } block{text.data(), text.size()};
+    semihost(sys_get_cmdline, &block);
+    std::vector<std::string> all;
+    std::string word;
+    for (const char c : std::string{text.data()} + ' ') {
+        if (c != ' ') {
+            word += c;
+        } else if (!word.empty()) {
+            all.push_back(word);
+            word.clear();
+        }
+    }
+    return all;
+}
+
+std::string take_option(std::vector<std::string>& words, const std::string& name) {
+    const std::string begin = "--" + name + "=";
+    for (auto word = words.begin(); word != words.end(); ++word) {
+        if (word->rfind(begin, 0) == 0) {
+            std::string value = word->substr(begin.size());
+            words.erase(word);
+            return value;
+        }
+    }
+    return {};
+}
+
+}  // namespace canproof::target
+
+/// Any exception of the processor: an image for QEMU ends with 70, the status of an internal software error.
+void fault() {
+    std::fputs("fault\n", stderr);
+    std::exit(70);
+}
+
+// What start-up code of a hosted program would define: nothing is destroyed at the end of an image. And what GoogleTest
+// asks about folders: they are there.
+extern "C" {
+void* __dso_handle = nullptr;
+void _fini() {}
+int stat(const char*, struct stat* found) {
+    *found = {};
+    found->st_mode = S_IFDIR;
+    return 0;
+}
+int mkdir(const char*, mode_t) {
+    return 0;
+}
+char* getcwd(char* buffer, std::size_t size) {
+    std::snprintf(buffer, size, ".");
+    return buffer;
+}
+}

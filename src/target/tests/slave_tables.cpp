@@ -1,0 +1,22 @@
+// slave_tables DIR: writes the tables of the conformance slave, which the target cannot read from its register.
+#include <iostream>
+
+#include "host/speccompiler/writers.hpp"
+#include "support/slave_register.hpp"
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "slave_tables DIR\n";
+        return 2;
+    }
+    const auto files = canproof::test::slave_files();
+    const auto loaded = canproof::host::load_register(files);
+    for (const auto& fault : loaded.faults) {
+        std::cerr << fault.text() << '\n';
+    }
+    if (!loaded.faults.empty()) {
+        return 1;
+    }
+    canproof::host::write_all(loaded.content, files, argv[1]);
+    return 0;
+}

@@ -1,0 +1,60 @@
+// The report's section on the microcontroller, from figures made up here.
+#include "host/trace/target_html.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace canproof::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class TargetHtml : public testing::Test {
+  protected:
+    void SetUp() override { std::filesystem::create_directories(folder); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+    void leave(const std::string& file, const std::string& text) { std::ofstream{folder / file} << text; }
+
+    const std::filesystem::path folder = std::filesystem::path{testing::TempDir()} / "target_html";
+};
+
+}  // namespace
+
+TEST_F(TargetHtml, WithoutFiguresItSaysSo) {
+    EXPECT_THAT(host::write_target_html(folder), HasSubstr("Not measured"));
+}
+
+TEST_F(TargetHtml, AFigureAboveItsGoalIsOpen) {
+    leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
+        "canopen": {"code": 60, "ram": 10, "stack": 9}, "canopen_goals": {"code": 40}},
+        "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
+    const std::string page = host::write_target_html(folder);
+    EXPECT_THAT(page, HasSubstr("<td class=shown>100 <small>of 100</small>"));
+    EXPECT_THAT(page, HasSubstr("<td class=open>21 <small>of 20</small>"));
+    EXPECT_THAT(page, HasSubstr("<td class=open>50 <small>of 40</small>"));  // the goal, not the budget
+    EXPECT_THAT(page, HasSubstr("<td class=shown>9 <small>of 9</small>"));
+}
+
+TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
+    leave("suites.json", R"({"images": {"a": {"tests": 3, "passed": 3, "frames": 10},
+                                        "b": {"tests": 2, "passed": 1, "frames": 5}}, "differences": 1})");
+    EXPECT_THAT(host::write_target_html(folder),
+                HasSubstr("4 tests passed on QEMU's STM32F405; 15 frames, 1 difference"));
+}
+
+TEST_F(TargetHtml, WorkAndTheFullBus) {
+    leave("suites.json", R"({"images": {}, "differences": 0})");
+    leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
+        "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},
+        "share": {"count": 7, "instructions": 10000, "what": "605#41", "where": "x", "bus_load": 0.625, "holds": false}}}})");
+    const std::string page = host::write_target_html(folder);
+    EXPECT_THAT(page, HasSubstr("<td>7<td>4321<td><code>605#40</code><td>Suite.&lt;Test&gt;"));
+    EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
+    EXPECT_THAT(page, Not(HasSubstr("Not measured")));
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,22 @@
+// Lets a test program follow what its benches do: the frames that pass, and the work that each step is. Without anyone
+// watching it costs a call of nothing.
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+
+namespace canproof::test {
+
+enum class Work { power_on, frame, tick };
+
+struct BenchWatch {
+    void (*heard)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
+    void (*said)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
+    void (*begins)(){[] {}};
+    /// `what` names the work: a frame as in a candump log.
+    void (*ends)(Work work, const char* what){[](Work, const char*) {}};
+};
+
+inline BenchWatch bench_watch;
+
+}  // namespace canproof::test
