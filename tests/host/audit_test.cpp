@@ -75,20 +75,4 @@ TEST_F(AuditOfASmallRegister, ARetiredRequirementDemandsNothing) {
     EXPECT_TRUE(gaps().empty());
 }
 
-TEST_F(AuditOfASmallRegister, ThePageTellsGapsAndEscapesText) {
-    content.parts[0].requirements[0].text = "a < b & c";
-    evidence.verdicts.erase("D-A-002");
-    const auto page = write_audit_html({audit_part(content, content.parts[0], evidence)}, evidence, {});
-    EXPECT_NE(page.find("a &lt; b &amp; c"), std::string::npos);
-    EXPECT_NE(page.find("D-A-002: no passed test"), std::string::npos);
-}
-
-TEST_F(AuditOfASmallRegister, ThePageShowsThePlotsOfItsDevice) {
-    const PartAudit audit = audit_part(content, content.parts[0], evidence);
-    const std::string name = audit.part->name;
-    const auto page = write_audit_html({audit}, evidence, {name + "-ramp.svg", "other-ramp.svg"});
-    EXPECT_NE(page.find("<img src=\"" + name + "-ramp.svg\""), std::string::npos);
-    EXPECT_EQ(page.find("other-ramp.svg"), std::string::npos);
-}
-
 }  // namespace canproof::host

@@ -3,28 +3,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/sound_register.hpp"
 #include "host/trace/audit.hpp"
 #include "host/trace/target_html.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-Register sound_register(const std::filesystem::path& spec) {
-    if (!std::filesystem::is_directory(spec)) {
-        throw InputError{fmt::format("{} is no folder; name the project with --root", spec.string())};
-    }
-    LoadResult loaded = load_register(read_spec_files(spec));
-    if (!loaded.faults.empty()) {
-        throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
-                                     loaded.faults.size(), loaded.faults.front().text())};
-    }
-    return std::move(loaded.content);
-}
 
 void print_part(const PartAudit& audit) {
     fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s)\n", audit.part->name,
@@ -52,30 +40,6 @@ int print_story(const AuditedItem& audited, const Part& part, const Evidence& ev
     const bool open = audited.failed || !audited.missing.empty();
     fmt::print("  verdict      {}\n", open ? "open" : "shown");
     return open ? 1 : 0;
-}
-
-/// The names of what a folder holds to be shown, in order: SVG files, and the page of `canproof misra`.
-std::vector<std::string> plots_in(const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator{folder}) {
-        if (file.path().extension() == ".svg" || file.path().filename() == misra_page) {
-            names.push_back(file.path().filename().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-void write_page(const std::string& folder, const std::vector<PartAudit>& audits, const Evidence& evidence,
-                const std::filesystem::path& target_build) {
-    std::filesystem::create_directories(folder);
-    const auto page = std::filesystem::path{folder} / "index.html";
-    std::ofstream out{page};
-    out << write_audit_html(audits, evidence, plots_in(folder), write_target_html(target_build));
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", page.string())};
-    }
-    fmt::print("report: {}\n", page.string());
 }
 
 }  // namespace
@@ -107,9 +71,6 @@ int audit(const AuditOptions& options) {
     }
     for (const auto& one : audits) {
         print_part(one);
-    }
-    if (!options.html.empty()) {
-        write_page(options.html, audits, evidence, root / "build" / "target");
     }
     fmt::print("{} test(s), {} failed, {} gap(s)\n", evidence.tests, evidence.failed, gaps);
     return gaps == 0 && evidence.failed == 0 ? 0 : 1;

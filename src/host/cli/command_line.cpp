@@ -114,7 +114,6 @@ void add_audit(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("SUBJECT", options.subject, "a device or a requirement; all without it");
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
     command->add_option("--verdicts", options.verdicts, "folder of test results; build/release/verdicts without it");
-    command->add_option("--html", options.html, "folder to write index.html to");
     command->callback([&chosen] { chosen = [] { return audit(options); }; });
 }
 
@@ -175,6 +174,18 @@ void add_misra(CLI::App& app, std::function<int()>& chosen) {
     command->callback([&chosen] { chosen = [] { return check_misra(options); }; });
 }
 
+void add_evidence(CLI::App& app, std::function<int()>& chosen) {
+    static EvidenceOptions options;
+    auto* command = app.add_subcommand("evidence", "write the pack: what is claimed, what shows it, what is open");
+    command->add_option("--out", options.out, "folder to write")->capture_default_str();
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--verdicts", options.verdicts, "folder of test results; build/release/verdicts without it");
+    command->add_option("--coverage", options.coverage,
+                        "what tests/coverage measured; build/coverage/coverage.json without it");
+    command->add_option("--exhibits", options.exhibits, "folder of results of other tools; build/exhibits without it");
+    command->callback([&chosen] { chosen = [] { return write_evidence(options); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -187,6 +198,7 @@ int run_command_line(int argc, char** argv) {
     add_audit(app, chosen);
     add_coverage(app, chosen);
     add_misra(app, chosen);
+    add_evidence(app, chosen);
     try {
         app.parse(argc, argv);
         return chosen();

@@ -45,7 +45,14 @@ struct AuditOptions {
     std::string root{"."};
     std::string subject;  ///< device, requirement id or nothing
     std::string verdicts;
-    std::string html;
+};
+
+struct EvidenceOptions {
+    std::string root{"."};
+    std::string out{"reports/out"};
+    std::string verdicts;  ///< folders and files; where the builds leave them when empty
+    std::string coverage;
+    std::string exhibits;
 };
 
 struct CoverageOptions {
@@ -82,6 +89,7 @@ int plot_outputs(const PlotOptions& options);
 int draw_figures(const std::string& folder);
 int fuzz_targets(const CampaignOptions& options);
 int audit(const AuditOptions& options);
+int write_evidence(const EvidenceOptions& options);
 int check_coverage(const CoverageOptions& options);
 int check_misra(const MisraOptions& options);
 

@@ -1,48 +1,19 @@
 // figures: what the devices do, drawn.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
-#include "host/plot/converter_figures.hpp"
-#include "host/plot/inclinometer_figures.hpp"
-#include "host/plot/output_plot.hpp"
-#include "host/plot/thermocouple_figures.hpp"
+#include "host/plot/figures.hpp"
 
 namespace canproof::host {
 
-namespace {
-
-struct Figure {
-    const char* file;
-    LinePlot (*draw)();
-};
-
-constexpr Figure figures[]{
-    {"ax060805-tumble.svg", tumble_plot},
-    {"ax060805-euler-tumble.svg", euler_tumble_plot},
-    {"ax060805-angle-error.svg", angle_error_plot},
-    {"ax060805-settling.svg", settling_plot},
-    {"ax130751-joystick.svg", joystick_plot},
-    {"ax130751-trimmed-joystick.svg", trimmed_joystick_plot},
-    {"ax130751-thirty-slopes.svg", thirty_slopes_plot},
-    {"ax188001-conversion-error.svg", conversion_error_plot},
-    {"ax188001-inverse-error.svg", inverse_error_plot},
-    {"ax188001-channel-error.svg", channel_error_plot},
-    {"ax188001-ramp.svg", ramp_plot},
-    {"cbx-ao412-outputs.svg", analog_outputs_plot},
-};
-
-}  // namespace
-
 int draw_figures(const std::string& folder) {
     std::filesystem::create_directories(folder);
-    for (const Figure& figure : figures) {
-        const auto path = std::filesystem::path{folder} / figure.file;
-        const LinePlot plot = figure.draw();
+    for (const auto& [file, plot] : all_figures()) {
+        const auto path = std::filesystem::path{folder} / file;
         std::ofstream out{path};
         out << write_svg(plot);
         if (!out.flush()) {

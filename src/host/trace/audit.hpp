@@ -34,12 +34,4 @@ struct PartAudit {
 /// Audits one part: a device with its manual, or the shared part (which has no manual of its own).
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
 
-/// What `canproof misra --html` writes; linked when it is among the figures.
-inline constexpr const char* misra_page = "misra.html";
-
-/// A page for people: what is claimed, what shows it, what is open. `figures`: plots beside the page, each shown with
-/// the device whose name it begins with. `more`: sections behind them, as HTML.
-std::string write_audit_html(const std::vector<PartAudit>& audits, const Evidence& evidence,
-                             const std::vector<std::string>& figures, const std::string& more = {});
-
 }  // namespace canproof::host

@@ -30,6 +30,8 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
         const bool passed = ran && !one.child("failure");
         ++evidence.tests;
         evidence.failed += passed ? 0 : 1;
+        evidence.cases.push_back({one.attribute("classname").value(), one.attribute("name").value(), passed,
+                                  one.child("failure").attribute("message").value()});
         const std::string name =
             fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
         for (const auto& claim : one.child("properties").children("property")) {

@@ -15,7 +15,15 @@ struct Verdict {
     bool passed{false};
 };
 
+struct TestCase {
+    std::string suite;
+    std::string name;
+    bool passed{false};
+    std::string failure;  ///< first message of a case that failed
+};
+
 struct Evidence {
+    std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/firmware/…:line`
     std::size_t tests{0};

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/evidence/pack.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// RFC 4180: in quotes where a comma, a quote or a break stands in it.
+std::string field(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) {
+        return text;
+    }
+    std::string quoted{"\""};
+    for (const char one : text) {
+        quoted += one == '"' ? "\"\"" : std::string(1, one);
+    }
+    return quoted + "\"";
+}
+
+std::string line(const std::vector<std::string>& fields) {
+    std::string text;
+    for (const auto& one : fields) {
+        text += (text.empty() ? "" : ",") + field(one);
+    }
+    return text + "\r\n";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string tests_of(const std::string& id, const Evidence& evidence) {
+    std::vector<std::string> all;
+    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            all.push_back(fmt::format("{} {} {}", verdict.kind, verdict.test, verdict.passed ? "passed" : "failed"));
+        }
+    }
+    return joined(all);
+}
+
+}  // namespace
+
+std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence) {
+    std::string text =
+        line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
+    for (const auto& audit : audits) {
+        for (const auto& one : audit.items) {
+            const auto code = evidence.implemented.find(one.item->id);
+            text += line({one.item->id, audit.part->name, one.word, one.item->text, joined(one.item->sources),
+                          joined(one.decisions), code == evidence.implemented.end() ? "" : joined(code->second),
+                          joined(one.demanded), tests_of(one.item->id, evidence),
+                          one.failed || !one.missing.empty() ? "open" : "shown"});
+        }
+    }
+    return text;
+}
+
+std::string write_decisions_csv(const std::vector<PartAudit>& audits) {
+    std::string text = line({"id", "part", "question", "readings", "chosen", "because", "affects"});
+    for (const auto& audit : audits) {
+        for (const auto& decision : audit.part->decisions) {
+            std::vector<std::string> readings;
+            for (const auto& reading : decision.readings) {
+                readings.push_back(fmt::format("{} ({})", reading.says, reading.source));
+            }
+            text += line({decision.id, audit.part->name, decision.text, joined(readings), decision.chosen,
+                          decision.because, decision.affects.empty() ? decision.none : joined(decision.affects)});
+        }
+    }
+    return text;
+}
+
+}  // namespace canproof::host

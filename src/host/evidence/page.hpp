@@ -1,0 +1,33 @@
+// The frame of each page of the pack: one style, readable on a phone, in the dark and on paper; no external assets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+struct NavigationEntry {
+    std::string page;
+    std::string title;
+};
+
+/// A whole HTML document. `body` is markup.
+std::string html_page(const std::string& title, const std::string& own_page,
+                      const std::vector<NavigationEntry>& navigation, const std::string& body);
+
+struct HtmlColumn {
+    std::string title;
+    int share{0};  ///< of the width, in per cent; 0: as wide as its text
+};
+
+enum class Search { no, yes };
+
+/// A table; on a phone each row becomes a list. Cells are markup. With a search field above it, rows that do not hold
+/// all of its words are hidden; all rows show where there are no scripts.
+std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
+                       Search search = Search::no);
+
+/// `<span class=holds>✓ holds</span>` and so on.
+std::string html_state(const std::string& word);
+
+}  // namespace canproof::host

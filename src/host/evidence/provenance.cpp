@@ -1,0 +1,104 @@
+// Where a build comes from: asked of git, dpkg and the compiler that made this program.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <regex>
+#include <sstream>
+
+#include "host/evidence/pack.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// What a command prints, without the break at its end; empty when it fails.
+std::string output_of(const std::string& command) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe{popen((command + " 2>/dev/null").c_str(), "r"), pclose};
+    std::string text;
+    std::array<char, 4096> part{};
+    while (pipe && std::fgets(part.data(), part.size(), pipe.get()) != nullptr) {
+        text += part.data();
+    }
+    while (!text.empty() && text.back() == '\n') {
+        text.pop_back();
+    }
+    return text;
+}
+
+/// The path in single quotes, for a shell.
+std::string quoted(const std::filesystem::path& path) {
+    std::string text{"'"};
+    for (const char one : path.string()) {
+        text += one == '\'' ? "'\\''" : std::string(1, one);
+    }
+    return text + "'";
+}
+
+std::string date_of(const std::string& git) {
+    std::time_t seconds = 0;
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+        seconds = std::strtoll(epoch, nullptr, 10);
+    } else {
+        seconds = std::strtoll(output_of(git + " log -1 --format=%ct").c_str(), nullptr, 10);
+    }
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text.data();
+}
+
+/// The Debian packages that ./run installs, with the versions that are there.
+std::map<std::string, std::string> packages_of(const std::filesystem::path& root) {
+    std::ifstream in{root / "run"};
+    std::ostringstream script;
+    script << in.rdbuf();
+    const std::string text = script.str();
+    std::smatch list;
+    std::map<std::string, std::string> found;
+    if (!std::regex_search(text, list, std::regex{R"(packages=\(([^)]*)\))"})) {
+        return found;
+    }
+    std::string names = list[1].str();
+    for (char& one : names) {
+        one = one == '\n' ? ' ' : one;
+    }
+    std::istringstream lines{output_of(R"(dpkg-query -W -f='${Package} ${Version}\n' )" + names)};
+    for (std::string name, version; lines >> name >> version;) {
+        found[name] = version;
+    }
+    return found;
+}
+
+}  // namespace
+
+Provenance provenance_of(const std::filesystem::path& root) {
+    const std::string git = "git -C " + quoted(root);
+    Provenance made;
+    made.commit = output_of(git + " rev-parse HEAD");
+    if (!output_of(git + " status --porcelain --untracked-files=no").empty()) {
+        made.commit += "+";
+    }
+    made.date = date_of(git);
+#ifdef NDEBUG
+    made.configuration = "release";
+#else
+    made.configuration = "debug";
+#endif
+    made.tools["compiler"] = fmt::format("{} {}",
+#ifdef __clang__
+                                         "clang",
+#else
+                                         "g++",
+#endif
+                                         __VERSION__);
+    made.packages = packages_of(root);
+    return made;
+}
+
+}  // namespace canproof::host
