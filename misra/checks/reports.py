@@ -124,7 +124,7 @@ def write_html(folder, outcome):
     text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<h1>MISRA C++:2023</h1>"
             f'<p><b class="{mark}">{html.escape(lead(outcome))}</b></p>'
-            '<p><a href="index.html">audit</a> · <a href="misra.sarif">findings as SARIF 2.1.0</a></p>\n']
+            '<p><a href="../index.html">evidence</a> · <a href="misra.sarif">findings as SARIF 2.1.0</a></p>\n']
     for title, introduction, columns, rows in tables(outcome):
         text.append(f"<h2>{title}</h2><p>{introduction if rows else 'None.'}</p>\n")
         if rows:
@@ -136,6 +136,13 @@ def write_html(folder, outcome):
     (folder / "misra.html").write_text("".join(text) + "</html>\n")
 
 
+def write_exhibit(folder, outcome):
+    """What the evidence pack shows of this run (src/host/evidence/exhibit.hpp)."""
+    state = "open" if outcome.open or outcome.faults else "holds"
+    exhibit = {"title": "MISRA", "state": state, "says": lead(outcome), "page": "misra.html"}
+    (folder / "exhibit.json").write_text(json.dumps(exhibit, indent=1) + "\n")
+
+
 def write_all(folder, outcome):
     folder.mkdir(parents=True, exist_ok=True)
     write_sarif(folder, outcome)
@@ -143,3 +150,4 @@ def write_all(folder, outcome):
         outcome.faults.add(fault)
     write_markdown(folder, outcome)
     write_html(folder, outcome)
+    write_exhibit(folder, outcome)
