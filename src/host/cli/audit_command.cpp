@@ -8,7 +8,6 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/sound_register.hpp"
 #include "host/trace/audit.hpp"
-#include "host/trace/target_html.hpp"
 
 namespace canproof::host {
 
