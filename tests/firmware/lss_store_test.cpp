@@ -22,6 +22,7 @@ void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) 
 }  // namespace
 
 TEST(LssStore, GivesWhatWasShippedUntilSomethingIsStored) {
+    verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     expect(LssStore{memory}.load(shipped), 127, 125000);
 }
@@ -36,6 +37,7 @@ TEST(LssStore, GivesWhatWasStoredLast) {
 }
 
 TEST(LssStore, LivesAtTheEndOfTheMemory) {
+    verifies<req::CO_LSS_016>();
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     for (std::size_t at = 0; at < 64 - 40; ++at) {
@@ -62,6 +64,7 @@ TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
 }
 
 TEST(LssStore, ADamagedSlotDoesNotCount) {
+    verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     LssStore{memory}.store({1, 10000});
     LssStore{memory}.store({2, 20000});

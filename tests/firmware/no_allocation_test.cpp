@@ -11,6 +11,7 @@
 #include "host/bus/candump.hpp"
 #include "host/devices/memory.hpp"
 #include "support/slave_bench.hpp"
+#include "support/shows_rule.hpp"
 
 namespace {
 
@@ -155,6 +156,7 @@ Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& fr
 }  // namespace
 
 TEST(NoAllocation, TheAllocatorDoesFail) {
+    shows_rule("nothing is taken from the heap after start");
     int caught = 0;
     {
         const FailingAllocator none;
@@ -177,6 +179,7 @@ TEST(NoAllocation, TheAllocatorDoesFail) {
 }
 
 TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
+    shows_rule("nothing is taken from the heap after start");
     SlaveBench bench;
     bench.device->take_domain_memory();
     const auto frames = parsed({
@@ -264,6 +267,7 @@ TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
 }
 
 TEST(NoAllocation, TheCanCbxAo412NeedsNoneAfterStart) {
+    shows_rule("nothing is taken from the heap after start");
     host::Memory memory{1024};
     TransmitQueue queue;
     cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};

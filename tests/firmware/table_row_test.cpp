@@ -5,6 +5,9 @@
 
 #include <cstdint>
 
+#include "support/shows_rule.hpp"
+
+
 namespace canproof::test {
 
 namespace {
@@ -17,6 +20,7 @@ struct Row {
 }  // namespace
 
 TEST(TableRow, ARowAnswersAndAMissingOneGivesTheSafeValue) {
+    shows_rule("a missing row gives the safe value");
     const Row row{3U, -7};
     const Row* const missing = nullptr;
     EXPECT_EQ(cell_or(&row, &Row::answer, std::int16_t{100}), -7);

@@ -29,6 +29,7 @@ TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
 }
 
 TEST(TransmitQueueOrder, FrontShowsWhatPopGives) {
+    verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     EXPECT_EQ(queue.front(), nullptr);
     queue.push(numbered(0x583, 1));
@@ -67,6 +68,7 @@ TEST(TransmitQueueOrder, IsBoundedAndRefusesWhileClosed) {
 }
 
 TEST(Crc, CheckValueOfTheCatalogue) {
+    verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};
     Crc32 crc;

@@ -105,7 +105,7 @@ double math_fraction(const MathInput& input) noexcept {
 static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003>);
 double apply_operator(const std::uint8_t number, const double a, const double b) noexcept {
     const Operation operation = operation_of(number);
-    constexpr double true_from = generated::ax130751::true_from;
+    const double true_from = generated::ax130751::true_from;
     switch (operation) {
         case Operation::equal:
         case Operation::not_equal:

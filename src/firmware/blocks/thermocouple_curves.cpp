@@ -53,14 +53,14 @@ constexpr ThermocoupleCurve make_curve(const SensorType type) noexcept {
     return curve;
 }
 
-constexpr ThermocoupleCurve type_j = make_curve(SensorType::j);
-constexpr ThermocoupleCurve type_k = make_curve(SensorType::k);
-constexpr ThermocoupleCurve type_n = make_curve(SensorType::n);
-constexpr ThermocoupleCurve type_r = make_curve(SensorType::r);
-constexpr ThermocoupleCurve type_s = make_curve(SensorType::s);
-constexpr ThermocoupleCurve type_t = make_curve(SensorType::t);
-constexpr ThermocoupleCurve type_e = make_curve(SensorType::e);
-constexpr ThermocoupleCurve type_b = make_curve(SensorType::b);
+const ThermocoupleCurve type_j = make_curve(SensorType::j);
+const ThermocoupleCurve type_k = make_curve(SensorType::k);
+const ThermocoupleCurve type_n = make_curve(SensorType::n);
+const ThermocoupleCurve type_r = make_curve(SensorType::r);
+const ThermocoupleCurve type_s = make_curve(SensorType::s);
+const ThermocoupleCurve type_t = make_curve(SensorType::t);
+const ThermocoupleCurve type_e = make_curve(SensorType::e);
+const ThermocoupleCurve type_b = make_curve(SensorType::b);
 
 }  // namespace
 

@@ -156,6 +156,7 @@ void Emcy::clear_list() noexcept {
     }
 }
 
+static_assert(implements<req::CO_EMCY_006>);
 /// An error that comes and goes while its messages wait is told as it stands: a message that says the opposite of the
 /// one before the last takes the last one back. So at most two wait for each error, and the last word is never lost.
 void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_t register_value,

@@ -170,6 +170,8 @@ void Node::follow_switching(const Instant now) noexcept {
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
 }
 
+/// What no service takes, 29-bit identifiers and TIME among it, has no effect.
+static_assert(implements<req::CO_FRAME_001> && implements<req::CO_TIME_001>);
 void Node::dispatch(const Frame& frame, const Instant now) noexcept {
     const auto command = nmt_command(frame, node_id_);
     if (command.has_value()) {
@@ -459,7 +461,7 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
 }
 
 /// Date and time of the configuration tool mean the configuration that it left, no other.
-static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002>);
+static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     constexpr std::uint32_t verify_index = 0x1020U;
     constexpr std::uint32_t parts = 2U;  // date, time

@@ -36,10 +36,10 @@ constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
 
 constexpr ErrorId temperature_error = ErrorId::first_of_device;
 constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U);
-constexpr Duration sample_period = microseconds(own::sample_period_us);
+const Duration sample_period = microseconds(own::sample_period_us);
 
 static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004>);
-constexpr auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
+const auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
 
 // What the node does for every device, in the manner of this one.
 static_assert(implements<req::INC_ERR_002> && implements<req::INC_ERR_003> && implements<req::INC_ERR_007> &&
@@ -50,7 +50,7 @@ static_assert(implements<req::INC_ERR_002> && implements<req::INC_ERR_003> && im
 static_assert(implements<req::INC_PDO_001> && implements<req::INC_PDO_002> && implements<req::INC_PDO_003> &&
               implements<req::INC_PDO_004> && implements<req::INC_PDO_005> && implements<req::INC_PDO_006> &&
               implements<req::INC_PDO_007> && implements<req::INC_OD_LIST> && implements<req::INC_FILTER_006>);
-constexpr NodeProfile profile = axiomatic_profile(bit_rates);
+const NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId id_of(const own::t_inc_t22::Error error) noexcept {
     using own::t_inc_t22::Error;

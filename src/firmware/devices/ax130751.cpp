@@ -30,12 +30,12 @@ constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
 constexpr std::uint32_t producer_count = 4U;  // of 1016h
 
 static_assert(implements<req::AOR_K_CYCLE>);
-constexpr Duration cycle_time = milliseconds(own::cycle_ms);
+const Duration cycle_time = milliseconds(own::cycle_ms);
 /// A cycle that changed nothing after one that changed nothing: so will all that follow, until something new comes.
 constexpr std::uint32_t cycles_to_rest = 2U;
 
 static_assert(implements<req::AOR_T22>);
-constexpr auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
+const auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
 
 // What the node does for every device, in the manner of this one.
 static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_ERR_001> &&
@@ -47,7 +47,7 @@ static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && im
               implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
 static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
               implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
-constexpr NodeProfile profile = axiomatic_profile(bit_rates);
+const NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t23::Row& row) noexcept {
     const auto detail = static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);

@@ -65,7 +65,7 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
 /// 0 to 100 while all of Y lies within, else what Y spans.
 static_assert(implements<req::AOR_LT_007> && implements<req::AOR_K_PERCENT_LOW> && implements<req::AOR_K_PERCENT_HIGH>);
 LookupLimits limits_for_others(const LookupPoints& points) noexcept {
-    constexpr LookupLimits percent{static_cast<double>(own::percent_low), static_cast<double>(own::percent_high)};
+    const LookupLimits percent{static_cast<double>(own::percent_low), static_cast<double>(own::percent_high)};
     const LookupLimits limits = lookup_limits(points);
     const bool within = (limits.least >= percent.least) && (limits.greatest <= percent.greatest);
     return within ? percent : limits;
@@ -196,8 +196,8 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, c
                        static_cast<double>(own::longest_interval_ms));
 }
 
-static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_008> &&
-              implements<req::AOR_LOGIC_009>);
+static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_T20> && implements<req::AOR_LOGIC_007> &&
+              implements<req::AOR_LOGIC_008> && implements<req::AOR_LOGIC_009>);
 bool advance_logic(const std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept {
     std::uint8_t selected{0U};
     BlockSignal table{};

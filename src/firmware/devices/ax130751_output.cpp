@@ -133,7 +133,7 @@ FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
     return keeps ? FaultAction::keep : FaultAction::fault_value;
 }
 
-static_assert(implements<req::AOR_OUT_008>);
+static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_SPEC_001>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
     conditions.shutdown = shutdown;

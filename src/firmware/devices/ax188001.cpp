@@ -19,14 +19,14 @@ namespace field = generated::ax188001::field;
 constexpr std::uint32_t filter_index = 0x2020U;
 constexpr std::uint32_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
 static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
-constexpr LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
+const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
-constexpr Duration scan_period = milliseconds(own::update_period_ms);
+const Duration scan_period = milliseconds(own::update_period_ms);
 // Readings made up for when the caller comes late; what is missed beyond them is left out.
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003>);
-constexpr auto bit_rates = lss_bit_rates(own::t_tcs_t4::rows);
+const auto bit_rates = lss_bit_rates(own::t_tcs_t4::rows);
 
 static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> &&
               implements<req::TCS_ERR_006> && implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> &&
@@ -36,7 +36,7 @@ static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && im
               implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
               implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
 /// What the node does for this device, beside its objects.
-constexpr NodeProfile profile = axiomatic_profile(bit_rates);
+const NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
     return error_after(ErrorId::first_of_device, (static_cast<std::size_t>(fault) * channel_count) + channel);
@@ -187,8 +187,8 @@ void Device::scan_when_due(const Instant now) noexcept {
 static_assert(implements<req::TCS_ERR_001> && implements<req::TCS_ERR_002> && implements<req::TCS_ERR_010> &&
               implements<req::TCS_LIM_004>);
 void Device::tell_faults(const Instant now) noexcept {
-    constexpr std::uint32_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
-    constexpr std::uint32_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
+    const std::uint32_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
+    const std::uint32_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
         return;  // told when the node boots
     }

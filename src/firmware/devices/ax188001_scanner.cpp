@@ -27,7 +27,7 @@ constexpr std::uint32_t filter_60_hz = 60U;
 
 static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
               implements<req::TCS_K_FV_DISABLED>);
-constexpr ReservedValues reserved{own::process_value_disabled, own::process_value_open};
+const ReservedValues reserved{own::process_value_disabled, own::process_value_open};
 
 static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
               implements<req::TCS_K_GAIN_BACK>);
@@ -41,10 +41,10 @@ constexpr ConverterCircuit make_circuit() noexcept {
     circuit.settling_conversions = own::settling_conversions;
     return circuit;
 }
-constexpr ConverterCircuit circuit = make_circuit();
+const ConverterCircuit circuit = make_circuit();
 
 // From the highest gain to the lowest, each change settled: what the start of the module waits for.
-constexpr std::size_t conversions_to_settle =
+const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
 
 static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
@@ -224,7 +224,7 @@ static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && im
               implements<req::TCS_LIM_009> && implements<req::TCS_LIM_010> && implements<req::TCS_K_HYSTERESIS> &&
               implements<req::TCS_K_LIMIT_RESOLUTION>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
-    constexpr double hysteresis = static_cast<double>(own::limit_hysteresis_c);
+    const double hysteresis = static_cast<double>(own::limit_hysteresis_c);
     const std::uint8_t sub = subindex(channel);
     const Duration delay = channel_delay(channel);
     const double low = limit_c(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));
@@ -280,7 +280,7 @@ static_assert(implements<req::TCS_FD_007> && implements<req::TCS_FD_001> && impl
               implements<req::TCS_FD_003> && implements<req::TCS_FD_004> && implements<req::TCS_FD_005> &&
               implements<req::TCS_K_FD_RESOLUTION>);
 void Scanner::evaluate_unit(const Instant now) noexcept {
-    constexpr double steps = static_cast<double>(own::fault_steps_per_unit);
+    const double steps = static_cast<double>(own::fault_steps_per_unit);
     const double temperature = std::round(cpu_temperature_c_ * steps);
     const double voltage = std::round(supply_v_ * steps);
     objects_.set(field::o5040_fd_field_value[1U], static_cast<float>(temperature));

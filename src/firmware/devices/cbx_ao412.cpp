@@ -22,12 +22,24 @@ constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
 constexpr std::uint32_t max_node_id = 0x7FU;
 
 constexpr std::uint32_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
+// What the node and the dictionary do for this device, in the manner of the profile below.
+static_assert(implements<req::AO4_ERR_001> && implements<req::AO4_ERR_002> && implements<req::AO4_ERR_003> &&
+              implements<req::AO4_ERR_004> && implements<req::AO4_ERR_005> && implements<req::AO4_ERR_006> &&
+              implements<req::AO4_ERR_007> && implements<req::AO4_ERR_008> && implements<req::AO4_ERR_009> &&
+              implements<req::AO4_ERR_010> && implements<req::AO4_ERR_011> && implements<req::AO4_ERR_012>);
+static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> && implements<req::AO4_GUARD_003> &&
+              implements<req::AO4_GUARD_004> && implements<req::AO4_PDO_001> && implements<req::AO4_PDO_002> &&
+              implements<req::AO4_PDO_003> && implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> &&
+              implements<req::AO4_PROG_002> && implements<req::AO4_PROG_003> && implements<req::AO4_START_002>);
+static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
+              implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
+              implements<req::AO4_STORE_005>);
 constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, EmcyContent::listed_errors, rpdo2_answers_remote,
                               true};
 
 // 4.3.1: reference times the gain of the differential amplifier.
-constexpr VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
-                                       own::dac_steps, own::codes_per_step};
+const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
+                                   own::dac_steps, own::codes_per_step};
 
 static_assert(implements<req::AO4_T_ERRORS>);
 constexpr ErrorTable make_error_table() noexcept {
@@ -249,7 +261,7 @@ void Device::drive_output(const std::uint8_t number) noexcept {
     }
     const float gain_codes = static_cast<float>(objects_.get(field::o2405_calibration_gain_value[number]));
     const float offset_codes = static_cast<float>(objects_.get(field::o2404_calibration_offset_value[number]));
-    constexpr float offset_lsb_v = own::calibration_offset_full_scale / 32768.0F;
+    const float offset_lsb_v = own::calibration_offset_full_scale / 32768.0F;
     const OutputCalibration calibration{1.0F + (gain_codes / static_cast<float>(own::calibration_gain_divisor)),
                                         offset_codes * offset_lsb_v};
     outputs_.aout[number - 1U] = step_voltage(output_step(driven.value, circuit, calibration), circuit);

@@ -7,38 +7,48 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/sound_register.hpp"
+#include "host/mutation/mutation.hpp"
 #include "host/trace/audit.hpp"
+#include "host/trace/story.hpp"
 
 namespace canproof::host {
 
 namespace {
 
 void print_part(const PartAudit& audit) {
-    fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s)\n", audit.part->name,
-               audit.items.size(), audit.sections.size(), audit.part->decisions.size(), audit.gaps.size());
-    for (const auto& gap : audit.gaps) {
-        fmt::print("  {}\n", gap);
+    fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s), {:>3} suspect(s)\n",
+               audit.part->name, audit.items.size(), audit.sections.size(), audit.part->decisions.size(),
+               audit.gaps.size(), audit.suspects.size());
+    for (const auto* findings : {&audit.gaps, &audit.suspects}) {
+        for (const auto& finding : *findings) {
+            fmt::print("  {}\n", finding);
+        }
     }
 }
 
-int print_story(const AuditedItem& audited, const Part& part, const Evidence& evidence) {
-    const Item& item = *audited.item;
-    fmt::print("{} ({} of {}, {}:{})\n  {}\n", item.id, audited.word, part.name, item.place.file, item.place.line,
-               item.text);
-    fmt::print("  sources      {}\n", fmt::join(item.sources, ", "));
-    fmt::print("  decisions    {}\n", fmt::join(audited.decisions, ", "));
-    if (const auto code = evidence.implemented.find(item.id); code != evidence.implemented.end()) {
-        fmt::print("  code         {}\n", fmt::join(code->second, ", "));
-    }
-    fmt::print("  demanded     {}\n", fmt::join(audited.demanded, ", "));
-    if (const auto found = evidence.verdicts.find(item.id); found != evidence.verdicts.end()) {
-        for (const auto& verdict : found->second) {
-            fmt::print("  {:<12} {} {}\n", verdict.kind, verdict.passed ? "passed" : "FAILED", verdict.test);
+int list_items(const std::vector<PartAudit>& audits, const AuditFilter& filter) {
+    std::size_t found = 0;
+    std::size_t not_shown = 0;
+    for (const auto& audit : audits) {
+        for (const auto& item : audit.items) {
+            if (passes(item, filter)) {
+                fmt::print("{}", item_line(item));
+                ++found;
+                not_shown += item.status() == "shown" ? 0 : 1;
+            }
         }
     }
-    const bool open = audited.failed || !audited.missing.empty();
-    fmt::print("  verdict      {}\n", open ? "open" : "shown");
-    return open ? 1 : 0;
+    fmt::print("{} item(s), {} of them not shown\n", found, not_shown);
+    return not_shown == 0 ? 0 : 1;
+}
+
+/// The parts that an audit of this device is about: a device rests on the shared rules. All without a name.
+std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
+    const auto other = [&](const PartAudit& one) {
+        return !device.empty() && one.part->is_device() && one.part->name != device;
+    };
+    audits.erase(std::remove_if(audits.begin(), audits.end(), other), audits.end());
+    return audits;
 }
 
 }  // namespace
@@ -48,31 +58,37 @@ int audit(const AuditOptions& options) {
     const Register content = sound_register(root / "spec");
     const auto verdicts =
         options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts};
-    const Evidence evidence = collect_evidence(root, verdicts);
-    const Part* device = content.part(options.subject);
-    std::vector<PartAudit> audits;
+    const Evidence evidence = collect_evidence(root, verdicts, content);
+    std::vector<PartAudit> audits = audit_all(content, evidence);
+    const bool is_device = content.part(options.subject) != nullptr;
+    if (!options.subject.empty() && !is_device) {
+        const auto mutations = read_mutation_json(root / "build" / "mutation" / "mutation.json");
+        const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
+        if (!story) {
+            throw InputError{fmt::format(
+                "`{}` is no device, id, section (AX130751:1.3), source file or test (Suite.Name)", options.subject)};
+        }
+        fmt::print("{}", story->text);
+        return story->open ? 1 : 0;
+    }
+    audits = parts_for(std::move(audits), options.subject);
+    if (!options.filter.empty()) {
+        return list_items(audits, options.filter);
+    }
     std::size_t gaps = 0;
-    for (const auto& part : content.parts) {
-        PartAudit one = audit_part(content, part, evidence);
-        for (const auto& item : one.items) {
-            if (item.item->id == options.subject) {
-                return print_story(item, part, evidence);
-            }
-        }
-        // A device rests on the shared rules: its audit includes theirs.
-        if (options.subject.empty() || &part == device || !part.is_device()) {
-            gaps += one.gaps.size();
-            audits.push_back(std::move(one));
-        }
-    }
-    if (!options.subject.empty() && device == nullptr) {
-        throw InputError{fmt::format("`{}` is neither a device nor an id of the register", options.subject)};
-    }
+    std::size_t suspects = 0;
     for (const auto& one : audits) {
         print_part(one);
+        gaps += one.gaps.size();
+        suspects += one.suspects.size();
     }
-    fmt::print("{} test(s), {} failed, {} gap(s)\n", evidence.tests, evidence.failed, gaps);
-    return gaps == 0 && evidence.failed == 0 ? 0 : 1;
+    const auto strays = orphans(evidence);
+    for (const auto& stray : strays) {
+        fmt::print("orphan: {}\n", stray);
+    }
+    fmt::print("{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s)\n", evidence.tests, evidence.failed, gaps,
+               strays.size(), suspects);
+    return gaps + suspects + strays.size() + evidence.failed == 0 ? 0 : 1;
 }
 
 }  // namespace canproof::host

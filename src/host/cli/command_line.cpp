@@ -31,6 +31,14 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and mend");
     check->add_option("--spec", folder, "folder of the register")->capture_default_str();
     check->callback([&chosen] { chosen = [] { return check_spec(folder); }; });
+    static ReviewOptions reviewing;
+    auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
+    review->add_option("ID", reviewing.subjects, "ids or devices");
+    review->add_flag("--all", reviewing.all, "every item that has changed since its review");
+    review->add_option("--by", reviewing.by, "who has read them")->required();
+    review->add_option("--date", reviewing.date, "YYYY-MM-DD; today without it");
+    review->add_option("--spec", reviewing.spec, "folder of the register")->capture_default_str();
+    review->callback([&chosen] { chosen = [] { return review_spec(reviewing); }; });
 }
 
 /// What `run` and `panel` have in common.
@@ -111,7 +119,12 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
 void add_audit(CLI::App& app, std::function<int()>& chosen) {
     static AuditOptions options;
     auto* command = app.add_subcommand("audit", "manual section to requirement to code to test to verdict");
-    command->add_option("SUBJECT", options.subject, "a device or a requirement; all without it");
+    command->add_option("SUBJECT", options.subject,
+                        "a device, id, section (AX130751:1.3), source file or test; all without it");
+    command->add_option("--section", options.filter.section, "list items from there: AX130751:1 takes 1.3 as well");
+    command->add_option("--kind", options.filter.kind, "list items of a kind: timing, storage, table, constant …");
+    command->add_option("--status", options.filter.status, "list items that are failed, open, suspect or shown")
+        ->check(CLI::IsMember({"failed", "open", "suspect", "shown"}));
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
     command->add_option("--verdicts", options.verdicts, "folder of test results; build/release/verdicts without it");
     command->callback([&chosen] { chosen = [] { return audit(options); }; });
@@ -186,6 +199,28 @@ void add_evidence(CLI::App& app, std::function<int()>& chosen) {
     command->callback([&chosen] { chosen = [] { return write_evidence(options); }; });
 }
 
+void add_mutate(CLI::App& app, std::function<int()>& chosen) {
+    static MutateOptions options;
+    auto* command = app.add_subcommand("mutate", "alters each generated cell and asks whether a test notices");
+    command->add_option("SUBJECT", options.subject, "a device or an id; the whole register without it");
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--programs", options.programs, "folder of the test programs; build/mutation without it");
+    command->add_option("--sample", options.sample, "only so many cells, drawn by --seed");
+    command->add_option("--seed", options.seed, "of the sample")->capture_default_str();
+    command->add_option("--jobs", options.jobs, "processes at a time")->capture_default_str()->check(CLI::Range(1, 64));
+    command->callback([&chosen] { chosen = [] { return mutate(options); }; });
+}
+
+void add_diff(CLI::App& app, std::function<int()>& chosen) {
+    static DiffOptions options;
+    auto* command = app.add_subcommand("diff", "what the changes since a revision touch: items, code, tests, verdicts");
+    command->add_option("REVISION", options.revision, "a commit, branch or tag of git")->required();
+    command->add_option("--root", options.root, "the project's folder")->capture_default_str();
+    command->add_option("--verdicts", options.verdicts, "folder of test results; build/release/verdicts without it");
+    command->add_option("--old-verdicts", options.old_verdicts, "results of the revision: tells whose verdict differs");
+    command->callback([&chosen] { chosen = [] { return diff(options); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -199,6 +234,8 @@ int run_command_line(int argc, char** argv) {
     add_coverage(app, chosen);
     add_misra(app, chosen);
     add_evidence(app, chosen);
+    add_mutate(app, chosen);
+    add_diff(app, chosen);
     try {
         app.parse(argc, argv);
         return chosen();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/fuzz/campaign.hpp"
+#include "host/trace/audit.hpp"
 
 namespace canproof::host {
 
@@ -43,8 +44,33 @@ struct PanelOptions {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, requirement id or nothing
+    std::string subject;  ///< device, id, section, source file, test or nothing
     std::string verdicts;
+    AuditFilter filter;
+};
+
+struct ReviewOptions {
+    std::string spec{"spec"};
+    std::vector<std::string> subjects;  ///< ids or devices
+    bool all{false};
+    std::string by;
+    std::string date;  ///< 2026-11-21; empty: today
+};
+
+struct MutateOptions {
+    std::string root{"."};
+    std::string programs;  ///< folder; empty: build/mutation below the root
+    std::string subject;   ///< device, id or nothing
+    std::size_t sample{0};
+    std::uint64_t seed{1};
+    unsigned jobs{2};
+};
+
+struct DiffOptions {
+    std::string root{"."};
+    std::string revision;
+    std::string verdicts;
+    std::string old_verdicts;
 };
 
 struct EvidenceOptions {
@@ -92,6 +118,9 @@ int audit(const AuditOptions& options);
 int write_evidence(const EvidenceOptions& options);
 int check_coverage(const CoverageOptions& options);
 int check_misra(const MisraOptions& options);
+int review_spec(const ReviewOptions& options);
+int mutate(const MutateOptions& options);
+int diff(const DiffOptions& options);
 
 int run_command_line(int argc, char** argv);
 

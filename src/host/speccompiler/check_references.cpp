@@ -173,10 +173,9 @@ class ReferenceCheck {
     }
 
     void check_reviews(const Part& part) {
-        for (const auto& [id, print] : part.reviews) {
+        for (const auto& [id, review] : part.reviews) {
             if (ids_.count(id) == 0) {
-                fault(part.review_places.at(id), fmt::format("review of {}, which does not exist", id),
-                      "remove the line");
+                fault(review.place, fmt::format("review of {}, which does not exist", id), "remove the line");
             }
         }
     }

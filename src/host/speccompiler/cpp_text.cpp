@@ -13,6 +13,10 @@ std::string heading(const Part& part) {
         fmt::join(part.files, "\n//   "));
 }
 
+const char* storage_words(Cells cells) {
+    return cells == Cells::constant ? "inline constexpr" : "inline";
+}
+
 std::string cpp_type(const std::string& cia_type) {
     if (cia_type == "BOOLEAN") {
         return "bool";

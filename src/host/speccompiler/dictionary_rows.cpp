@@ -54,12 +54,13 @@ canproof::Limit limit_of(const Entry& entry, const Limit& one) {
 }
 
 /// Position of the entry's allowed values in the shared list, `first << 16 | count`.
-std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed) {
+std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, Limits limits) {
     std::vector<std::uint32_t> bits;
     for (const auto& value : entry.range.values) {
         bits.push_back(limit_bits(entry.type, value));
     }
-    const auto found = std::search(allowed.begin(), allowed.end(), bits.begin(), bits.end());
+    const auto found = limits == Limits::shared ? std::search(allowed.begin(), allowed.end(), bits.begin(), bits.end())
+                                                : allowed.end();
     const auto first = static_cast<std::size_t>(found - allowed.begin());
     if (found == allowed.end()) {
         allowed.insert(allowed.end(), bits.begin(), bits.end());
@@ -72,7 +73,7 @@ bool same(const canproof::Limit& a, const canproof::Limit& b) {
 }
 
 /// Number of the limit row of an entry, each row written once however often it is used.
-std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows) {
+std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows, Limits limits) {
     if (entry.range.empty()) {
         return no_limit;
     }
@@ -81,10 +82,10 @@ std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows) {
         row.minimum.kind = LimitKind::value_or_zero;
     }
     if (!entry.range.values.empty()) {
-        row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed), 0}, {LimitKind::none, 0U, 0}};
+        row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed, limits), 0}, {LimitKind::none, 0U, 0}};
     }
-    const auto found = std::find_if(rows.limits.begin(), rows.limits.end(), [&row](const LimitRow& one) {
-        return same(one.minimum, row.minimum) && same(one.maximum, row.maximum);
+    const auto found = std::find_if(rows.limits.begin(), rows.limits.end(), [&](const LimitRow& one) {
+        return limits == Limits::shared && same(one.minimum, row.minimum) && same(one.maximum, row.maximum);
     });
     const auto at = static_cast<std::uint16_t>(found - rows.limits.begin());
     if (found == rows.limits.end()) {
@@ -175,7 +176,7 @@ DictionaryTables DictionaryRows::tables() const {
                             slot_factor};
 }
 
-DictionaryRows make_rows(const Part& part) {
+DictionaryRows make_rows(const Part& part, Limits limits) {
     DictionaryRows rows;
     rows.layout = make_layout(part);
     for (std::size_t o = 0; o < part.objects.size(); ++o) {
@@ -186,8 +187,8 @@ DictionaryRows make_rows(const Part& part) {
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
             const Entry& entry = object.entries[e];
             const Placement& place = rows.layout.placements[o][e];
-            rows.entries.push_back(EntryRow{place.offset, place.size, limit_row_for(entry, rows), entry.subindex,
-                                            data_type(entry.type), rights_of(entry, place.constant),
+            rows.entries.push_back(EntryRow{place.offset, place.size, limit_row_for(entry, rows, limits),
+                                            entry.subindex, data_type(entry.type), rights_of(entry, place.constant),
                                             service_of(entry)});
         }
     }

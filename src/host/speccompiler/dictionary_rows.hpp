@@ -45,7 +45,9 @@ struct DictionaryRows {
     DictionaryTables tables() const;
 };
 
-DictionaryRows make_rows(const Part& part);
+/// Whether entries with the same range share its row.
+enum class Limits { shared, one_an_entry };
+DictionaryRows make_rows(const Part& part, Limits limits = Limits::shared);
 
 /// `UNSIGNED16` as the firmware's data type.
 DataType data_type(const std::string& cia_type);

@@ -113,6 +113,18 @@ std::string fingerprint(const Signal& signal) {
     return print.text();
 }
 
+std::string fingerprint(const Decision& decision) {
+    Print print;
+    print.add(decision.text).add(decision.chosen).add(decision.because).add(decision.none);
+    for (const auto& reading : decision.readings) {
+        print.add(reading.says).add(reading.source);
+    }
+    for (const auto& id : decision.affects) {
+        print.add(id);
+    }
+    return print.text();
+}
+
 std::map<std::string, std::string> fingerprints(const Part& part) {
     std::map<std::string, std::string> prints;
     const auto add_all = [&](const auto& items) {
@@ -126,6 +138,7 @@ std::map<std::string, std::string> fingerprints(const Part& part) {
     add_all(part.enumerations);
     add_all(part.constants);
     add_all(part.signals);
+    add_all(part.decisions);
     return prints;
 }
 

@@ -15,6 +15,7 @@ std::string fingerprint(const Table& table);
 std::string fingerprint(const Enumeration& enumeration);
 std::string fingerprint(const Constant& constant);
 std::string fingerprint(const Signal& signal);
+std::string fingerprint(const Decision& decision);
 
 /// Every id of the part with its fingerprint, as reviews.toml holds them.
 std::map<std::string, std::string> fingerprints(const Part& part);

@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
     std::string out;
     app.add_option("--spec", spec, "folder of the register")->required()->check(CLI::ExistingDirectory);
     app.add_option("--out", out, "folder to write to")->required();
+    bool changeable = false;
+    app.add_flag("--changeable", changeable, "cells that a running program can alter, and the list of alterations");
     CLI11_PARSE(app, argc, argv);
     try {
         const SpecFiles files = read_spec_files(spec);
@@ -22,7 +24,7 @@ int main(int argc, char** argv) {
             std::cerr << loaded.faults.size() << " fault(s) in the register; nothing written\n";
             return 1;
         }
-        write_all(loaded.content, files, out);
+        write_all(loaded.content, files, out, changeable ? Cells::changeable : Cells::constant);
     } catch (const std::exception& error) {
         std::cerr << "speccompiler: " << error.what() << '\n';
         return 2;

@@ -122,6 +122,7 @@ Constant read_constant(TomlItem& item) {
     constant.unit = item.text_or("unit", "");
     constant.value = item.value("value");
     constant.value_place = item.place("value");
+    constant.compiled_in = item.boolean_or("compiled_in", false);
     item.finish();
     return constant;
 }
@@ -175,6 +176,24 @@ Decision read_decision(TomlItem& item) {
     return decision;
 }
 
+/// One [[review]]: who read which items when.
+void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
+    const std::string date = item.text("date");
+    const std::string by = item.text("by");
+    if (auto items = item.item("items")) {
+        for (const auto& [key, print] : items->table()) {
+            const std::string id{key.str()};
+            const Place place = items->place(id);
+            if (!reviews.emplace(id, Review{to_text(literal(print)), date, by, place}).second) {
+                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
+            }
+        }
+    } else {
+        item.fault("review without items", "write [review.items] with `ID = \"fingerprint\"` lines");
+    }
+    item.finish();
+}
+
 void read_items(TomlItem& file, Part& part) {
     for (TomlItem& item : file.items("requirement"))
         part.requirements.push_back(read_requirement(item));
@@ -192,12 +211,8 @@ void read_items(TomlItem& file, Part& part) {
         part.signals.push_back(read_signal(item));
     for (TomlItem& item : file.items("decision"))
         part.decisions.push_back(read_decision(item));
-    if (auto reviewed = file.item("reviewed")) {
-        for (const auto& [id, print] : reviewed->table()) {
-            part.reviews[std::string{id.str()}] = to_text(literal(print));
-            part.review_places[std::string{id.str()}] = reviewed->place(std::string{id.str()});
-        }
-    }
+    for (TomlItem& item : file.items("review"))
+        read_review(item, part.reviews);
     file.finish();
 }
 
@@ -237,7 +252,10 @@ void read_file(const std::string& path, const toml::table& root, Register& conte
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
-        part_named(content, part).files.push_back(path);
+        // A review changes nothing that is written from the register.
+        if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
+            part_named(content, part).files.push_back(path);
+        }
         read_items(item, part_named(content, part));
     }
 }

@@ -144,6 +144,7 @@ struct Constant : Item {
     std::string type;
     std::string unit;
     Value value;
+    bool compiled_in{false};  ///< the firmware needs it while it is compiled, as the size of an array is
     Place value_place;
 };
 
@@ -175,6 +176,14 @@ struct Decision : Item {
     std::string none;
     std::string severity;
     std::string ref;
+};
+
+/// Someone has read an item together with its code and tests.
+struct Review {
+    std::string fingerprint;  ///< of the item as it was then
+    std::string date;         ///< 2026-11-21
+    std::string by;
+    Place place;
 };
 
 /// What a device says of itself; empty for the shared part.
@@ -210,8 +219,7 @@ struct Part {
     std::vector<Constant> constants;
     std::vector<Signal> signals;
     std::vector<Decision> decisions;
-    std::map<std::string, std::string> reviews;  ///< id → fingerprint at its last review
-    std::map<std::string, Place> review_places;
+    std::map<std::string, Review> reviews;  ///< by id
     std::vector<std::string> files;
 
     /// `cbx-ao412` as C++ spells it: cbx_ao412.

@@ -75,12 +75,14 @@ std::string constant_type(const std::string& type) {
 
 }  // namespace
 
-std::string write_constants(const Part& part) {
+std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
         const std::string type = constant_type(constant.type);
         text += item_comment(constant, constant.unit);
-        text += fmt::format("inline constexpr {} {}{{{}}};\n", type, constant.name, cpp_literal(constant.value, type));
+        text += fmt::format("{} {} {}{{{}}};\n",
+                            constant.compiled_in ? storage_words(Cells::constant) : storage_words(cells), type,
+                            constant.name, cpp_literal(constant.value, type));
     }
     return text + "\n" + ending(part);
 }

@@ -42,9 +42,10 @@ std::string entry_words(const EntryRow& row, const Entry& entry) {
 }
 
 /// One pool of values, a row an entry.
-std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant) {
+std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant, Cells cells) {
     const auto& pool = constant ? layout.constants : layout.image;
-    std::string text = fmt::format("inline constexpr std::array<std::uint8_t, {}U> {}{{{{\n", pool.size(), name);
+    std::string text =
+        fmt::format("{} std::array<std::uint8_t, {}U> {}{{{{\n", storage_words(cells), pool.size(), name);
     for (std::size_t o = 0; o < part.objects.size(); ++o) {
         const Object& object = part.objects[o];
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
@@ -62,8 +63,9 @@ std::string value_pool(const std::string& name, const Part& part, const Layout& 
     return text + "}};\n\n";
 }
 
-std::string string_rows(const std::string& type, const std::string& name, const std::vector<std::string>& rows) {
-    std::string text = fmt::format("inline constexpr std::array<{}, {}U> {}{{{{\n", type, rows.size(), name);
+std::string string_rows(const std::string& type, const std::string& name, const std::vector<std::string>& rows,
+                        Cells cells) {
+    std::string text = fmt::format("{} std::array<{}, {}U> {}{{{{\n", storage_words(cells), type, rows.size(), name);
     for (const auto& row : rows) {
         text += "    " + row + "\n";
     }
@@ -118,8 +120,8 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
 
 }  // namespace
 
-std::string write_objects(const Part& part) {
-    const DictionaryRows rows = make_rows(part);
+std::string write_objects(const Part& part, Cells cells) {
+    const DictionaryRows rows = make_rows(part, cells == Cells::constant ? Limits::shared : Limits::one_an_entry);
     const Layout& layout = rows.layout;
     std::vector<std::string> objects;
     std::vector<std::string> entries;
@@ -148,14 +150,14 @@ std::string write_objects(const Part& part) {
     std::string text = heading(part);
     text += "#include <array>\n#include <cstdint>\n\n#include \"firmware/canopen/dictionary_check.hpp\"\n\n";
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
-    text += string_rows("ObjectRow", "object_rows", objects);
+    text += string_rows("ObjectRow", "object_rows", objects, cells);
     text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
-    text += string_rows("EntryRow", "entry_rows", entries);
-    text += string_rows("LimitRow", "limit_rows", limits);
-    text += string_rows("std::uint32_t", "allowed_values", allowed);
+    text += string_rows("EntryRow", "entry_rows", entries, cells);
+    text += string_rows("LimitRow", "limit_rows", limits, cells);
+    text += string_rows("std::uint32_t", "allowed_values", allowed, cells);
     text += slot_table(rows);
-    text += value_pool("constant_pool", part, layout, true);
-    text += value_pool("default_image", part, layout, false);
+    text += value_pool("constant_pool", part, layout, true, cells);
+    text += value_pool("default_image", part, layout, false, cells);
     text += fmt::format("inline constexpr std::size_t image_size = {}U;\n\n", layout.image.size());
     text += fmt::format(
         "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "

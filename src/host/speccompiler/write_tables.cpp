@@ -1,190 +1,114 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "host/speccompiler/literals.hpp"
+#include "host/speccompiler/table_code.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-class TableWriter {
-  public:
-    TableWriter(const Register& content, const Part& part, const Table& table)
-        : content_{content}, part_{part}, table_{table} {}
+std::string own_enumeration(const Column& column) {
+    std::vector<std::string> words;
+    for (const auto& word : column.words) {
+        words.push_back(cpp_word(word));
+    }
+    return fmt::format("enum class {} : std::uint8_t {{ {} }};\n", pascal_case(column.name), fmt::join(words, ", "));
+}
 
-    std::string text() {
-        std::string out = item_comment(table_, "");
-        out += fmt::format("namespace t_{} {{\n\n", snake_case(table_.id));
-        for (const auto* columns : {&table_.inputs, &table_.outputs}) {
-            for (const auto& column : *columns) {
-                if (column.kind == Column::Kind::words && column.enumeration.empty()) {
-                    out += own_enumeration(column);
-                }
+std::string row_type(const TableCode& code, const Table& table) {
+    std::string out = "struct Row {\n";
+    for (const auto& column : table.inputs) {
+        if (code.is_ranged(column)) {
+            out += fmt::format("    {0} {1}_first;\n    {0} {1}_last;\n", code.type_of(column), column.name);
+        } else {
+            out += fmt::format("    {} {};\n", code.type_of(column), column.name);
+        }
+    }
+    for (const auto& column : table.outputs) {
+        out += fmt::format("    {} {};{}\n", code.type_of(column), column.name,
+                           column.unit.empty() ? "" : "  ///< " + column.unit);
+    }
+    return out + "};\n\n";
+}
+
+std::string rows_of(const TableCode& code, const Table& table, Cells cells) {
+    std::string lines;
+    const auto rows = code.rows();
+    for (const auto& row : rows) {
+        std::vector<std::string> literals;
+        for (const auto& field : row) {
+            literals.push_back(code.literal(*field.column, field.value));
+        }
+        lines += fmt::format("    {{{}}},  // {}\n", fmt::join(literals, ", "), table.id);
+    }
+    return fmt::format("{} std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", storage_words(cells), rows.size(), lines);
+}
+
+/// Two narrow operands would both become int, and change their sign (MISRA C++:2023 7.0.5).
+std::string wide_type_of(const TableCode& code, const Column& column) {
+    const std::string type = code.type_of(column);
+    return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
+}
+
+/// What the compiler of the tables checks where they stand: each row is found by its own inputs.
+std::string row_check(const TableCode& code, const Table& table) {
+    std::vector<std::string> firsts;
+    std::vector<std::string> lasts;
+    for (const auto& column : table.inputs) {
+        const std::string name = "row." + column.name;
+        firsts.push_back(code.is_ranged(column) ? name + "_first" : name);
+        lasts.push_back(code.is_ranged(column) ? name + "_last" : name);
+    }
+    std::string hidden = fmt::format("find({}) != &row", fmt::join(firsts, ", "));
+    if (firsts != lasts) {
+        hidden = fmt::format("({}) || (find({}) != &row)", hidden, fmt::join(lasts, ", "));
+    }
+    return fmt::format(
+        "/// No row hides another.\nconstexpr bool finds_each_row() noexcept {{\n"
+        "    for (const Row& row : rows) {{\n        if ({}) {{\n"
+        "            return false;\n        }}\n    }}\n    return true;\n}}\n"
+        "static_assert(finds_each_row());\n\n",
+        hidden);
+}
+
+std::string find_in(const TableCode& code, const Table& table, Cells cells) {
+    std::vector<std::string> parameters;
+    std::vector<std::string> tests;
+    for (const auto& column : table.inputs) {
+        parameters.push_back(fmt::format("const {} {}", wide_type_of(code, column), column.name));
+        tests.push_back(code.is_ranged(column)
+                            ? fmt::format("(row.{0}_first <= {0}) && ({0} <= row.{0}_last)", column.name)
+                            : fmt::format("(row.{0} == {0})", column.name));
+    }
+    return fmt::format(
+        "/// The row for these inputs; nullptr outside the table's domain.\n{} const Row* find({}) noexcept "
+        "{{\n"
+        "    for (const Row& row : rows) {{\n        if ({}) {{\n            return &row;\n        }}\n    }}\n    "
+        "return nullptr;\n}}\n\n{}",
+        cells == Cells::constant ? "constexpr" : "inline", fmt::join(parameters, ", "), fmt::join(tests, " && "),
+        cells == Cells::constant ? row_check(code, table) : "");
+}
+
+std::string table_text(const Register& content, const Part& part, const Table& table, Cells cells) {
+    const TableCode code{content, part, table};
+    std::string out = item_comment(table, "");
+    out += fmt::format("namespace {} {{\n\n", code.space());
+    for (const auto* columns : {&table.inputs, &table.outputs}) {
+        for (const auto& column : *columns) {
+            if (column.kind == Column::Kind::words && column.enumeration.empty()) {
+                out += own_enumeration(column);
             }
         }
-        out += "struct Row {\n";
-        for (const auto& column : table_.inputs) {
-            if (is_ranged(column)) {
-                out += fmt::format("    {0} {1}_first;\n    {0} {1}_last;\n", type_of(column), column.name);
-            } else {
-                out += fmt::format("    {} {};\n", type_of(column), column.name);
-            }
-        }
-        for (const auto& column : table_.outputs) {
-            out += fmt::format("    {} {};{}\n", type_of(column), column.name,
-                               column.unit.empty() ? "" : "  ///< " + column.unit);
-        }
-        out += "};\n\n" + rows() + find();
-        return out + fmt::format("}}  // namespace t_{}\n\n", snake_case(table_.id));
     }
-
-  private:
-    bool is_ranged(const Column& column) const {
-        return column.kind == Column::Kind::integers &&
-               std::any_of(table_.rows.begin(), table_.rows.end(), [&](const Table::Row& row) {
-                   const Cell& cell = row.cells[position(column)];
-                   return cell.any() || std::any_of(cell.parts.begin(), cell.parts.end(),
-                                                    [](const Cell::Part& p) { return p.first != p.last; });
-               });
-    }
-
-    std::size_t position(const Column& column) const {
-        return static_cast<std::size_t>(&column - table_.inputs.data());
-    }
-
-    std::string type_of(const Column& column) const {
-        if (!column.type.empty())
-            return cpp_type(column.type);
-        switch (column.kind) {
-            case Column::Kind::booleans:
-                return "bool";
-            case Column::Kind::reals:
-                return "float";
-            case Column::Kind::integers:
-                return cpp_integer_type(*column.minimum, *column.maximum);
-            default:
-                return enumeration_of(column);
-        }
-    }
-
-    /// Two narrow operands would both become int, and change their sign (MISRA C++:2023 7.0.5).
-    std::string wide_type_of(const Column& column) const {
-        const std::string type = type_of(column);
-        return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
-    }
-
-    std::string enumeration_of(const Column& column) const {
-        if (column.enumeration.empty())
-            return pascal_case(column.name);
-        const Enumeration* found = content_.enumeration(part_, column.enumeration);
-        const bool shared = found->id.rfind("CO-", 0) == 0 && part_.is_device();
-        return (shared ? "canopen::" : "") + found->name;
-    }
-
-    static std::string own_enumeration(const Column& column) {
-        std::vector<std::string> words;
-        for (const auto& word : column.words)
-            words.push_back(cpp_word(word));
-        return fmt::format("enum class {} : std::uint8_t {{ {} }};\n", pascal_case(column.name),
-                           fmt::join(words, ", "));
-    }
-
-    std::string literal(const Column& column, const Value& value) const {
-        if (const auto* word = std::get_if<std::string>(&value)) {
-            return enumeration_of(column) + "::" + cpp_word(*word);
-        }
-        return cpp_literal(value, type_of(column));
-    }
-
-    /// The ways to write one input cell: "*" and alternatives become one row each, an integer range a pair.
-    std::vector<std::string> choices(const Column& column, const Cell& cell) const {
-        std::vector<std::string> all;
-        if (column.kind == Column::Kind::integers) {
-            std::vector<Cell::Part> parts = cell.parts;
-            if (cell.any())
-                parts.push_back({*column.minimum, *column.maximum});
-            for (const auto& part : parts) {
-                all.push_back(is_ranged(column) ? literal(column, part.first) + ", " + literal(column, part.last)
-                                                : literal(column, part.first));
-            }
-            return all;
-        }
-        std::vector<Value> values;
-        for (const auto& part : cell.parts)
-            values.push_back(part.first);
-        if (cell.any() && column.kind == Column::Kind::booleans)
-            values = {false, true};
-        if (cell.any() && column.kind == Column::Kind::words)
-            values.assign(column.words.begin(), column.words.end());
-        for (const auto& value : values)
-            all.push_back(literal(column, value));
-        return all;
-    }
-
-    std::string rows() const {
-        std::vector<std::string> lines;
-        for (const auto& row : table_.rows) {
-            std::vector<std::string> heads{""};
-            for (std::size_t i = 0; i < table_.inputs.size(); ++i) {
-                std::vector<std::string> longer;
-                for (const auto& head : heads) {
-                    for (const auto& choice : choices(table_.inputs[i], row.cells[i]))
-                        longer.push_back(head + choice + ", ");
-                }
-                heads = longer;
-            }
-            std::vector<std::string> outputs;
-            for (std::size_t i = 0; i < table_.outputs.size(); ++i) {
-                outputs.push_back(literal(table_.outputs[i], row.cells[table_.inputs.size() + i].parts.front().first));
-            }
-            for (const auto& head : heads)
-                lines.push_back(fmt::format("    {{{}{}}},  // {}\n", head, fmt::join(outputs, ", "), table_.id));
-        }
-        return fmt::format("inline constexpr std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", lines.size(),
-                           fmt::join(lines, ""));
-    }
-
-    std::string find() const {
-        std::vector<std::string> parameters;
-        std::vector<std::string> tests;
-        std::vector<std::string> firsts;
-        std::vector<std::string> lasts;
-        for (const auto& column : table_.inputs) {
-            const std::string name = "row." + column.name;
-            firsts.push_back(is_ranged(column) ? name + "_first" : name);
-            lasts.push_back(is_ranged(column) ? name + "_last" : name);
-            parameters.push_back(fmt::format("const {} {}", wide_type_of(column), column.name));
-            tests.push_back(is_ranged(column)
-                                ? fmt::format("(row.{0}_first <= {0}) && ({0} <= row.{0}_last)", column.name)
-                                : fmt::format("(row.{0} == {0})", column.name));
-        }
-        std::string hidden = fmt::format("find({}) != &row", fmt::join(firsts, ", "));
-        if (firsts != lasts) {
-            hidden = fmt::format("({}) || (find({}) != &row)", hidden, fmt::join(lasts, ", "));
-        }
-        return fmt::format(
-            "/// The row for these inputs; nullptr outside the table's domain.\nconstexpr const Row* find({}) noexcept "
-            "{{\n"
-            "    for (const Row& row : rows) {{\n        if ({}) {{\n            return &row;\n        }}\n    }}\n    "
-            "return nullptr;\n}}\n\n"
-            "/// No row hides another.\nconstexpr bool finds_each_row() noexcept {{\n"
-            "    for (const Row& row : rows) {{\n        if ({}) {{\n"
-            "            return false;\n        }}\n    }}\n    return true;\n}}\n"
-            "static_assert(finds_each_row());\n\n",
-            fmt::join(parameters, ", "), fmt::join(tests, " && "), hidden);
-    }
-
-    const Register& content_;
-    const Part& part_;
-    const Table& table_;
-};
+    out += row_type(code, table) + rows_of(code, table, cells) + find_in(code, table, cells);
+    return out + fmt::format("}}  // namespace {}\n\n", code.space());
+}
 
 }  // namespace
 
-std::string write_tables(const Register& content, const Part& part) {
+std::string write_tables(const Register& content, const Part& part, Cells cells) {
     std::string text = heading(part);
     text += "#include <array>\n#include <cstdint>\n\n#include \"generated/canopen/enumerations.hpp\"\n";
     if (part.is_device()) {
@@ -192,7 +116,7 @@ std::string write_tables(const Register& content, const Part& part) {
     }
     text += fmt::format("\nnamespace canproof::generated::{} {{\n\n", part.cpp_name());
     for (const auto& table : part.tables) {
-        text += TableWriter{content, part, table}.text();
+        text += table_text(content, part, table, cells);
     }
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }

@@ -8,15 +8,23 @@
 
 namespace canproof::host {
 
+/// Whether the written cells can be altered in a running program: only test programs of `canproof mutate` are built so.
+enum class Cells { constant, changeable };
+/// `inline constexpr`, or `inline` where cells are to be changeable.
+const char* storage_words(Cells cells);
+
 std::string write_requirements(const Register& content, const Part& part);
-std::string write_objects(const Part& part);
-std::string write_tables(const Register& content, const Part& part);
-std::string write_constants(const Part& part);
+std::string write_objects(const Part& part, Cells cells = Cells::constant);
+std::string write_tables(const Register& content, const Part& part, Cells cells = Cells::constant);
+std::string write_constants(const Part& part, Cells cells = Cells::constant);
+/// One row an alteration: requirement, cell, address, and the bytes that replace it. Fits what is written changeable.
+std::string write_alterations(const Register& content);
 std::string write_enumerations(const Part& part);
 std::string write_signals(const Part& part);
 std::string write_embedded(const SpecFiles& files);
 /// All of them as files below `out`; files whose text stays the same are left alone.
-void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out);
+void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out,
+               Cells cells = Cells::constant);
 
 /// CiA 306 electronic data sheet, CRLF line ends.
 std::string write_eds(const Register& content, const Part& part);

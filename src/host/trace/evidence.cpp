@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <fstream>
 #include <pugixml.hpp>
-#include <regex>
 
 #include "host/bus/candump.hpp"
+#include "host/trace/code_links.hpp"
 
 namespace canproof::host {
 
@@ -16,6 +16,17 @@ namespace {
 std::string id_of(std::string cpp_name) {
     std::replace(cpp_name.begin(), cpp_name.end(), '_', '-');
     return cpp_name;
+}
+
+/// `../../tests/x.cpp`, as the build names it, to `tests/x.cpp`.
+std::string from_project(std::string file) {
+    for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
+        const auto at = file.find(folder);
+        if (at != std::string::npos && (at == 0 || file[at - 1] == '/')) {
+            return file.substr(at);
+        }
+    }
+    return file;
 }
 
 void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
@@ -34,22 +45,35 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
                                   one.child("failure").attribute("message").value()});
         const std::string name =
             fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
+        const std::string source = from_project(one.attribute("file").value());
+        bool claims = false;
         for (const auto& claim : one.child("properties").children("property")) {
             evidence.verdicts[claim.attribute("name").value()].push_back(
-                {name, claim.attribute("value").value(), passed});
+                {name, claim.attribute("value").value(), passed, one.attribute("time").as_double(), source});
+            claims = true;
+        }
+        evidence.runs.push_back({name, source, passed, claims});
+    }
+}
+
+/// The ids named by implements<req::…> in a line.
+void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
+    static const std::string link = "implements<req::";
+    for (auto at = line.find(link); at != std::string::npos; at = line.find(link, at)) {
+        at += link.size();
+        const auto end = line.find('>', at);
+        if (end != std::string::npos) {
+            evidence.implemented[id_of(line.substr(at, end - at))].push_back(place);
         }
     }
 }
 
 void scan_source(const std::filesystem::path& root, const std::filesystem::path& file, Evidence& evidence) {
-    static const std::regex link{R"(implements<req::(\w+)>)"};
     std::ifstream in{file};
     std::string line;
+    const std::string name = file.lexically_relative(root).generic_string();
     for (int number = 1; std::getline(in, line); ++number) {
-        for (std::sregex_iterator at{line.begin(), line.end(), link}, end; at != end; ++at) {
-            evidence.implemented[id_of((*at)[1])].push_back(
-                fmt::format("{}:{}", file.lexically_relative(root).generic_string(), number));
-        }
+        scan_line(line, fmt::format("{}:{}", name, number), evidence);
     }
 }
 
@@ -69,18 +93,24 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 
 }  // namespace
 
-Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts) {
+Evidence read_verdict_files(const std::filesystem::path& verdicts) {
     Evidence evidence;
     for (const auto& file : files_below(verdicts, {".xml"})) {
         read_verdicts(file, evidence);
     }
+    return evidence;
+}
+
+Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts) {
+    Evidence evidence = read_verdict_files(verdicts);
     if (evidence.tests == 0) {
         throw InputError{fmt::format(
             "no test results in {}; run ./run or ctest first, or name a folder with --verdicts", verdicts.string())};
     }
-    for (const auto& file : files_below(root / "src" / "firmware", {".hpp", ".cpp"})) {
+    for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
     }
+    evidence.untraced = untraced_files(root / "src", evidence);
     return evidence;
 }
 

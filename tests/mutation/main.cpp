@@ -1,0 +1,139 @@
+// A test program that can alter the cells of its tables: what `canproof mutate` drives. Besides GoogleTest's own
+// arguments:
+//   --cells   prints `number TAB item TAB cell TAB change` for each alteration
+//   --serve   reads `number TAB filter` lines; for each, a forked copy of this process alters the cell and runs the
+//             tests of the filter; answers `number TAB killed TAB Suite.Test` or `number TAB survived`
+// With CANPROOF_ALTER=number in the environment the cell is altered before anything is computed from it.
+#include <gtest/gtest.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <string>
+
+#include "host/mutation/alteration.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using host::generated_alterations;
+
+// A test that the alteration sends into an endless loop ends after this processor time, as killed.
+constexpr time_t most_seconds = 10;
+
+void alter(std::size_t number) {
+    const auto all = generated_alterations();
+    if (number >= all.count) {
+        std::cerr << "there are " << all.count << " alterations; " << number << " is none of them\n";
+        std::_Exit(2);
+    }
+    const host::Alteration& one = all.first[number];
+    std::memcpy(one.address, &one.bits, one.size);
+}
+
+/// Before the constructors of this program's own objects: they compute from the tables.
+__attribute__((constructor(101))) void alter_as_environment_says() {
+    if (const char* number = std::getenv("CANPROOF_ALTER")) {
+        alter(std::strtoul(number, nullptr, 10));
+    }
+}
+
+void print_cells() {
+    std::size_t number = 0;
+    for (const host::Alteration& one : generated_alterations()) {
+        std::printf("%zu\t%s\t%s\t%s\n", number++, one.item, one.cell, one.change);
+    }
+}
+
+/// Ends the process at the first failure, with the test's name on its way to the server.
+class FirstFailure : public testing::EmptyTestEventListener {
+  public:
+    explicit FirstFailure(int out) : out_{out} {}
+    void OnTestStart(const testing::TestInfo& info) override {
+        name_ = std::string{info.test_suite_name()} + "." + info.name();
+    }
+    void OnTestPartResult(const testing::TestPartResult& result) override {
+        if (result.failed()) {
+            static_cast<void>(!write(out_, name_.data(), name_.size()));
+            std::_Exit(1);
+        }
+    }
+
+  private:
+    int out_;
+    std::string name_;
+};
+
+[[noreturn]] void run_altered(std::size_t number, const std::string& filter, int out) {
+    alter(number);
+    const itimerval limit{{0, 0}, {most_seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+    static_cast<void>(std::freopen("/dev/null", "w", stdout));
+    static_cast<void>(std::freopen("/dev/null", "w", stderr));
+    auto& listeners = testing::UnitTest::GetInstance()->listeners();
+    delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new FirstFailure{out});
+    testing::GTEST_FLAG(filter) = filter;
+    std::_Exit(RUN_ALL_TESTS());
+}
+
+/// What the copy of this process wrote, the failed test, and whether it ended in peace.
+void answer(std::size_t number, const std::string& filter) {
+    int ends[2];
+    if (pipe(ends) != 0) {
+        std::perror("pipe");
+        std::_Exit(2);
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        run_altered(number, filter, ends[1]);
+    }
+    close(ends[1]);
+    std::string failed;
+    char piece[256];
+    for (ssize_t count = 0; (count = read(ends[0], piece, sizeof piece)) > 0;) {
+        failed.append(piece, static_cast<std::size_t>(count));
+    }
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+        std::printf("%zu\tsurvived\n", number);
+    } else if (WIFSIGNALED(status)) {
+        std::printf("%zu\tkilled\tsignal %d\n", number, WTERMSIG(status));
+    } else {
+        std::printf("%zu\tkilled\t%s\n", number, failed.c_str());
+    }
+    std::fflush(stdout);
+}
+
+void serve() {
+    for (std::string line; std::getline(std::cin, line);) {
+        const auto tab = line.find('\t');
+        answer(std::strtoul(line.c_str(), nullptr, 10), tab == std::string::npos ? "*" : line.substr(tab + 1));
+    }
+}
+
+}  // namespace
+
+}  // namespace canproof::test
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word == "--cells") {
+        canproof::test::print_cells();
+        return 0;
+    }
+    if (word == "--serve") {
+        canproof::test::serve();
+        return 0;
+    }
+    return RUN_ALL_TESTS();
+}
