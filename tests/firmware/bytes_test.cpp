@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/shows_rule.hpp"
+
 namespace canproof::test {
 
 TEST(Bytes, BeyondTheEndIsZeroAndStaysUnwritten) {
+    shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 6> room{{9, 9, 9, 9, 9, 9}};
     MutableBytes first_four{room.data(), 4U};
     EXPECT_EQ(first_four[3], 9U);
@@ -18,6 +21,7 @@ TEST(Bytes, BeyondTheEndIsZeroAndStaysUnwritten) {
 }
 
 TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
+    shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 6> room{};
     MutableBytes first_four{room.data(), 4U};
     first_four.set_le(2U, 4U, 0x44332211U);
@@ -27,6 +31,7 @@ TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
 }
 
 TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
+    shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 4> source{{1, 2, 3, 4}};
     std::array<std::uint8_t, 6> room{};
     MutableBytes first_four{room.data(), 4U};

@@ -198,6 +198,7 @@ TEST(AngleFilter, DelaysByHalfTheWindow) {
 }
 
 TEST(AngleFilter, NoSamplesCountAsOne) {
+    verifies<req::INC_AVG_001, req::INC_LATENCY_001>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
     EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::repeating, 0, 100), 50.0F);  // (2 * 1 - 1) * 100 / 2

@@ -3,6 +3,7 @@
 
 #include "generated/cbx_ao412/requirements.hpp"
 #include "generated/cbx_ao412/tables.hpp"
+#include "support/shows_rule.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -63,6 +64,7 @@ TEST(Indicator, NextChangeIsTheEndOfThePhase) {
 }
 
 TEST(Indicator, APatternThatTakesNoTimeIsSteady) {
+    shows_rule("work is bounded");
     const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};
     EXPECT_FALSE(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).lit);
     EXPECT_EQ(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).next_change, never);

@@ -75,6 +75,7 @@ TEST(LssStore, ADamagedSlotDoesNotCount) {
 }
 
 TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {
+    verifies<req::CO_LSS_017>();
     // Only a copy of a slot can bring this about: 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
@@ -87,12 +88,14 @@ TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {
 }
 
 TEST(LssStore, AMemoryThatIsTooSmallKeepsNothing) {
+    verifies<req::CO_LSS_016>();
     host::Memory memory{8};
     expect(LssStore{memory}.load(shipped), 127, 125000);
     EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
 }
 
 TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
+    verifies<req::CO_LSS_017>();
     FaultyMemory memory{64};
     LssStore{memory}.store({5, 500000});
     memory.fail_read(1);

@@ -191,6 +191,7 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
 }
 
 TEST(MathBlock, AFunctionThatIsNotThereIsNoInput) {
+    verifies<req::AOR_MATH_002>();
     // There are three functions: 4 reads the input's own signal, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);
 }

@@ -10,8 +10,8 @@
 #include "firmware/devices/cbx_ao412.hpp"
 #include "host/bus/candump.hpp"
 #include "host/devices/memory.hpp"
-#include "support/slave_bench.hpp"
 #include "support/shows_rule.hpp"
+#include "support/slave_bench.hpp"
 
 namespace {
 

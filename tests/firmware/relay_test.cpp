@@ -198,6 +198,7 @@ TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
 }
 
 TEST_F(RelayTest, RampingOffIsOff) {
+    verifies<req::AOR_RELAY_012>();
     // A relay has no ramp: what ramps an output off switches it off, with its delay.
     times.off_delay = milliseconds(2);
     EXPECT_EQ(run("##", normal), "##");

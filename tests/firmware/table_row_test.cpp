@@ -7,7 +7,6 @@
 
 #include "support/shows_rule.hpp"
 
-
 namespace canproof::test {
 
 namespace {

@@ -8,6 +8,7 @@
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "support/its90.hpp"
+#include "support/shows_rule.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -219,6 +220,7 @@ TEST(Thermocouple, ExponentialNeedsNoLibrary) {
 }
 
 TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
+    shows_rule("work is bounded");
     // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
     ThermocoupleCurve cubic{};
     cubic.reference[0].to_c = 100.0;
@@ -232,6 +234,7 @@ TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
 }
 
 TEST(Thermocouple, ACurveThatNeverSettlesEndsAtItsLastStep) {
+    shows_rule("work is bounded");
     // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
     ThermocoupleCurve step{};
     step.reference[0].to_c = 40.0;

@@ -99,7 +99,7 @@ class Device final : private Application {
     std::array<std::uint8_t, generated::ax060805::image_size> image_{};
     ObjectDictionary objects_;
     LssStore lss_store_;
-    PdoMemoryFor<generated::ax060805::tables> pdos_{};
+    PdoMemoryFor<generated::ax060805::compiled::tables> pdos_{};
     Node node_;
     FactoryData factory_;
     Inputs inputs_{};

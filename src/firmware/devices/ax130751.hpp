@@ -69,7 +69,7 @@ class Device final : private Application {
     std::array<std::uint8_t, generated::ax130751::image_size> image_{};
     ObjectDictionary objects_;
     LssStore lss_store_;
-    PdoMemoryFor<generated::ax130751::tables> pdos_{};
+    PdoMemoryFor<generated::ax130751::compiled::tables> pdos_{};
     Node node_;
     FactoryData factory_;
     Inputs inputs_{};

@@ -61,7 +61,7 @@ class Device final : private Application {
 
     std::array<std::uint8_t, generated::ax188001::image_size> image_{};
     ObjectDictionary objects_;
-    PdoMemoryFor<generated::ax188001::tables> pdos_{};
+    PdoMemoryFor<generated::ax188001::compiled::tables> pdos_{};
     TransmitQueue& queue_;
     LssStore lss_store_;
     Node node_;

@@ -74,7 +74,7 @@ class Device final : private Application {
 
     std::array<std::uint8_t, generated::cbx_ao412::image_size> image_{};
     ObjectDictionary objects_;
-    PdoMemoryFor<generated::cbx_ao412::tables> pdos_{};
+    PdoMemoryFor<generated::cbx_ao412::compiled::tables> pdos_{};
     Node node_;
     FactoryData factory_;
     Inputs inputs_{};

@@ -47,7 +47,8 @@ std::map<std::string, MutationCount> read_mutation_json(const std::filesystem::p
         return counts;
     }
     try {
-        for (const auto& [id, count] : nlohmann::json::parse(in).at("items").items()) {
+        const auto document = nlohmann::json::parse(in);
+        for (const auto& [id, count] : document.at("items").items()) {
             counts[id] = {count.at("altered").get<std::size_t>(), count.at("noticed").get<std::size_t>(),
                           count.at("justified").get<std::size_t>()};
         }

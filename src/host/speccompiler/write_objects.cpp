@@ -118,6 +118,34 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
     return text;
 }
 
+/// The rows of each table, a string a row.
+struct RowTexts {
+    const std::vector<std::string>& objects;
+    const std::vector<std::string>& entries;
+    const std::vector<std::string>& limits;
+    const std::vector<std::string>& allowed;
+};
+
+/// The tables of a dictionary, and the one that holds them all.
+std::string table_texts(const Part& part, const DictionaryRows& rows, const RowTexts& texts, Cells cells) {
+    std::string text = string_rows("ObjectRow", "object_rows", texts.objects, cells);
+    text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
+    text += string_rows("EntryRow", "entry_rows", texts.entries, cells);
+    text += string_rows("LimitRow", "limit_rows", texts.limits, cells);
+    text += string_rows("std::uint32_t", "allowed_values", texts.allowed, cells);
+    text += slot_table(rows);
+    text += value_pool("constant_pool", part, rows.layout, true, cells);
+    text += value_pool("default_image", part, rows.layout, false, cells);
+    text += fmt::format(
+        "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
+        "table_view(limit_rows),\n"
+        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U,\n"
+        "    table_view(object_slots), 0x{:08X}U}};\n{}\n",
+        rows.layout.fingerprint, rows.slot_factor,
+        cells == Cells::constant ? "static_assert(is_sound(tables));\n" : "");
+    return text;
+}
+
 }  // namespace
 
 std::string write_objects(const Part& part, Cells cells) {
@@ -150,22 +178,15 @@ std::string write_objects(const Part& part, Cells cells) {
     std::string text = heading(part);
     text += "#include <array>\n#include <cstdint>\n\n#include \"firmware/canopen/dictionary_check.hpp\"\n\n";
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
-    text += string_rows("ObjectRow", "object_rows", objects, cells);
-    text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
-    text += string_rows("EntryRow", "entry_rows", entries, cells);
-    text += string_rows("LimitRow", "limit_rows", limits, cells);
-    text += string_rows("std::uint32_t", "allowed_values", allowed, cells);
-    text += slot_table(rows);
-    text += value_pool("constant_pool", part, layout, true, cells);
-    text += value_pool("default_image", part, layout, false, cells);
+    const RowTexts texts{objects, entries, limits, allowed};
+    const std::string own = table_texts(part, rows, texts, cells);
+    // What is sized while the device is compiled asks tables that are constant in any build.
+    text += cells == Cells::constant
+                ? fmt::format("{}namespace compiled {{\nusing generated::{}::tables;\n}}  // namespace compiled\n\n",
+                              own, part.cpp_name())
+                : fmt::format("namespace compiled {{\n\n{}}}  // namespace compiled\n\n{}",
+                              table_texts(part, rows, texts, Cells::constant), own);
     text += fmt::format("inline constexpr std::size_t image_size = {}U;\n\n", layout.image.size());
-    text += fmt::format(
-        "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
-        "table_view(limit_rows),\n"
-        "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U,\n"
-        "    table_view(object_slots), 0x{:08X}U}};\n"
-        "static_assert(is_sound(tables));\n\n",
-        layout.fingerprint, rows.slot_factor);
     text += "namespace field {\n" + fields + "}  // namespace field\n\n";
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }

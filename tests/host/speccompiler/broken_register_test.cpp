@@ -173,8 +173,9 @@ const std::vector<Broken> other_cases{
      "limit_abort = \"any\" is unknown", "use one of range, high_low"},
     {"FileInNoFolder", "spec/odd/x.toml", "a = 1\n", 1, "file in no known folder", "put it into manuals/"},
     {"FolderWithoutDevice", "spec/devices/lid/items.toml", "", 1, "device without device.toml", "write it"},
-    {"ReviewOfStranger", "spec/devices/box/reviews.toml", 
-     "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n", 5, "review of AO4-R-1, which does not exist", "remove the line"},
+    {"ReviewOfStranger", "spec/devices/box/reviews.toml",
+     "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n", 5,
+     "review of AO4-R-1, which does not exist", "remove the line"},
 };
 
 }  // namespace
