@@ -86,7 +86,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
-constexpr ErrorTable error_table = make_error_table();
+const ErrorTable error_table = make_error_table();
 
 /// Within the range of the sensor; what is no number is not.
 bool is_measurement(const float acceleration) noexcept {
@@ -359,7 +359,7 @@ void Device::publish_diagnostics() noexcept {
     namespace merit = own::t_inc_t5;
     const auto* const row =
         merit::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
-    constexpr std::uint8_t worst = merit::rows[0U].state;
+    const std::uint8_t worst = merit::rows[0U].state;
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
     objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));

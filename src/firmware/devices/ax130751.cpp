@@ -90,7 +90,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
-constexpr ErrorTable error_table = make_error_table();
+const ErrorTable error_table = make_error_table();
 
 /// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
 struct TableEntry {

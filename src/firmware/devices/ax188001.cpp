@@ -109,7 +109,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
-constexpr ErrorTable error_table = make_error_table();
+const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::TCS_T_REACTION>);
 /// Sub-index of 1029h; the node itself obeys that of communication errors.

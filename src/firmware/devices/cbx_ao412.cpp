@@ -75,7 +75,7 @@ constexpr ErrorTable make_error_table() noexcept {
     }
     return table;
 }
-constexpr ErrorTable error_table = make_error_table();
+const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::AO4_T5>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {

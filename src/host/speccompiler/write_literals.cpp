@@ -78,11 +78,12 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        const std::string type = constant_type(constant.type);
+        // Braces take a constant that fits, not a variable of a wider type.
+        const bool fixed = cells == Cells::constant || constant.compiled_in;
+        const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);
-        text += fmt::format("{} {} {}{{{}}};\n",
-                            constant.compiled_in ? storage_words(Cells::constant) : storage_words(cells), type,
-                            constant.name, cpp_literal(constant.value, type));
+        text += fmt::format("{} {} {}{{{}}};\n", storage_words(fixed ? Cells::constant : cells), type, constant.name,
+                            cpp_literal(constant.value, type));
     }
     return text + "\n" + ending(part);
 }
