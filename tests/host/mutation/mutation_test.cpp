@@ -138,7 +138,7 @@ TEST(Sample, IsTheSameForTheSameSeed) {
     EXPECT_EQ(numbers(sample_of(all, 200, 1)), numbers(all)) << "no more than there are";
 }
 
-TEST(Filters, PutTheQuickestTestFirst) {
+TEST(FilterOfTests, PutTheQuickestTestFirst) {
     Evidence evidence;
     evidence.verdicts["A"] = {{"S.Slow", "test", true, 2.0}, {"S.Quick", "test", true, 0.1}};
     EXPECT_EQ(filters_by_item(evidence).at("A"), "S.Quick:S.Slow");
