@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "support/shows_rule.hpp"
+
 namespace canproof {
 namespace {
 
@@ -31,10 +33,12 @@ struct Dictionary {
 };
 
 TEST(DictionaryCheck, TakesASoundDictionary) {
+    test::shows_rule("a dictionary that is compiled is sound");
     EXPECT_TRUE(Dictionary{}.sound());
 }
 
 TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
+    test::shows_rule("a dictionary that is compiled is sound");
     Dictionary twice;
     twice.objects[1].index = 0x1000U;
     EXPECT_FALSE(twice.sound());
@@ -50,12 +54,14 @@ TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
 }
 
 TEST(DictionaryCheck, SubindicesAscend) {
+    test::shows_rule("a dictionary that is compiled is sound");
     Dictionary twice;
     twice.entries[2].subindex = 0U;
     EXPECT_FALSE(twice.sound());
 }
 
 TEST(DictionaryCheck, ValuesLieInTheirPool) {
+    test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;
     flash.entries[0].offset = 1U;
     EXPECT_FALSE(flash.sound());
@@ -65,12 +71,14 @@ TEST(DictionaryCheck, ValuesLieInTheirPool) {
 }
 
 TEST(DictionaryCheck, LimitsExist) {
+    test::shows_rule("a dictionary that is compiled is sound");
     Dictionary missing;
     missing.entries[2].limit = 1U;
     EXPECT_FALSE(missing.sound());
 }
 
 TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
+    test::shows_rule("a dictionary that is compiled is sound");
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};
     EXPECT_FALSE(lost.sound());

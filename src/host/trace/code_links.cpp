@@ -35,11 +35,16 @@ std::string unit_of(std::string file) {
 
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
+    static const std::string written = "#include \\\"";  // by the compiler of the register, as a string
     std::vector<std::string> all;
     std::ifstream in{file};
     for (std::string line; std::getline(in, line);) {
         if (line.rfind(word, 0) == 0) {
             all.push_back(line.substr(word.size(), line.rfind('"') - word.size()));
+        }
+        for (auto at = line.find(written); at != std::string::npos; at = line.find(written, at)) {
+            at += written.size();
+            all.push_back(line.substr(at, line.find('\\', at) - at));
         }
     }
     return all;
@@ -124,6 +129,11 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     for (const auto& [id, places] : evidence.implemented) {
         for (const auto& place : places) {
             open.push_back(unit_of(place.substr(4, place.rfind(':') - 4)));  // without src/
+        }
+    }
+    for (const auto& [unit, others] : included) {
+        if (unit.rfind("host/speccompiler/write_", 0) == 0) {
+            open.insert(open.end(), others.begin(), others.end());  // what generated code includes
         }
     }
     while (!open.empty()) {

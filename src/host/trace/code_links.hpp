@@ -12,7 +12,8 @@
 namespace canproof::host {
 
 /// Files of src/firmware that have no implements<> and that no file which has one includes, directly or by way of
-/// others. A header and the source file of the same name are one.
+/// others, the code that the compiler of the register writes among it. A header and the source file of the same name
+/// are one.
 std::vector<std::string> untraced_files(const std::filesystem::path& source, const Evidence& evidence);
 
 /// Where the code names what was generated from an item: a table, a constant, an enumeration, an object's field, a
