@@ -8,7 +8,6 @@
 #include "host/change/revision.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/sound_register.hpp"
-#include "host/trace/code_links.hpp"
 
 namespace canproof::host {
 
@@ -18,8 +17,7 @@ int diff(const DiffOptions& options) {
     const Register after = sound_register(root / "spec");
     const auto verdicts =
         options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts};
-    Evidence evidence = collect_evidence(root, verdicts);
-    evidence.used = generated_uses(root, after);
+    const Evidence evidence = collect_evidence(root, verdicts, after);
     Impact impact;
     impact.items = compare(before.content, after);
     impact.files = files_changed_since(root, options.revision, {"src", "tests", "properties", "fuzz"});

@@ -51,11 +51,11 @@ int write_evidence(const EvidenceOptions& options) {
     const Register content = sound_register(root / "spec");
     PackInput input;
     input.content = &content;
-    input.evidence = collect_evidence(root, options.verdicts.empty() ? root / "build" / "release" / "verdicts"
-                                                                     : std::filesystem::path{options.verdicts});
-    for (const auto& part : content.parts) {
-        input.audits.push_back(audit_part(content, part, input.evidence));
-    }
+    input.evidence = collect_evidence(
+        root,
+        options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts},
+        content);
+    input.audits = audit_all(content, input.evidence);
     input.coverage = coverage_of(options.coverage.empty() ? root / "build" / "coverage" / "coverage.json"
                                                           : std::filesystem::path{options.coverage},
                                  root);

@@ -101,7 +101,8 @@ Evidence read_verdict_files(const std::filesystem::path& verdicts) {
     return evidence;
 }
 
-Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts) {
+Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
+                          const Register& content) {
     Evidence evidence = read_verdict_files(verdicts);
     if (evidence.tests == 0) {
         throw InputError{fmt::format(
@@ -110,6 +111,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
     }
+    evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);
     return evidence;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/speccompiler/register.hpp"
+
 namespace canproof::host {
 
 struct Verdict {
@@ -48,6 +50,7 @@ Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
 /// Reads the XML that the test binaries leave (a property of a test case named like a requirement is its claim) and
 /// scans src/ for implements<>. Throws InputError when there are no verdicts.
-Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts);
+Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
+                          const Register& content);
 
 }  // namespace canproof::host
