@@ -56,10 +56,11 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
     }
 }
 
-/// The ids named by implements<req::…> in a line.
+/// The ids named by implements<req::…> in a line, comments apart.
 void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
     static const std::string link = "implements<req::";
-    for (auto at = line.find(link); at != std::string::npos; at = line.find(link, at)) {
+    const auto comment = line.find("//");
+    for (auto at = line.find(link); at < comment; at = line.find(link, at)) {
         at += link.size();
         const auto end = line.find('>', at);
         if (end != std::string::npos) {

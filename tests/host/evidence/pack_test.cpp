@@ -51,6 +51,7 @@ class Pack : public ::testing::Test {
         claim("D-A-001", "S.One", true);
         claim("D-A-002", "S.Two", true);
         input_.evidence.implemented["D-A-001"] = {"src/firmware/base/one.cpp:3"};
+        input_.evidence.implemented["D-A-002"] = {"src/firmware/base/two.cpp:4"};
         input_.argument.claims = {{"C", "", "All is well.", {}, ""},
                                   {"C1", "C", "Tests pass.", {"tests", "audit"}, "Not on silicon."}};
         input_.provenance.commit = "abc";
