@@ -88,16 +88,27 @@ class World {
         const Values saved = format_.read(memory_.image());
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
-            const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
+            const naive_store::Bytes expected =
+                found == saved.end() ? defaults_.at(one.address) : ended(found->second, entry_of(device_, one));
             // 1020h is forgotten by a start, when what it vouched for was not saved with it.
             require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
         }
         drain();
     }
+    static EntryRef entry_of(const host::GenericDevice& device, const naive_store::Stored& one) {
+        return device.objects()
+            .find(static_cast<std::uint16_t>(one.address.first), static_cast<std::uint8_t>(one.address.second))
+            .value();
+    }
+    /// A visible string ends at its first zero: what a damaged memory holds behind that is no part of the value.
+    static naive_store::Bytes ended(naive_store::Bytes bytes, const EntryRef& entry) {
+        if (entry.row->type == DataType::visible_string) {
+            std::fill(std::find(bytes.begin(), bytes.end(), std::uint8_t{0}), bytes.end(), std::uint8_t{0});
+        }
+        return bytes;
+    }
     static naive_store::Bytes value(const host::GenericDevice& device, const naive_store::Stored& one) {
-        const auto entry = device.objects().find(static_cast<std::uint16_t>(one.address.first),
-                                                 static_cast<std::uint8_t>(one.address.second));
-        const ByteView bytes = device.objects().value(entry.value());
+        const ByteView bytes = device.objects().value(entry_of(device, one));
         naive_store::Bytes all(bytes.data(), bytes.data() + bytes.size());
         all.resize(one.size);  // a string is padded with zeros
         return all;
