@@ -7,6 +7,7 @@
 #include <mutex>
 #include <random>
 #include <thread>
+#include <tuple>
 
 #include "host/bus/candump.hpp"
 
@@ -59,8 +60,9 @@ std::map<std::string, std::string> filters_by_item(const Evidence& evidence) {
     std::map<std::string, std::string> filters;
     for (const auto& [id, verdicts] : evidence.verdicts) {
         auto ordered = verdicts;
-        std::stable_sort(ordered.begin(), ordered.end(),
-                         [](const Verdict& a, const Verdict& b) { return a.seconds < b.seconds; });
+        std::sort(ordered.begin(), ordered.end(), [](const Verdict& a, const Verdict& b) {
+            return std::tie(a.seconds, a.test) < std::tie(b.seconds, b.test);
+        });
         std::string& filter = filters[id];
         for (const Verdict& verdict : ordered) {
             filter += (filter.empty() ? "" : ":") + verdict.test;
