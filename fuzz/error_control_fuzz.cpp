@@ -8,6 +8,7 @@
 #include "host/devices/memory.hpp"
 #include "support/claims.hpp"
 #include "support/frame_probe.hpp"
+#include "support/keep_deadlines.hpp"
 #include "support/naive_error_control.hpp"
 #include "support/record_mutator.hpp"
 #include "support/replays_as.hpp"
@@ -63,15 +64,7 @@ class Both {
         drain();
     }
     void pass(std::uint64_t ms) {
-        const Instant end = now_ + milliseconds(ms);
-        for (unsigned at_once = 0; device_.next_deadline() <= end;) {
-            at_once = device_.next_deadline() > now_ ? 0 : at_once + 1;
-            require(at_once < 4, "what is due gets done");
-            now_ = std::max(now_, device_.next_deadline(), [](Instant a, Instant b) { return a < b; });
-            device_.advance(now_);
-            drain();
-        }
-        now_ = end;
+        fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
     /// The state may change with an event: emergency messages are silent in stopped alone (CiA 301, 7.3.2.2.5).
     void drain() {

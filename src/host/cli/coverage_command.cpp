@@ -1,35 +1,23 @@
 // coverage: what no test reached in the firmware, and whether each such place has its reason.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/coverage/coverage.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-struct Counts {
-    CoverageCount lines;
-    CoverageCount branches;
-    CoverageCount conditions;
-
-    void add(const FileCoverage& file) {
-        lines.add(file.line_count());
-        branches.add(file.branches);
-        conditions.add(file.conditions);
-    }
-};
-
 /// `src/firmware/canopen` of `src/firmware/canopen/node.cpp`.
 std::string folder_of(const std::string& file) {
     return std::filesystem::path{file}.parent_path().generic_string();
 }
 
-void print_row(const std::string& name, const Counts& counts) {
+void print_row(const std::string& name, const CoverageTotals& counts) {
     const auto cell = [](const CoverageCount& count) {
         return fmt::format("{:6.2f} % {:>11}", count.percent(), fmt::format("({}/{})", count.covered, count.total));
     };
@@ -37,28 +25,15 @@ void print_row(const std::string& name, const Counts& counts) {
 }
 
 void print_counts(const std::vector<FileCoverage>& files) {
-    std::map<std::string, Counts> folders;
-    Counts all;
+    std::map<std::string, CoverageTotals> folders;
     for (const auto& file : files) {
         folders[folder_of(file.file)].add(file);
-        all.add(file);
     }
     fmt::print("{:<24}{:>22}{:>22}{:>22}\n", "", "lines", "branches", "MC/DC");
     for (const auto& [folder, counts] : folders) {
         print_row(folder, counts);
     }
-    print_row("all", all);
-}
-
-void write_file(const std::string& path, const std::string& text) {
-    if (const auto folder = std::filesystem::path{path}.parent_path(); !folder.empty()) {
-        std::filesystem::create_directories(folder);
-    }
-    std::ofstream out{path, std::ios::binary};
-    out << text;
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", path)};
-    }
+    print_row("all", totals_of(files));
 }
 
 }  // namespace

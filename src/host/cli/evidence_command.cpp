@@ -1,10 +1,9 @@
 // evidence: the pack to hand over.
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
 #include "host/evidence/pack.hpp"
 #include "host/plot/figures.hpp"
@@ -33,15 +32,6 @@ void clear(const std::filesystem::path& folder) {
         throw InputError{fmt::format("{} holds other files; name an empty folder or remove it", folder.string())};
     }
     std::filesystem::remove_all(folder);
-}
-
-void write(const std::filesystem::path& file, const std::string& bytes) {
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream out{file, std::ios::binary};
-    out << bytes;
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", file.string())};
-    }
 }
 
 }  // namespace
@@ -73,9 +63,9 @@ int write_evidence(const EvidenceOptions& options) {
     const std::filesystem::path folder{options.out};
     clear(folder);
     for (const auto& [name, bytes] : files) {
-        write(folder / name, bytes);
+        write_file(folder / name, bytes);
     }
-    write(folder / "manifest.json", write_manifest(files, input.provenance));
+    write_file(folder / "manifest.json", write_manifest(files, input.provenance));
     fmt::print("{} files; open {}\n", files.size() + 1, (folder / "index.html").string());
     return 0;
 }

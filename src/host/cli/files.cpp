@@ -39,4 +39,15 @@ void save_memory(Memory& memory, const std::string& path) {
     }
 }
 
+void write_file(const std::filesystem::path& path, const std::string& bytes) {
+    if (const auto folder = path.parent_path(); !folder.empty()) {
+        std::filesystem::create_directories(folder);
+    }
+    std::ofstream out{path, std::ios::binary};
+    out << bytes;
+    if (!out.flush()) {
+        throw InputError{fmt::format("cannot write {}", path.string())};
+    }
+}
+
 }  // namespace canproof::host

@@ -3,10 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
 #include "host/mutation/mutation.hpp"
 
@@ -52,14 +52,6 @@ void show_progress(std::size_t done, std::size_t all) {
     }
 }
 
-void save(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out{file};
-    out << text;
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", file.string())};
-    }
-}
-
 }  // namespace
 
 int mutate(const MutateOptions& options) {
@@ -79,7 +71,7 @@ int mutate(const MutateOptions& options) {
     const auto idle = justify(outcomes, records);
     print_survivors(outcomes);
     if (whole) {
-        save(programs / "mutation.json", write_mutation_json(outcomes));
+        write_file(programs / "mutation.json", write_mutation_json(outcomes));
         for (const SurvivorRecord* record : idle) {
             fmt::print("reports/mutation.toml:{}: nothing survives that needs this record; remove it\n", record->line);
         }

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <regex>
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
 #include "host/trace/review.hpp"
 
@@ -30,14 +30,6 @@ void check(const ReviewOptions& options) {
     }
     if (options.subjects.empty() != options.all) {
         throw InputError{"name what was read, ids or devices, or say --all"};
-    }
-}
-
-void save(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out{file, std::ios::binary};
-    out << text;
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", file.string())};
     }
 }
 
@@ -79,7 +71,7 @@ int review_spec(const ReviewOptions& options) {
         throw InputError{fmt::format("`{}` is neither a device nor an id in force", *names.begin())};
     }
     for (const auto& [file, text] : files) {
-        save(file, text);
+        write_file(file, text);
     }
     fmt::print("{} item(s) reviewed by {}\n", count, options.by);
     return 0;

@@ -40,12 +40,9 @@ void add_class(pugi::xml_node classes, const FileCoverage& file) {
 }  // namespace
 
 std::string write_cobertura(const std::vector<FileCoverage>& files) {
-    CoverageCount lines;
-    CoverageCount branches;
-    for (const auto& file : files) {
-        lines.add(file.line_count());
-        branches.add(file.branches);
-    }
+    const CoverageTotals totals = totals_of(files);
+    const CoverageCount& lines = totals.lines;
+    const CoverageCount& branches = totals.branches;
     pugi::xml_document document;
     auto head = document.append_child(pugi::node_declaration);
     head.append_attribute("version") = "1.0";

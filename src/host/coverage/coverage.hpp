@@ -40,6 +40,17 @@ struct FileCoverage {
     CoverageCount line_count() const;
 };
 
+/// Over several files.
+struct CoverageTotals {
+    CoverageCount lines;
+    CoverageCount branches;
+    CoverageCount conditions;
+
+    void add(const FileCoverage& file);
+};
+
+CoverageTotals totals_of(const std::vector<FileCoverage>& files);
+
 /// Reads what `llvm-cov export --format=text` wrote, for the files below root/src/firmware. Instantiations of a
 /// template count together. Throws InputError when the file is no such export or a source is missing.
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root);

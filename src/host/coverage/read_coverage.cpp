@@ -293,6 +293,20 @@ CoverageCount FileCoverage::line_count() const {
     return count;
 }
 
+void CoverageTotals::add(const FileCoverage& file) {
+    lines.add(file.line_count());
+    branches.add(file.branches);
+    conditions.add(file.conditions);
+}
+
+CoverageTotals totals_of(const std::vector<FileCoverage>& files) {
+    CoverageTotals totals;
+    for (const auto& file : files) {
+        totals.add(file);
+    }
+    return totals;
+}
+
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root) {
     std::ifstream in{file};
     if (!in) {

@@ -17,17 +17,13 @@ std::string cell(const CoverageCount& count) {
 
 std::string coverage_page(const MeasuredCoverage& coverage) {
     std::vector<std::vector<std::string>> files;
-    CoverageCount lines;
-    CoverageCount branches;
-    CoverageCount conditions;
+    const CoverageTotals totals = totals_of(coverage.files);
     for (const auto& file : coverage.files) {
-        lines.add(file.line_count());
-        branches.add(file.branches);
-        conditions.add(file.conditions);
         files.push_back({fmt::format("<code>{}</code>", escaped(file.file)), cell(file.line_count()),
                          cell(file.branches), cell(file.conditions)});
     }
-    files.insert(files.begin(), {"<b>src/firmware</b>", cell(lines), cell(branches), cell(conditions)});
+    files.insert(files.begin(),
+                 {"<b>src/firmware</b>", cell(totals.lines), cell(totals.branches), cell(totals.conditions)});
     std::vector<std::vector<std::string>> gaps;
     for (const auto& [gap, reason] : coverage.verdict.gaps) {
         gaps.push_back({fmt::format("<code>{}:{}</code>", escaped(gap.file), gap.line), gap.kind,

@@ -79,22 +79,15 @@ Exhibit decisions_exhibit(const PackInput& input) {
 }
 
 Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
-    CoverageCount lines;
-    CoverageCount branches;
-    CoverageCount conditions;
-    for (const auto& file : coverage.files) {
-        lines.add(file.line_count());
-        branches.add(file.branches);
-        conditions.add(file.conditions);
-    }
+    const CoverageTotals totals = totals_of(coverage.files);
     const bool closed = coverage.verdict.open() == 0 && coverage.verdict.unused.empty();
     return {"coverage",
             "Structural coverage",
             state_of(closed),
             fmt::format(
                 "lines {:.1f} %, branches {:.1f} %, MC/DC {:.1f} %; {} places not reached, {} of them without a reason",
-                lines.percent(), branches.percent(), conditions.percent(), coverage.verdict.gaps.size(),
-                coverage.verdict.open()),
+                totals.lines.percent(), totals.branches.percent(), totals.conditions.percent(),
+                coverage.verdict.gaps.size(), coverage.verdict.open()),
             "coverage.html",
             {}};
 }
