@@ -13,6 +13,7 @@
 #include "support/record_mutator.hpp"
 #include "support/require.hpp"
 #include "support/slave_register.hpp"
+#include "support/tampering.hpp"
 
 namespace {
 
@@ -29,7 +30,6 @@ class World {
   public:
     /// A new memory.
     void restart() {
-        kept_.clear();
         edit([](fuzz::Image& image) { image.assign(memory_size, 0xFF); });
     }
 
@@ -68,7 +68,7 @@ class World {
     void edit(const Edit& change) {
         fuzz::Image image = memory_.image();
         change(image);
-        kept_.push_back(format_.read(image));
+        tampering_.note_edit(memory_.image(), image);
         memory_.replace(std::move(image));
         power_on();
     }
@@ -88,8 +88,7 @@ class World {
         const Values saved = format_.read(memory_.image());
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
-            const naive_store::Bytes expected =
-                found == saved.end() ? defaults_.at(one.address) : ended(found->second, entry_of(device_, one));
+            const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
             // 1020h is forgotten by a start, when what it vouched for was not saved with it.
             require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
         }
@@ -99,13 +98,6 @@ class World {
         return device.objects()
             .find(static_cast<std::uint16_t>(one.address.first), static_cast<std::uint8_t>(one.address.second))
             .value();
-    }
-    /// A visible string ends at its first zero: what a damaged memory holds behind that is no part of the value.
-    static naive_store::Bytes ended(naive_store::Bytes bytes, const EntryRef& entry) {
-        if (entry.row->type == DataType::visible_string) {
-            std::fill(std::find(bytes.begin(), bytes.end(), std::uint8_t{0}), bytes.end(), std::uint8_t{0});
-        }
-        return bytes;
     }
     static naive_store::Bytes value(const host::GenericDevice& device, const naive_store::Stored& one) {
         const ByteView bytes = device.objects().value(entry_of(device, one));
@@ -187,20 +179,18 @@ class World {
         }
         require(answer == 0x60, "saved", answer);
         require(format_.read(memory_.image()) == expected, "what is saved");
-        kept_.push_back(expected);
         if (place == uncut) {
-            return;
+            return tampering_.note_write(before, memory_.image());
         }
         const std::size_t written = memory_.written();
         memory_.cut_after(place % (written + 1));
         const Values found = format_.read(memory_.image());
-        require(found == expected || found == format_.read(before) || is_repaired(before, found), "old or new");
+        require(found == expected || found == format_.read(before) || is_foreign(banks_), "old or new");
         power_on();
     }
 
-    /// Where no bank was sound, the beginning of a save may put right what was damaged: a set that was once saved.
-    bool is_repaired(const fuzz::Image& before, const Values& found) const {
-        return !format_.bank_in_use(before) && std::find(kept_.begin(), kept_.end(), found) != kept_.end();
+    bool is_foreign(const std::array<std::size_t, 2>& pair) const {
+        return tampering_.is_foreign(pair[0]) || tampering_.is_foreign(pair[1]);
     }
 
     /// The other store of a memory, at its end.
@@ -208,14 +198,16 @@ class World {
         constexpr LssConfiguration shipped{127, 125000};
         LssStore store{memory_};
         const LssConfiguration before = store.load(shipped);
+        const fuzz::Image image = memory_.image();
         memory_.open_journal();
         require(store.store(wanted) == LssError::none, "stored");
         require(is(store.load(shipped), wanted), "what is stored");
-        if (place != uncut) {
-            memory_.cut_after(place % (memory_.written() + 1));
-            const LssConfiguration found = store.load(shipped);
-            require(is(found, wanted) || is(found, before), "old or new configuration");
+        if (place == uncut) {
+            return tampering_.note_write(image, memory_.image());
         }
+        memory_.cut_after(place % (memory_.written() + 1));
+        const LssConfiguration found = store.load(shipped);
+        require(is(found, wanted) || is(found, before) || is_foreign(slots_), "old or new configuration");
     }
     static bool is(const LssConfiguration& a, const LssConfiguration& b) {
         return a.node_id == b.node_id && a.bit_rate == b.bit_rate;
@@ -241,7 +233,12 @@ class World {
     fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
     TransmitQueue queue_;
     host::GenericDevice device_{test::slave_part(), memory_, queue_};  ///< one for all: to make it takes long
-    std::vector<Values> kept_;                                         ///< all sets that were ever in the memory
+    fuzz::Tampering tampering_;
+    const std::array<std::size_t, 2> banks_{tampering_.add_part(0, format_.bank_size()),
+                                            tampering_.add_part(format_.bank_size(), format_.bank_size())};
+    const std::array<std::size_t, 2> slots_{
+        tampering_.add_part(memory_size - LssStore::size, LssStore::slot_size),
+        tampering_.add_part(memory_size - LssStore::slot_size, LssStore::slot_size)};
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // CRC-32 over both, one bit at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -22,7 +23,14 @@ struct Stored {
     Address address;
     std::size_t size;
     unsigned group;
+    bool is_text;
 };
+
+/// A visible string ends at its first zero: what lies behind that is no part of the value.
+inline Bytes ended(Bytes text) {
+    std::fill(std::find(text.begin(), text.end(), std::uint8_t{0}), text.end(), std::uint8_t{0});
+    return text;
+}
 
 /// Communication 1000h to 1FFFh, manufacturer to 5FFFh, application behind.
 inline unsigned group_of(unsigned index) {
@@ -35,7 +43,10 @@ inline std::vector<Stored> stored_entries(const DictionaryTables& tables) {
         for (std::size_t i = 0; i < object.count; ++i) {
             const EntryRow& row = tables.entries[object.first_entry + i];
             if ((row.rights & rights::stored) != 0) {
-                all.push_back({{object.index, row.subindex}, row.size, group_of(object.index)});
+                all.push_back({{object.index, row.subindex},
+                               row.size,
+                               group_of(object.index),
+                               row.type == DataType::visible_string});
             }
         }
     }
@@ -117,7 +128,8 @@ class Format {
         for (const Stored& one : entries_) {
             if (((groups >> one.group) & 1U) != 0) {
                 const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
-                values[one.address] = Bytes(begin, begin + static_cast<std::ptrdiff_t>(one.size));
+                Bytes value(begin, begin + static_cast<std::ptrdiff_t>(one.size));
+                values[one.address] = one.is_text ? ended(std::move(value)) : std::move(value);
             }
             at += one.size;
         }

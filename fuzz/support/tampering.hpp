@@ -1,0 +1,53 @@
+// Which parts of a memory hold something that the device under test did not write: there a cut write may put right what
+// was damaged, so that what is found after it is neither the old nor the new.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "support/journal_memory.hpp"
+
+namespace canproof::fuzz {
+
+class Tampering {
+  public:
+    /// A part is what the device writes as a whole: a bank, a slot. Returns its number.
+    std::size_t add_part(std::size_t begin, std::size_t size) {
+        parts_.push_back({static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(size), false});
+        return parts_.size() - 1;
+    }
+
+    /// Somebody else changed the memory; a part with the same byte all over counts as erased.
+    void note_edit(const Image& before, const Image& after) {
+        for (Part& part : parts_) {
+            const auto begin = after.begin() + part.begin;
+            const bool erased = std::all_of(begin, begin + part.size, [begin](auto byte) { return byte == *begin; });
+            part.foreign = !erased && (part.foreign || changed(part, before, after));
+        }
+    }
+    /// The device wrote, to the end.
+    void note_write(const Image& before, const Image& after) {
+        for (Part& part : parts_) {
+            part.foreign = part.foreign && !changed(part, before, after);
+        }
+    }
+    bool is_foreign(std::size_t part) const { return parts_[part].foreign; }
+
+  private:
+    struct Part {
+        std::ptrdiff_t begin;
+        std::ptrdiff_t size;
+        bool foreign;
+    };
+
+    static bool changed(const Part& part, const Image& before, const Image& after) {
+        return before.size() != after.size() ||
+               !std::equal(before.begin() + part.begin, before.begin() + part.begin + part.size,
+                           after.begin() + part.begin);
+    }
+
+    std::vector<Part> parts_;
+};
+
+}  // namespace canproof::fuzz
