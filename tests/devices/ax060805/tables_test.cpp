@@ -1,0 +1,93 @@
+// Decision tables of the AX060805's manual, cell by cell, and constants of its angles and its plant.
+#include "generated/ax060805/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "generated/ax060805/constants.hpp"
+#include "generated/ax060805/requirements.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace own = generated::ax060805;
+
+}  // namespace
+
+// 3.3 Table 5: an error outweighs what makes the data suspect, a temperature or a fall without weight
+TEST(InclinometerTables, FigureOfMerit) {
+    verifies<req::INC_T5>();
+    for (const bool error : {false, true}) {
+        for (const bool outside : {false, true}) {
+            for (const bool weightless : {false, true}) {
+                const auto* row = own::t_inc_t5::find(error, outside, weightless);
+                ASSERT_NE(row, nullptr);
+                EXPECT_EQ(row->state, error ? 2 : outside || weightless ? 1 : 0);
+            }
+        }
+    }
+}
+
+// 3.3 Table 4
+TEST(InclinometerTables, FiltersOfAnAngle) {
+    verifies<req::INC_T4>();
+    namespace t = own::t_inc_t4;
+    const std::array<t::Filter, 3> filters{t::Filter::none, t::Filter::moving_average, t::Filter::repeating};
+    for (std::uint32_t type = 0; type < 3; ++type) {
+        ASSERT_NE(t::find(type), nullptr);
+        EXPECT_EQ(t::find(type)->filter, filters[type]);
+    }
+    EXPECT_EQ(t::find(3), nullptr);
+}
+
+// 3.8 Table 10: the order of the rows is the number
+TEST(InclinometerTables, BinaryFunctions) {
+    verifies<req::INC_T10>();
+    namespace t = own::t_inc_t10;
+    using F = t::Function;
+    const std::array<F, 21> functions{
+        F::undefined,  F::add,         F::subtract,   F::multiply,    F::divide,        F::modulus,    F::maximum,
+        F::minimum,    F::equal,       F::not_equal,  F::greater,     F::greater_equal, F::less,       F::less_equal,
+        F::logical_or, F::logical_and, F::bitwise_or, F::bitwise_and, F::bitwise_xor,   F::shift_left, F::shift_right};
+    for (std::uint32_t number = 0; number < functions.size(); ++number) {
+        const auto* row = t::find(number);
+        ASSERT_NE(row, nullptr) << number;
+        EXPECT_EQ(row->function, functions[number]) << number;
+        const bool integers = number == 5 || number >= 14;
+        EXPECT_EQ(row->operands, integers ? t::Operands::integer : t::Operands::real) << number;
+    }
+    EXPECT_EQ(t::find(21), nullptr);
+}
+
+// 5.1.1 Table 62: AX060805 has 0.35 degrees; AX060835, AX060840 and AX060841 have 0.06. No other part is made.
+TEST(InclinometerTables, ResolutionByPartNumber) {
+    verifies<req::INC_T62>();
+    namespace t = own::t_inc_t62;
+    for (std::uint32_t part = 0; part <= 60841; ++part) {
+        const float resolution = part == 60805 ? 0.35F : part == 60835 || part == 60840 || part == 60841 ? 0.06F : 0.0F;
+        const auto* row = t::find(part);
+        ASSERT_NE(row, nullptr) << part;
+        EXPECT_EQ(row->resolution, resolution) << part;
+        EXPECT_EQ(std::count_if(t::rows.begin(), t::rows.end(),
+                                [&](const t::Row& one) { return one.part_first <= part && part <= one.part_last; }),
+                  1)
+            << part;
+    }
+    EXPECT_EQ(t::find(60842), nullptr);
+}
+
+// The first two are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz
+TEST(InclinometerTables, Constants) {
+    verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
+             req::INC_K_RATED_CUT_OFF>();
+    EXPECT_EQ(own::gimbal_lock_cone, 1.0F);
+    EXPECT_EQ(own::least_gravity, 0.1F);
+    EXPECT_EQ(own::resolution_factor, 3.46F);
+    EXPECT_EQ(own::rated_cut_off, 5.0F);
+}
+
+}  // namespace canproof::test

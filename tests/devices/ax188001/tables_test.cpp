@@ -1,0 +1,88 @@
+// Decision tables of the AX188001's manual, cell by cell.
+#include "generated/ax188001/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "generated/ax188001/requirements.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace own = generated::ax188001;
+
+}  // namespace
+
+// 3.3.6 Table 7: open circuit outweighs a shutdown, that one a high warning, that one a low warning
+TEST(Ax188001Tables, StatusOfAChannel) {
+    verifies<req::TCS_T7>();
+    namespace t = own::t_tcs_t7;
+    for (int told = 0; told < 16; ++told) {
+        const bool open = (told & 1) != 0;
+        const bool shutdown = (told & 2) != 0;
+        const bool high = (told & 4) != 0;
+        const bool low = (told & 8) != 0;
+        const int status = open ? 5 : shutdown ? 3 : high ? 2 : low ? 4 : 0;
+        const auto* row = t::find(open ? t::Open::yes : t::Open::no, shutdown ? t::Shutdown::yes : t::Shutdown::no,
+                                  high ? t::High::yes : t::High::no, low ? t::Low::yes : t::Low::no);
+        ASSERT_NE(row, nullptr) << told;
+        EXPECT_EQ(row->status, status) << told;
+    }
+    EXPECT_EQ(t::rows.size(), 16U);
+}
+
+// 1.4 Table 3
+TEST(Ax188001Tables, StartInOperational) {
+    verifies<req::TCS_T3>();
+    namespace t = own::t_tcs_t3;
+    for (std::uint32_t option = 0; option < 3; ++option) {
+        ASSERT_NE(t::find(option), nullptr);
+        EXPECT_EQ(t::find(option)->start, option != 0) << option;
+        EXPECT_EQ(t::find(option)->others, option == 2) << option;
+    }
+    EXPECT_EQ(t::find(3), nullptr);
+}
+
+// 3.2.13
+TEST(Ax188001Tables, ErrorBehaviour) {
+    verifies<req::TCS_T_BEHAVIOUR>();
+    namespace t = own::t_tcs_t_behaviour;
+    const std::array<t::Action, 3> actions{t::Action::pre_operational, t::Action::no_change, t::Action::stopped};
+    for (std::uint32_t value = 0; value < 3; ++value) {
+        ASSERT_NE(t::find(value), nullptr);
+        EXPECT_EQ(t::find(value)->action, actions[value]);
+    }
+    EXPECT_EQ(t::find(3), nullptr);
+}
+
+// 3.2.4 Tables 5 and 6: 8100h, communication, of no channel and without a description
+TEST(Ax188001Tables, SilentReceivePdo) {
+    verifies<req::TCS_T5>();
+    const auto* row = own::t_tcs_t5::find(own::t_tcs_t5::Error::rpdo_timeout);
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(static_cast<int>(row->code), 0x8100);
+    EXPECT_EQ(static_cast<int>(row->description), 0);
+    EXPECT_EQ(row->channel, 0);
+}
+
+// Appendix A: the filter's own frequency is damped by 110 dB, 10 to the power of -110/20. The other one's figures are
+// the converter's.
+TEST(Ax188001Tables, RejectionOfMainsHum) {
+    verifies<req::TCS_T_REJECTION>();
+    namespace t = own::t_tcs_t_rejection;
+    const auto left = [](t::FilterHz filter, t::MainsHz mains) {
+        const auto* row = t::find(filter, mains);
+        return row == nullptr ? -1.0F : row->left;
+    };
+    EXPECT_EQ(left(t::FilterHz::hz_50, t::MainsHz::hz_50), 3.1623e-6F);
+    EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::hz_60), 3.1623e-6F);
+    EXPECT_EQ(left(t::FilterHz::hz_50, t::MainsHz::hz_60), 5.9e-4F);
+    EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::hz_50), 1.33e-3F);
+    EXPECT_EQ(left(t::FilterHz::hz_50, t::MainsHz::none), 0.0F);
+    EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
+}
+
+}  // namespace canproof::test
