@@ -213,29 +213,35 @@ TEST_F(SdoBlock, WhatCannotBeReadIsRefusedAtOnce) {
 
 TEST_F(SdoBlock, SixtyFourKibibytes) {
     verifies<req::CO_SDO_021, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE, req::CO_K_SDO_BLOCK_QUEUED>();
-    const Bytes bytes = [] {
-        Bytes all;
-        for (std::size_t i = 0; i < SlaveBench::program_size; ++i) {
-            all.push_back(static_cast<std::uint8_t>(i * 7 + i / 256));
+    // A piece at a time: the microcontroller has no room for all of it beside the slave's and the answers.
+    const auto piece = [](std::size_t from, std::size_t size) {
+        Bytes bytes(size);
+        for (std::size_t i = 0; i < size; ++i) {
+            bytes[i] = static_cast<std::uint8_t>((from + i) * 7 + (from + i) / 256);
         }
-        return all;
-    }();
-    hold(bytes);
+        return bytes;
+    };
+    constexpr std::size_t all = SlaveBench::program_size;
+    const std::string end = block_end("585", piece(0, all));
+    hold(piece(0, all));
     EXPECT_EQ(send("605#A40024007F000000"), (Frames{"585#C600240000000100"}));  // 10000h
     std::string request = "605#A300000000000000";
     std::size_t from = 0;
     std::size_t sub_blocks = 0;
-    while (from < bytes.size()) {
+    while (from < all) {
+        const bool last = all - from <= 7 * 127;
+        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one more: block_segment marks the last
         Frames expected;
-        for (unsigned sequence = 1; sequence <= 127 && from < bytes.size(); ++sequence, from += 7) {
-            expected.push_back(block_segment("585", sequence, bytes, from));
+        for (unsigned sequence = 1; sequence <= 127 && (sequence - 1) * 7 < bytes.size(); ++sequence) {
+            expected.push_back(block_segment("585", sequence, bytes, (sequence - 1) * 7));
         }
+        from += 7 * 127;
         ASSERT_EQ(all_segments(request), expected);
         request = "605#A2" + hex_le(expected.size(), 1) + "7F0000000000";
         ++sub_blocks;
     }
     EXPECT_EQ(sub_blocks, 74U);  // 65,536 / (7 × 127) = 73.7
-    EXPECT_EQ(send(request), (Frames{block_end("585", bytes)}));
+    EXPECT_EQ(send(request), (Frames{end}));
     EXPECT_TRUE(send("605#A100000000000000").empty());
 }
 

@@ -1,5 +1,5 @@
-// Plays a fuzz target's corpus: --list=FILE names its files, one a line; --work=FILE takes the instructions of each
-// frame. A violated invariant ends the image with a status other than 0.
+// Plays a fuzz target's corpus: --list=FILE names its files, one a line; --work=FILE and --every-work=FILE take the
+// instructions of each frame. A violated invariant ends the image with a status other than 0.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -38,6 +38,10 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
 extern "C" void image_main() {
     std::vector<std::string> words = target::begin_image();
     const std::vector<std::uint8_t> list = read_file(target::take_option(words, "list"));
+    const std::string every_work = target::take_option(words, "every-work");
+    if (!every_work.empty()) {
+        target::write_every_work(every_work);
+    }
     fuzz::frame_probe.begins = [](const Frame&, Instant) { target::work_begins(); };
     fuzz::frame_probe.ends = [](const Frame& frame) {
         target::work_stops();

@@ -1,5 +1,5 @@
-// Runs the tests of an image: arguments of GoogleTest, --verdicts=FILE, --frame-log=FILE and --work=FILE; --shard=I/N
-// runs every Nth test from the Ith.
+// Runs the tests of an image: arguments of GoogleTest, --verdicts=FILE, --frame-log=FILE, --work=FILE and
+// --every-work=FILE; --shard=I/N runs every Nth test from the Ith.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -56,6 +56,10 @@ extern "C" void image_main() {
     }
     if (!work.empty()) {
         watch_work();
+    }
+    const std::string every_work = target::take_option(words, "every-work");
+    if (!every_work.empty()) {
+        target::write_every_work(every_work);
     }
     const std::string shard = target::take_option(words, "shard");
     if (!shard.empty()) {

@@ -7,6 +7,8 @@
 
 namespace canproof::target {
 
+/// From now on every piece of work is a line `kind instructions what where` in `path` as well.
+void write_every_work(const std::string& path);
 void work_begins();
 /// Stops counting. Before anything else is done: what names the work is no part of it.
 void work_stops();
