@@ -5,6 +5,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
+#include "host/evidence/freshness.hpp"
 #include "host/evidence/pack.hpp"
 #include "host/plot/figures.hpp"
 #include "host/trace/target_html.hpp"
@@ -12,6 +13,30 @@
 namespace canproof::host {
 
 namespace {
+
+/// Where everything lies that a pack is made from.
+struct Places {
+    explicit Places(const EvidenceOptions& options)
+        : root{options.root},
+          verdicts{or_below(options.verdicts, "build/release/verdicts")},
+          coverage{or_below(options.coverage, "build/coverage/coverage.json")},
+          exhibits{or_below(options.exhibits, "build/exhibits")},
+          mutation{root / "build/mutation/mutation.json"},
+          target{root / "build/target"},
+          socketcan{root / "build/socketcan/verdicts"} {}
+
+    std::filesystem::path or_below(const std::string& given, const char* place) const {
+        return given.empty() ? root / place : std::filesystem::path{given};
+    }
+
+    std::filesystem::path root;
+    std::filesystem::path verdicts;
+    std::filesystem::path coverage;
+    std::filesystem::path exhibits;
+    std::filesystem::path mutation;
+    std::filesystem::path target;
+    std::filesystem::path socketcan;
+};
 
 std::optional<MeasuredCoverage> coverage_of(const std::filesystem::path& file, const std::filesystem::path& root) {
     if (!std::filesystem::exists(file)) {
@@ -21,6 +46,40 @@ std::optional<MeasuredCoverage> coverage_of(const std::filesystem::path& file, c
     made.files = read_coverage(file, root);
     made.verdict = judge_coverage(made.files, read_coverage_records(root / "reports" / "coverage.toml"));
     return made;
+}
+
+std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) {
+        return std::nullopt;
+    }
+    return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
+}
+
+/// What was measured before a source that it speaks of was written.
+std::map<std::string, std::string> stale_ones(const Places& places) {
+    auto with_target = firmware_sources();
+    with_target.emplace_back("src/target");
+    auto with_host = firmware_sources();
+    with_host.insert(with_host.end(), {"src/host/bus", "src/host/run", "tests/socketcan"});
+    std::map<std::string, std::string> stale{
+        {"tests", newer_source(places.root, firmware_and_tests(), oldest_file(places.verdicts))},
+        {"coverage", newer_source(places.root, firmware_and_tests(), places.coverage)},
+        {"mutation", newer_source(places.root, firmware_and_tests(), places.mutation)},
+        {"socketcan", newer_source(places.root, with_host, oldest_file(places.socketcan))},
+        {"target", newer_source(places.root, with_target, places.target / "footprint.json")}};
+    for (auto one = stale.begin(); one != stale.end();) {
+        one = one->second.empty() ? stale.erase(one) : std::next(one);
+    }
+    return stale;
+}
+
+std::vector<Exhibit> exhibits_in(const Places& places) {
+    std::vector<Exhibit> all;
+    for (const auto& folder : exhibit_folders(places.exhibits)) {
+        all.push_back(read_exhibit(folder));
+        mark_stale(all.back(), newer_source(places.root, firmware_sources(), folder / "exhibit.json"));
+    }
+    return all;
 }
 
 /// A pack written before goes first; a folder that holds anything else is not ours to clear.
@@ -37,24 +96,25 @@ void clear(const std::filesystem::path& folder) {
 }  // namespace
 
 int write_evidence(const EvidenceOptions& options) {
-    const std::filesystem::path root{options.root};
+    const Places places{options};
+    const std::filesystem::path& root = places.root;
     const Register content = sound_register(root / "spec");
     PackInput input;
     input.content = &content;
-    input.evidence = collect_evidence(
-        root,
-        options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts},
-        content);
+    input.evidence = collect_evidence(root, places.verdicts, content);
     input.audits = audit_all(content, input.evidence);
-    input.coverage = coverage_of(options.coverage.empty() ? root / "build" / "coverage" / "coverage.json"
-                                                          : std::filesystem::path{options.coverage},
-                                 root);
-    input.argument = read_argument(root / "reports" / "argument.toml");
-    input.exhibits =
-        read_exhibits(options.exhibits.empty() ? root / "build" / "exhibits" : std::filesystem::path{options.exhibits});
-    if (const auto target = root / "build" / "target"; std::filesystem::exists(target / "footprint.json")) {
-        input.target = write_target_html(target);
+    if (std::filesystem::exists(places.socketcan)) {
+        input.socketcan = read_verdict_files(places.socketcan);
     }
+    input.orphans = orphans(input.evidence);
+    input.coverage = coverage_of(places.coverage, root);
+    input.mutation = mutation_of(places.mutation);
+    input.argument = read_argument(root / "reports" / "argument.toml");
+    input.exhibits = exhibits_in(places);
+    if (std::filesystem::exists(places.target / "footprint.json")) {
+        input.target = write_target_html(places.target);
+    }
+    input.newer = stale_ones(places);
     for (const auto& [name, plot] : all_figures()) {
         input.figures[name] = write_svg(plot);
     }

@@ -27,6 +27,10 @@ void read_claims(TomlItem& whole, Argument& argument) {
 }
 
 void read_tables(TomlItem& whole, Argument& argument) {
+    for (auto& item : whole.items("evidence")) {
+        argument.evidence.push_back({item.text("key"), item.text("title"), item.text("made_by")});
+        item.finish();
+    }
     for (auto& item : whole.items("technique")) {
         argument.techniques.push_back({item.text("table"), item.text("name"), item.text("level"),
                                        item.word("state", {"shown", "partly", "not"}, ""), item.text("how")});

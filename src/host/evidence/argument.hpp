@@ -16,6 +16,13 @@ struct Claim {
     std::string limits;                 ///< what the evidence does not show
 };
 
+/// A part of a whole pack, there or not.
+struct ExpectedEvidence {
+    std::string key;
+    std::string title;
+    std::string made_by;  ///< the command that leaves it
+};
+
 struct Technique {
     std::string table;
     std::string name;
@@ -33,6 +40,7 @@ struct Tool {
 
 struct Argument {
     std::vector<Claim> claims;  ///< a parent before its children
+    std::vector<ExpectedEvidence> evidence;
     std::vector<Technique> techniques;
     std::vector<Tool> tools;
 };

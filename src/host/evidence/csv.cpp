@@ -48,11 +48,9 @@ std::string write_requirements_csv(const std::vector<PartAudit>& audits, const E
         line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
     for (const auto& audit : audits) {
         for (const auto& one : audit.items) {
-            const auto code = evidence.implemented.find(one.item->id);
             text += line({one.item->id, audit.part->name, one.word, one.item->text, joined(one.item->sources),
-                          joined(one.decisions), code == evidence.implemented.end() ? "" : joined(code->second),
-                          joined(one.demanded), tests_of(one.item->id, evidence),
-                          one.failed || !one.missing.empty() ? "open" : "shown"});
+                          joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
+                          tests_of(one.item->id, evidence), one.status()});
         }
     }
     return text;

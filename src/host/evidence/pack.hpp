@@ -10,6 +10,7 @@
 #include "host/coverage/coverage.hpp"
 #include "host/evidence/argument.hpp"
 #include "host/evidence/exhibit.hpp"
+#include "host/mutation/mutation.hpp"
 #include "host/trace/audit.hpp"
 
 namespace canproof::host {
@@ -28,13 +29,24 @@ struct MeasuredCoverage {
     CoverageVerdict verdict;
 };
 
+/// What `canproof mutate` left of the generated cells.
+struct MeasuredMutation {
+    std::map<std::string, MutationCount> items;
+    std::string json;
+};
+
 struct PackInput {
     const Register* content{nullptr};
     Evidence evidence;
     std::vector<PartAudit> audits;
+    std::optional<Evidence> socketcan;                ///< runs on CAN interfaces of a real kernel
     std::optional<std::vector<std::string>> orphans;  ///< code or tests without a requirement, each a sentence
     std::optional<MeasuredCoverage> coverage;
+    std::optional<MeasuredMutation> mutation;
     std::optional<std::string> target;  ///< markup: figures measured on the microcontroller
+    /// By key of what was measured before a source was written: that source. The audit, tests, properties and corpora
+    /// have the key `tests`.
+    std::map<std::string, std::string> newer;
     Argument argument;
     std::vector<Exhibit> exhibits;               ///< of other tools
     std::map<std::string, std::string> figures;  ///< SVG text by file name; each begins with its device's name

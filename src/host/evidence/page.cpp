@@ -27,8 +27,11 @@ input[type=search]{font:inherit;width:min(100%,26rem);padding:.4rem .6rem;border
 figure{margin:1rem 0}figure img{width:100%;height:auto;background:#fff;border-radius:.3rem}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
 @media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}}
-@media print{nav,input,[role=status]{display:none}body{font-size:9pt}th{position:static}main{max-width:none;padding:0}tr{break-inside:avoid}a{color:inherit;text-decoration:none}}
+@page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
+@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,[role=status],script{display:none}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
+
+constexpr std::size_t many_columns = 4;  ///< a table with more is printed across
 
 const char* const search_script = R"(
 for(const field of document.querySelectorAll('input[type=search]')){
@@ -64,7 +67,7 @@ std::string html_page(const std::string& title, const std::string& own_page,
 
 std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
                        const Search search) {
-    std::string text = "<div>";
+    std::string text = head.size() > many_columns ? "<div class=wide>" : "<div>";
     if (search == Search::yes) {
         text +=
             "<input type=search aria-label=\"Search the table\" placeholder=\"Search\"> <small role=status></small>";
@@ -87,7 +90,7 @@ std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<st
 
 std::string html_state(const std::string& word) {
     const bool good = word == "holds" || word == "shown";
-    const bool bad = word == "open" || word == "not" || word == "not measured";
+    const bool bad = word == "open" || word == "failed" || word == "not" || word == "not measured";
     return fmt::format("<span class=\"state {}\">{} {}</span>",
                        good  ? "holds"
                        : bad ? "open"

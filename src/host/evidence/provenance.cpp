@@ -2,28 +2,22 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <memory>
 #include <regex>
 #include <sstream>
 
 #include "host/evidence/pack.hpp"
+#include "host/process/child_process.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-/// What a command prints, without the break at its end; empty when it fails.
-std::string output_of(const std::string& command) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe{popen((command + " 2>/dev/null").c_str(), "r"), pclose};
-    std::string text;
-    std::array<char, 4096> part{};
-    while (pipe && std::fgets(part.data(), part.size(), pipe.get()) != nullptr) {
-        text += part.data();
-    }
+/// What a command of the shell prints, without the break at its end; what it complains of is left out.
+std::string said_by(const std::string& command) {
+    std::string text = output_of({"sh", "-c", "{ " + command + "; } 2>/dev/null || true"}).value_or("");
     while (!text.empty() && text.back() == '\n') {
         text.pop_back();
     }
@@ -44,7 +38,7 @@ std::string date_of(const std::string& git) {
     if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
         seconds = std::strtoll(epoch, nullptr, 10);
     } else {
-        seconds = std::strtoll(output_of(git + " log -1 --format=%ct").c_str(), nullptr, 10);
+        seconds = std::strtoll(said_by(git + " log -1 --format=%ct").c_str(), nullptr, 10);
     }
     std::tm utc{};
     gmtime_r(&seconds, &utc);
@@ -68,7 +62,7 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
     for (char& one : names) {
         one = one == '\n' ? ' ' : one;
     }
-    std::istringstream lines{output_of(R"(dpkg-query -W -f='${Package} ${Version}\n' )" + names)};
+    std::istringstream lines{said_by(R"(dpkg-query -W -f='${Package} ${Version}\n' )" + names)};
     for (std::string name, version; lines >> name >> version;) {
         found[name] = version;
     }
@@ -80,8 +74,8 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
 Provenance provenance_of(const std::filesystem::path& root) {
     const std::string git = "git -C " + quoted(root);
     Provenance made;
-    made.commit = output_of(git + " rev-parse HEAD");
-    if (!output_of(git + " status --porcelain --untracked-files=no").empty()) {
+    made.commit = said_by(git + " rev-parse HEAD");
+    if (!said_by(git + " status --porcelain --untracked-files=no").empty()) {
         made.commit += "+";
     }
     made.date = date_of(git);

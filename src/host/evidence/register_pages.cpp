@@ -36,10 +36,17 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
     return text;
 }
 
-std::vector<std::string> item_row(const AuditedItem& audited, const Evidence& evidence) {
+/// Alterations of its generated cells.
+std::string mutants_of(const std::string& id, const PackInput& input) {
+    if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
+        return "";
+    }
+    const MutationCount& count = input.mutation->items.at(id);
+    return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
+}
+
+std::vector<std::string> item_row(const AuditedItem& audited, const PackInput& input) {
     const Item& item = *audited.item;
-    const auto code = evidence.implemented.find(item.id);
-    const bool open = audited.failed || !audited.missing.empty();
     std::string decisions;
     for (const auto& id : audited.decisions) {
         decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
@@ -47,9 +54,9 @@ std::vector<std::string> item_row(const AuditedItem& audited, const Evidence& ev
     return {fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
             fmt::format("{}<br><small>{}</small>", escaped(item.text), joined(item.sources)),
             decisions,
-            code == evidence.implemented.end() ? "" : places_of(code->second),
-            tests_of(item.id, evidence),
-            html_state(open ? "open" : "shown")};
+            places_of(code_of(item.id, input.evidence)),
+            tests_of(item.id, input.evidence) + mutants_of(item.id, input),
+            html_state(audited.status())};
 }
 
 }  // namespace
@@ -66,7 +73,7 @@ std::string audit_page(const PackInput& input) {
             gaps += fmt::format("<li>{}\n", escaped(gap));
         }
         for (const auto& item : audit.items) {
-            rows.push_back(item_row(item, input.evidence));
+            rows.push_back(item_row(item, input));
         }
     }
     if (!gaps.empty()) {

@@ -131,6 +131,7 @@ void write_report(const CampaignContext& context, const std::optional<Night>& la
     const std::filesystem::path folder{context.options.out};
     std::filesystem::create_directories(folder);
     write_json(folder / "report.json", write_campaign_json(context.state, last));
+    write_json(folder / "exhibit.json", write_campaign_exhibit(context.state));
     std::ofstream page{folder / "index.html"};
     page << write_campaign_html(context.state, last);
     if (!page.flush()) {

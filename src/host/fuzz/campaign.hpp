@@ -15,8 +15,8 @@ struct CampaignOptions {
     double minutes{20.0};              ///< of fuzzing, on all jobs together; the passes after it come on top
     std::vector<std::string> targets;  ///< names; none: all
     std::string corpus{"build/fuzz-corpus"};
-    std::string out{"build/fuzz-report"};  ///< index.html and report.json
-    std::string build{"build/fuzz"};       ///< libFuzzer programs under sanitizers
+    std::string out{"build/exhibits/fuzz"};  ///< index.html, report.json, and exhibit.json for the evidence pack
+    std::string build{"build/fuzz"};         ///< libFuzzer programs under sanitizers
     std::string replay_build{"build/release"};
     std::string coverage_build{"build/coverage"};
     std::string fuzz{"fuzz"};         ///< seeds, dictionaries, options

@@ -161,6 +161,35 @@ nlohmann::json write_campaign_json(const CampaignState& state, const std::option
     return report;
 }
 
+nlohmann::json write_campaign_exhibit(const CampaignState& state) {
+    const bool finished = state.phase == "done";
+    nlohmann::json open = nlohmann::json::array();
+    for (const auto& one : state.findings) {
+        open.push_back(fmt::format("{}: {}", one.target, one.title));
+    }
+    for (const auto& target : state.targets) {
+        if (target.broken_slices != 0) {
+            open.push_back(fmt::format("{}: {} slice(s) ended before their time", target.name, target.broken_slices));
+        }
+    }
+    if (!finished) {
+        open.push_back(fmt::format("not finished: stopped during “{}”", state.phase));
+    }
+    std::string says =
+        fmt::format("{} targets, {} minutes on {} job(s), {} executions, {} finding(s)", state.targets.size(),
+                    state.minutes, state.jobs, with_commas(state.executions()), state.findings.size());
+    if (state.coverage.measured) {
+        says += fmt::format("; {:.1f} % of the firmware's lines reached by fuzzing alone",
+                            percent(state.coverage.hit(), state.coverage.lines()));
+    }
+    return {{"title", "Fuzzing campaign"},
+            {"state", open.empty() ? "holds" : "open"},
+            {"says", says},
+            {"page", "index.html"},
+            {"open", open},
+            {"data", nlohmann::json::array({"report.json"})}};
+}
+
 Night night_of(const CampaignState& state) {
     Night night{state.started, state.minutes, state.executions(), state.coverage.hit(), {}, {}, state.findings.size()};
     for (const auto& target : state.targets) {

@@ -9,7 +9,9 @@
 #include <set>
 
 #include "host/bus/candump.hpp"
+#include "host/evidence/freshness.hpp"
 #include "host/evidence/sha256.hpp"
+#include "host/speccompiler/fingerprint.hpp"
 
 namespace canproof::host::test {
 
@@ -54,6 +56,9 @@ class Pack : public ::testing::Test {
         input_.evidence.implemented["D-A-002"] = {"src/firmware/base/two.cpp:4"};
         input_.argument.claims = {{"C", "", "All is well.", {}, ""},
                                   {"C1", "C", "Tests pass.", {"tests", "audit"}, "Not on silicon."}};
+        for (const auto& [id, print] : fingerprints(content_.parts[0])) {
+            content_.parts[0].reviews[id] = {print, "2026-01-02", "someone", {}};
+        }
         input_.provenance.commit = "abc";
         input_.provenance.packages = {{"libx", "1.2-3"}};
     }
@@ -177,33 +182,165 @@ TEST_F(Pack, TheSameInputGivesTheSameBytesAndTheManifestTheirSums) {
     EXPECT_EQ(nlohmann::json::parse(write_manifest(files, input_.provenance)).at("sha256").size(), files.size());
 }
 
-TEST(Exhibits, AreReadFromFoldersAndBadOnesAreTold) {
-    const auto root = std::filesystem::path{::testing::TempDir()} / "exhibits";
-    std::filesystem::create_directories(root / "fuzz" / "data");
-    std::filesystem::create_directories(root / "empty");
-    std::ofstream{root / "fuzz/exhibit.json"}
-        << R"({"title": "Fuzzing", "state": "open", "says": "one finding", "page": "report.html"})";
-    std::ofstream{root / "fuzz/report.html"} << "<p>";
-    std::ofstream{root / "fuzz/data/a"} << "b";
-    const auto found = read_exhibits(root);
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].key, "fuzz");
-    EXPECT_EQ(found[0].state, Exhibit::State::open);
-    EXPECT_EQ(found[0].page, "fuzz/report.html");
-    EXPECT_EQ(found[0].files, (std::map<std::string, std::string>{{"fuzz/data/a", "b"}, {"fuzz/report.html", "<p>"}}));
-    const auto told = [&](const char* text) {
-        std::ofstream{root / "fuzz/exhibit.json"} << text;
+TEST_F(Pack, AnItemThatChangedSinceItsReviewIsToldAsSuspect) {
+    content_.parts[0].requirements[1].text = "edited";
+    const PackFiles files = make();
+    EXPECT_THAT(files.at("index.html"), HasSubstr("1 items have changed since someone read them"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
+    EXPECT_THAT(files.at("audit.html"), HasSubstr("◐ suspect"));
+    EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));
+}
+
+TEST_F(Pack, OrphansAreListed) {
+    input_.argument.claims[1].evidence = {"orphans"};
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    input_.orphans = std::vector<std::string>{};
+    EXPECT_EQ(state_of("C1"), "✓ holds");
+    input_.orphans = {"src/firmware/x.cpp serves <nobody>"};
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    EXPECT_THAT(make().at("index.html"), HasSubstr("<li>src/firmware/x.cpp serves &lt;nobody&gt;"));
+}
+
+TEST_F(Pack, WhatWasMeasuredBeforeASourceWasWrittenIsStaleAndCarriesNoClaim) {
+    input_.newer = {{"tests", "src/firmware/base/one.cpp"}};
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    EXPECT_THAT(
+        make().at("index.html"),
+        HasSubstr("<a href=\"tests.html\">Tests</a>: src/firmware/base/one.cpp is newer than this measurement"));
+}
+
+TEST_F(Pack, WhatAWholePackWouldHoldIsToldWithTheCommandThatLeavesIt) {
+    input_.argument.evidence = {{"fuzz", "Fuzzing campaign", "canproof fuzz"}, {"tests", "Tests", "./run"}};
+    const std::string page = make().at("index.html");
+    EXPECT_THAT(page, HasSubstr("Fuzzing campaign: not part of this pack; canproof fuzz leaves it"));
+    EXPECT_THAT(page, Not(HasSubstr("Tests: not part of this pack")));
+}
+
+TEST_F(Pack, AnExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
+    Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
+    exhibit.files = {{"scale/scale.csv", "devices,seconds\r\n\"1,000\",0.5\r\n"}, {"scale/scale.svg", "<svg/>"}};
+    exhibit.figures = {{"devices in real time", "1,000"}};
+    exhibit.open = {"nothing beyond 2,000 was tried"};
+    exhibit.data = {"scale/scale.csv"};
+    input_.exhibits = {exhibit};
+    const PackFiles files = make();
+    const std::string page = files.at("scale.html");
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"devices\">1,000<td data-h=\"seconds\">0.5"));
+    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\""));
+    EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
+    EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("devices in real time: <b>1,000</b>"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"scale.html\">Many devices</a>: nothing beyond 2,000"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"data/scale.csv\">scale.csv</a>"));
+}
+
+TEST_F(Pack, RunsOnARealKernelAreEvidenceOfTheirOwn) {
+    input_.argument.claims[1].evidence = {"socketcan"};
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    input_.socketcan = Evidence{};
+    EXPECT_EQ(state_of("C1"), "✗ open");  // no run is no evidence
+    input_.socketcan->tests = 2;
+    input_.socketcan->cases = {{"socketcan", "sends", true, ""}, {"socketcan", "joins", true, ""}};
+    EXPECT_EQ(state_of("C1"), "✓ holds");
+    input_.socketcan->failed = 1;
+    input_.socketcan->cases[1].passed = false;
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    EXPECT_THAT(make().at("index.html"), HasSubstr("failed: joins"));
+}
+
+TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
+    input_.argument.claims[1].evidence = {"mutation"};
+    input_.mutation = MeasuredMutation{
+        {{"D-A-001", {10, 9, 1}}, {"D-A-002", {5, 5, 0}}},
+        R"({"survivors": [{"item": "D-A-001", "cell": "limit", "change": "5 -> 6", "reason": "same bits"}]})"};
+    EXPECT_EQ(state_of("C1"), "✓ holds");
+    EXPECT_THAT(make().at("mutation.html"), HasSubstr("5 -&gt; 6<td data-h=\"Reason\">same bits"));
+    EXPECT_THAT(make().at("audit.html"), HasSubstr("9 of 10 altered cells noticed"));
+    input_.mutation->items["D-A-002"].noticed = 3;
+    EXPECT_EQ(state_of("C1"), "✗ open");
+    EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
+}
+
+TEST_F(Pack, OnlyFilesThatAreThereAreLinked) {
+    const PackFiles files = make();
+    const std::string page = files.at("index.html");
+    EXPECT_THAT(page, Not(HasSubstr("cobertura")));
+    for (auto at = page.find("href=\"data/"); at != std::string::npos; at = page.find("href=\"data/", at + 1)) {
+        EXPECT_EQ(files.count(page.substr(at + 6, page.find('"', at + 6) - at - 6)), 1U);
+    }
+}
+
+class ExhibitFolder : public ::testing::Test {
+  protected:
+    ExhibitFolder() : root_{std::filesystem::path{::testing::TempDir()} / "exhibits"} {
+        std::filesystem::create_directories(root_ / "fuzz" / "data");
+        std::filesystem::create_directories(root_ / "empty");
+        write("fuzz/exhibit.json",
+              R"({"title": "Fuzzing", "state": "open", "says": "one finding", "page": "report.html",
+                  "figures": {"targets": 18, "edges": "1,234"}, "open": ["a crash"], "data": ["data/a"]})");
+        write("fuzz/report.html", "<p>");
+        write("fuzz/data/a", "b");
+    }
+    ~ExhibitFolder() override { std::filesystem::remove_all(root_); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream{root_ / name} << text; }
+    /// What is said of this description.
+    std::string told(const std::string& text) const {
+        write("fuzz/exhibit.json", text);
         try {
-            return std::to_string(read_exhibits(root).size());
+            return read_exhibit(root_ / "fuzz").title;
         } catch (const InputError& error) {
-            return std::string{error.what()};
+            return error.what();
         }
-    };
+    }
+
+    std::filesystem::path root_;
+};
+
+TEST_F(ExhibitFolder, IsReadWithItsFiles) {
+    EXPECT_THAT(exhibit_folders(root_), ElementsAre(root_ / "fuzz"));
+    EXPECT_THAT(exhibit_folders(root_ / "nowhere"), ::testing::IsEmpty());
+    const Exhibit found = read_exhibit(root_ / "fuzz");
+    EXPECT_EQ(found.key, "fuzz");
+    EXPECT_EQ(found.state, Exhibit::State::open);
+    EXPECT_EQ(found.page, "fuzz/report.html");
+    EXPECT_EQ(found.files, (std::map<std::string, std::string>{{"fuzz/data/a", "b"}, {"fuzz/report.html", "<p>"}}));
+    EXPECT_THAT(found.figures, ElementsAre(std::pair{"targets", "18"}, std::pair{"edges", "1,234"}));
+    EXPECT_THAT(found.open, ElementsAre("a crash"));
+    EXPECT_THAT(found.data, ElementsAre("fuzz/data/a"));
+}
+
+TEST_F(ExhibitFolder, IsRefusedWhereItsDescriptionDoesNotFit) {
     EXPECT_THAT(told(R"({"title": "x", "state": "fine", "says": ""})"), HasSubstr("state `fine` is neither"));
     EXPECT_THAT(told(R"({"title": "x"})"), HasSubstr("it needs title, state and says"));
     EXPECT_THAT(told("nothing"), HasSubstr("exhibit.json"));
-    std::filesystem::remove_all(root);
-    EXPECT_TRUE(read_exhibits(root).empty());
+    EXPECT_THAT(told(R"({"title": "x", "state": "open", "says": "", "page": "none.html"})"),
+                HasSubstr("there is no fuzz/none.html"));
+    EXPECT_THAT(told(R"({"title": "x", "state": "open", "says": "", "data": ["none"]})"),
+                HasSubstr("there is no fuzz/none"));
+    EXPECT_EQ(told(R"({"title": "x", "state": "open", "says": ""})"), "x");
+}
+
+TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness";
+    fs::create_directories(root / "spec");
+    const auto now = fs::file_time_type::clock::now();
+    const auto write = [&](const char* name, std::chrono::seconds age) {
+        std::ofstream{root / name} << name;
+        fs::last_write_time(root / name, now - age);
+    };
+    write("measured.json", std::chrono::seconds{10});
+    write("spec/old.toml", std::chrono::seconds{20});
+    EXPECT_EQ(newer_source(root, {"spec", "nowhere"}, root / "measured.json"), "");
+    write("spec/reviews.toml", std::chrono::seconds{5});
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "measured.json"), "");
+    write("spec/b.toml", std::chrono::seconds{5});
+    write("spec/a.toml", std::chrono::seconds{1});
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "measured.json"), "spec/a.toml");
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "never.json"), "");
+    EXPECT_EQ(oldest_file(root / "spec"), root / "spec/old.toml");
+    fs::remove_all(root);
+    EXPECT_EQ(oldest_file(root), fs::path{});
 }
 
 TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {
