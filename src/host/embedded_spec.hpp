@@ -1,4 +1,4 @@
-// The register as it stood when the program was built.
+// The register as it stood when the program was built, without decisions and reviews.
 #pragma once
 
 #include "host/speccompiler/register.hpp"

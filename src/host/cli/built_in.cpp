@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
 
 #include "host/bus/candump.hpp"
 #include "host/embedded_spec.hpp"
@@ -20,26 +23,59 @@ bool same(const std::string& number, const std::string& name) {
     });
 }
 
+/// The devices' own files alone, by their names: what a device is called, and with what numbers.
+const Register& device_files() {
+    static const Register content = [] {
+        SpecFiles files;
+        for (const auto& [path, text] : embedded_spec()) {
+            if (std::filesystem::path{path}.filename() == "device.toml") {
+                files.emplace(path, text);
+            }
+        }
+        return read_sound_register(files).value();
+    }();
+    return content;
+}
+
+/// One device without the rest of the register; nothing when it needs the rest.
+std::optional<Register> register_of(const std::string& device) {
+    const std::string folder = "spec/devices/" + device + "/";
+    SpecFiles files;
+    for (const auto& [path, text] : embedded_spec()) {
+        if (path.rfind(folder, 0) == 0) {
+            files.emplace(path, text);
+        }
+    }
+    return read_sound_register(files);
+}
+
+/// Most programs run one device of the four: only that is read.
+const Part& device_part(const std::string& name) {
+    static std::map<std::string, std::optional<Register>> read;
+    const auto [known, unread] = read.try_emplace(name);
+    if (unread) {
+        known->second = register_of(name);
+    }
+    return *(known->second ? *known->second : built_in_register()).part(name);
+}
+
 }  // namespace
 
 const Register& built_in_register() {
-    static const LoadResult loaded = load_register(embedded_spec());
-    return loaded.content;
+    // The build has found it sound.
+    static const Register content = read_sound_register(embedded_spec()).value();
+    return content;
 }
 
 const Part& device_named(const std::string& name) {
-    const Part* part = built_in_register().part(name);
-    for (const Part& other : built_in_register().parts) {
-        const auto& numbers = other.info.part_numbers;
-        if (part == nullptr &&
-            std::any_of(numbers.begin(), numbers.end(), [&](const auto& n) { return same(n, name); })) {
-            part = &other;
+    for (const Part& one : device_files().parts) {
+        const auto& numbers = one.info.part_numbers;
+        if (one.is_device() && (one.name == name || std::any_of(numbers.begin(), numbers.end(),
+                                                                [&](const auto& n) { return same(n, name); }))) {
+            return device_part(one.name);
         }
     }
-    if (part == nullptr || !part->is_device()) {
-        throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
-    }
-    return *part;
+    throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
 }
 
 }  // namespace canproof::host

@@ -63,21 +63,19 @@ void check_use(const Object& object, const Entry& entry, Faults& faults) {
     }
 }
 
-void check_string(const std::string& where, Entry& entry, Faults& faults) {
+void check_string(const std::string& where, const Entry& entry, Faults& faults) {
     const auto* text = std::get_if<std::string>(&entry.value);
     if (text == nullptr) {
         faults.push_back(
             {entry.default_place, fmt::format("{} has no text as default", where), "give default = \"…\""});
-    } else if (entry.length != 0 && text->size() > entry.length) {
+    } else if (text->size() > entry.length) {
         faults.push_back({entry.default_place,
                           fmt::format("{} default has {} bytes, its length is {}", where, text->size(), entry.length),
                           "shorten it or raise length"});
-    } else if (entry.length == 0) {
-        entry.length = text->size();
     }
 }
 
-void check_default(const Object& object, Entry& entry, Faults& faults) {
+void check_default(const Object& object, const Entry& entry, Faults& faults) {
     const std::string where = name(object, entry);
     const bool given = !std::holds_alternative<std::monostate>(entry.value);
     if (entry.type == "DOMAIN") {
@@ -115,10 +113,10 @@ void check_image_size(const Part& part, Faults& faults) {
 
 }  // namespace
 
-void check_objects(Part& part, Faults& faults) {
-    for (Object& object : part.objects) {
+void check_objects(const Part& part, Faults& faults) {
+    for (const Object& object : part.objects) {
         check_subindices(object, faults);
-        for (Entry& entry : object.entries) {
+        for (const Entry& entry : object.entries) {
             if (is_known_type(entry.type)) {
                 check_use(object, entry, faults);
                 check_default(object, entry, faults);

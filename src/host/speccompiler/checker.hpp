@@ -13,8 +13,10 @@ void check_tables(const Register& content, Part& part, Faults& faults);
 void check_literals(const Part& part, Faults& faults);
 /// Ranges that name a table get its values.
 void resolve_ranges(const Register& content, Part& part, Faults& faults);
-/// Types, defaults, limits and sub-indices of one part's objects. Strings get their length from the default.
-void check_objects(Part& part, Faults& faults);
+/// Strings without a length get that of their default.
+void resolve_lengths(Part& part);
+/// Types, defaults, limits and sub-indices of one part's objects.
+void check_objects(const Part& part, Faults& faults);
 /// The limits of one part's entries: the objects they name, their order, and the defaults within.
 void check_limits(const Part& part, Faults& faults);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "host/speccompiler/checker.hpp"
 #include "host/speccompiler/reader.hpp"
@@ -14,6 +15,7 @@ LoadResult load_register(const SpecFiles& files) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);
         resolve_ranges(result.content, part, result.faults);
+        resolve_lengths(part);
         check_objects(part, result.faults);
     }
     std::sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
@@ -26,6 +28,16 @@ LoadResult load_register(const SpecFiles& files) {
     };
     result.faults.erase(std::unique(result.faults.begin(), result.faults.end(), same), result.faults.end());
     return result;
+}
+
+std::optional<Register> read_sound_register(const SpecFiles& files) {
+    Faults faults;
+    Register content = read_register(files, faults);
+    for (Part& part : content.parts) {
+        resolve_ranges(content, part, faults);
+        resolve_lengths(part);
+    }
+    return faults.empty() ? std::optional{std::move(content)} : std::nullopt;
 }
 
 LoadResult load_register(const std::filesystem::path& spec) {

@@ -266,6 +266,8 @@ SpecFiles read_spec_files(const std::filesystem::path& spec);
 LoadResult load_register(const std::filesystem::path& spec);
 /// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
 LoadResult load_register(const SpecFiles& files);
+/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
+std::optional<Register> read_sound_register(const SpecFiles& files);
 
 /// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
 std::size_t type_size(const std::string& type);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/speccompiler/toml_item.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
@@ -27,15 +28,27 @@ std::size_t piece_end(const std::string& body, std::size_t at) {
     return end;
 }
 
+/// Why something was decided and who read it: the audit and its pages take that from spec/ itself, and it is half the
+/// register.
+bool is_background(const std::string& path, const std::string& body) {
+    const toml::table root = toml::parse(body, path);
+    return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {
+        return item.first == "decision" || item.first == "review";
+    });
+}
+
 }  // namespace
 
 std::string write_embedded(const SpecFiles& files) {
     std::string text =
-        "// Written by canproof's speccompiler: the register's own files, so that the program needs no folder beside "
-        "it.\n"
+        "// Written by canproof's speccompiler: the register's own files, for a program without a folder beside it; "
+        "decisions and reviews are left out.\n"
         "#include \"host/embedded_spec.hpp\"\n\nnamespace canproof::host {\n\n"
         "const SpecFiles& embedded_spec() {\n    static const SpecFiles files{\n";
     for (const auto& [path, body] : files) {
+        if (is_background(path, body)) {
+            continue;
+        }
         text += fmt::format("        {{\"{}\", std::string{{}}", path);
         for (std::size_t at = 0; at < body.size();) {
             const std::size_t end = piece_end(body, at);
