@@ -119,13 +119,13 @@ class Ear:
 class Run:
     """canproof run …, its notices readable as they come; log: the frames, as candump writes them."""
 
-    def __init__(self, program, *words, log="/tmp/run.log", prefix=()):
-        self.log = log
-        if os.path.exists(log):
-            os.unlink(log)
-        open(log, "wb").close()
-        os.chmod(log, 0o666)  # the program may run without rights
-        self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", log], stdin=subprocess.DEVNULL,
+    def __init__(self, program, *words, prefix=()):
+        self.log = f"/tmp/run.{os.getpid()}.log"
+        if os.path.exists(self.log):
+            os.unlink(self.log)
+        open(self.log, "wb").close()
+        os.chmod(self.log, 0o666)  # the program may run without rights
+        self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", self.log], stdin=subprocess.DEVNULL,
                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.said = ""
 

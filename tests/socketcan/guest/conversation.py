@@ -2,10 +2,10 @@
 import os
 import signal
 import subprocess
-import sys
 import time
 
-from bench import PATIENCE, Ear, Run, check, sh, until
+import warm_python
+from bench import Ear, Run, check, sh, until
 
 FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
@@ -33,14 +33,10 @@ def ask_with_cansend(ear):
     ear.wait("703#85")  # operational is 5, with the toggle bit 85h
 
 
-def start_python_can():
-    return subprocess.Popen([sys.executable, "-B", os.path.join(os.path.dirname(__file__), "python_can.py")],
-                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-
-
-def ask_with_python_can(asking):
-    said = asking.communicate("now\n", PATIENCE)[0]
-    assert asking.returncode == 0, said
+def ask_with_python_can():
+    with open(os.path.join(os.path.dirname(__file__), "python_can.py")) as script:
+        status, said = warm_python.ask(script.read())
+    assert status == 0, said
 
 
 def stamps_are_the_kernels(ear, run):
@@ -99,7 +95,6 @@ def check_short(kind, program):
 
 
 def check_all(program):
-    asking = start_python_can()
     dump = subprocess.Popen(["candump", "-L", "vcan0"], stdout=open(DUMP, "wb"))
     with Ear("vcan0") as ear:
         until("candump listens", lambda: "vcan0" in open("/proc/net/can/rcvlist_all").read())
@@ -109,7 +104,7 @@ def check_all(program):
             with check("cansend asks each for its type, guards and starts one"):
                 ask_with_cansend(ear)
             with check("python-can reads and writes objects, hears a heartbeat every 10 ms"):
-                ask_with_python_can(asking)
+                ask_with_python_can()
             with check("frames have the kernel's receive time stamps"):
                 stamps_are_the_kernels(ear, run)
             with check("the log has candump's frames, order and stamps"):

@@ -1,6 +1,4 @@
-"""What python-can asks the four devices. A process of its own, started early: importing python-can takes the guest seconds."""
-import sys
-
+"""What python-can asks the four devices: a script of its own."""
 import can
 
 FOUR = {3: "17000000", 4: "55000000", 5: "55000000", 6: "55000000"}  # 1018h:01 vendor-ID: esd 17h, Axiomatic 55h
@@ -32,6 +30,5 @@ def converse(bus):
     assert 0.0075 < mean < 0.0125, f"heartbeat every {mean * 1000:.2f} ms, not every 10 ms"
 
 
-sys.stdin.readline()
 with can.Bus(interface="socketcan", channel="vcan0") as interface:
     converse(interface)
