@@ -2,7 +2,9 @@
 'use strict';
 const assert = require('node:assert/strict');
 const { spawn, spawnSync } = require('node:child_process');
+const { once } = require('node:events');
 const http = require('node:http');
+const net = require('node:net');
 const { after, before, test } = require('node:test');
 const { chromium } = require('playwright-core');
 const { lowContrast } = require('./contrast.js');
@@ -20,6 +22,8 @@ let panel;
 /** The program on any free port, and what it said. */
 async function startPanel(...words) {
   const child = spawn(program, ['panel', '--port', '0', ...words]);
+  let notices = '';
+  child.stderr.on('data', (data) => { notices += data; });
   const url = await new Promise((resolve, reject) => {
     let text = '';
     child.stdout.on('data', (data) => {
@@ -30,11 +34,15 @@ async function startPanel(...words) {
     child.on('exit', (status) => reject(new Error(`canproof panel ended with ${status}: ${text}`)));
   });
   const ended = new Promise((resolve) => { child.on('exit', (status) => resolve(status)); });
-  return { child, url, ended };
+  const says = async (pattern) => {
+    while (!pattern.test(notices)) await once(child.stderr, 'data');
+    return notices;
+  };
+  return { child, url, ended, says };
 }
 
 /** A page that has met the program. Whatever it complains of on its console fails the test. */
-async function openPage(t, options = {}) {
+async function openPage(t, options = {}, url = panel.url) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(patience);
@@ -45,7 +53,7 @@ async function openPage(t, options = {}) {
     await context.close();
     assert.deepEqual(complaints, []);
   });
-  await page.goto(panel.url);
+  await page.goto(url);
   await page.waitForSelector('html[data-ready]');
   return page;
 }
@@ -188,6 +196,43 @@ test('another page sees what this one sets', async (t) => {
   await until(other, () => document.querySelector('[data-device=ax130751] [data-signal=supply] input[type=number]').value === '13.5');
   const csv = await (await fetch(`${panel.url}stimuli.csv`)).text();
   assert.match(csv, /^\d+\.\d{6},ax130751\.supply,13\.5$/m);
+});
+
+test('frames that came too fast for the program are told, and only then', async (t) => {
+  const page = await openPage(t);
+  assert.equal(await page.locator('#bus-lost-field').isVisible(), false);
+  await page.route('**/api/state*', async (route) => {
+    const response = await route.fetch();
+    const state = await response.json();
+    state.bus.lost = 1204; // as SocketCAN counts them
+    state.bus.missed = 7;
+    await route.fulfill({ response, json: state });
+  });
+  await page.locator('#bus-lost', { hasText: '1204 to the log, 7 to the devices' }).waitFor();
+  await page.unrouteAll({ behavior: 'ignoreErrors' });
+});
+
+test('a client of socketcand and the page see the same bus', async (t) => {
+  const served = await startPanel('cbx-ao412@3', '--bus', 'socketcand:127.0.0.1:0');
+  t.after(async () => {
+    served.child.kill('SIGINT');
+    assert.equal(await served.ended, 0);
+  });
+  const port = Number(/socketcand listens at port (\d+)/.exec(await served.says(/listens at port \d+/))[1]);
+  const client = net.connect(port, '127.0.0.1');
+  t.after(() => client.destroy());
+  let heard = '';
+  client.on('data', (data) => { heard += data; });
+  const hears = async (pattern) => { while (!pattern.test(heard)) await once(client, 'data'); };
+  await hears(/< hi >/);
+  client.write('< open can0 >< rawmode >');
+  await hears(/< ok >.*< ok >/s);
+  const page = await openPage(t, {}, served.url);
+  client.write('< send 603 8 40 0 10 0 0 0 0 0 >'); // CAN-CBX-AO412 7.9.2: the device type, and its answer
+  await hears(/< frame 583 \S+ 4300100091010800 >/i);
+  await page.locator('#frames tr', { hasText: '43 00 10 00 91 01 08 00' }).waitFor();
+  await send(page, '603#4001100000000000');
+  await hears(/< frame 583 \S+ 4F01100000000000 >/i);
 });
 
 test('what cannot be is told in words', async (t) => {

@@ -280,6 +280,8 @@ nlohmann::json Panel::state(std::uint64_t changes_from, std::uint64_t frames_fro
               {"bit_rate", report.bit_rate},
               {"frames", report.frames},
               {"errors", report.errors},
+              {"lost", report.lost},
+              {"missed", report.missed},
               {"latency_us", report.worst_latency.us}}},
             {"devices", std::move(devices)},
             {"next_change", recorder_.changes().next()},

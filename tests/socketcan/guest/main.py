@@ -9,6 +9,7 @@ import conversation
 import flood
 import interface
 import lss
+import panel
 import readme
 import warm_python
 
@@ -33,6 +34,7 @@ def check_release(program):
     interface.check_faults("", program)
     lss.check_granted("", program)
     lss.check_refused(program)
+    panel.check_panel(program)
 
 
 def check_sanitized(kind, program):

@@ -22,6 +22,8 @@ function showBus(name, { now, bus }) {
   byId('bus-load-bar').style.width = `${Math.min(100, 100 * bus.load)}%`;
   tell(byId('bus-frames'), String(bus.frames));
   tell(byId('bus-errors'), String(bus.errors));
+  byId('bus-lost-field').hidden = bus.lost + bus.missed === 0;
+  tell(byId('bus-lost'), `${bus.lost} to the log, ${bus.missed} to the devices`);
   tell(byId('bus-latency'), `< ${(bus.latency_us / 1000).toFixed(2)} ms`);
   tell(byId('bus-time'), `${seconds(now).slice(0, -2)} s`);
 }
