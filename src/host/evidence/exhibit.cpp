@@ -32,7 +32,8 @@ void read_description(const Json& json, Exhibit& exhibit) {
     if (const std::string page = json.value("page", ""); !page.empty()) {
         exhibit.page = exhibit.key + "/" + page;
     }
-    for (const auto& [name, value] : json.value("figures", Json::object()).items()) {
+    const Json figures = json.value("figures", Json::object());  // items() refers to it
+    for (const auto& [name, value] : figures.items()) {
         exhibit.figures.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
     for (const auto& sentence : json.value("open", Json::array())) {
