@@ -16,7 +16,7 @@ int diff(const DiffOptions& options) {
     const LoadResult before = load_register(spec_files_at(root, options.revision));
     const Register after = sound_register(root / "spec");
     const auto verdicts =
-        options.verdicts.empty() ? root / "build" / "release" / "verdicts" : std::filesystem::path{options.verdicts};
+        options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, after);
     Impact impact;
     impact.items = compare(before.content, after);

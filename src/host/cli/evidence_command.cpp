@@ -18,7 +18,7 @@ namespace {
 struct Places {
     explicit Places(const EvidenceOptions& options)
         : root{options.root},
-          verdicts{or_below(options.verdicts, "build/release/verdicts")},
+          verdicts{options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts}},
           coverage{or_below(options.coverage, "build/coverage/coverage.json")},
           exhibits{or_below(options.exhibits, "build/exhibits")},
           mutation{root / "build/mutation/mutation.json"},
@@ -119,6 +119,7 @@ int write_evidence(const EvidenceOptions& options) {
         input.figures[name] = write_svg(plot);
     }
     input.provenance = provenance_of(root);
+    input.provenance.configuration += ", tests in " + places.verdicts.parent_path().filename().string();
     const PackFiles files = make_pack(input);
     const std::filesystem::path folder{options.out};
     clear(folder);

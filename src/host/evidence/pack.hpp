@@ -19,7 +19,7 @@ namespace canproof::host {
 struct Provenance {
     std::string commit;                           ///< with `+` when files differ from it
     std::string date;                             ///< of the commit, or of SOURCE_DATE_EPOCH
-    std::string configuration;                    ///< build type
+    std::string configuration;                    ///< of this program, and of the tests
     std::map<std::string, std::string> tools;     ///< version by name
     std::map<std::string, std::string> packages;  ///< version by Debian package
 };

@@ -102,6 +102,20 @@ Evidence read_verdict_files(const std::filesystem::path& verdicts) {
     return evidence;
 }
 
+std::filesystem::path newest_verdicts(const std::filesystem::path& root) {
+    std::filesystem::path newest = root / "build" / "release" / "verdicts";
+    std::filesystem::file_time_type time = std::filesystem::file_time_type::min();
+    for (const char* preset : {"release", "debug", "coverage"}) {
+        const auto folder = root / "build" / preset / "verdicts";
+        const auto file = folder / "tests.xml";
+        if (std::filesystem::exists(file) && std::filesystem::last_write_time(file) > time) {
+            newest = folder;
+            time = std::filesystem::last_write_time(file);
+        }
+    }
+    return newest;
+}
+
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content) {
     Evidence evidence = read_verdict_files(verdicts);
