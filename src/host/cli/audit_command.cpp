@@ -56,8 +56,7 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
 int audit(const AuditOptions& options) {
     const std::filesystem::path root{options.root};
     const Register content = sound_register(root / "spec");
-    const auto verdicts =
-        options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
+    const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, content);
     std::vector<PartAudit> audits = audit_all(content, evidence);
     const bool is_device = content.part(options.subject) != nullptr;

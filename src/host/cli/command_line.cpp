@@ -126,7 +126,8 @@ void add_audit(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("--status", options.filter.status, "list items that are failed, open, suspect or shown")
         ->check(CLI::IsMember({"failed", "open", "suspect", "shown"}));
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
-    command->add_option("--verdicts", options.verdicts, "folder of test results; the newest of build/*/verdicts without it");
+    command->add_option("--verdicts", options.verdicts,
+                        "folder of test results; the newest of build/*/verdicts without it");
     command->callback([&chosen] { chosen = [] { return audit(options); }; });
 }
 
@@ -192,7 +193,8 @@ void add_evidence(CLI::App& app, std::function<int()>& chosen) {
     auto* command = app.add_subcommand("evidence", "write the pack: what is claimed, what shows it, what is open");
     command->add_option("--out", options.out, "folder to write")->capture_default_str();
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
-    command->add_option("--verdicts", options.verdicts, "folder of test results; the newest of build/*/verdicts without it");
+    command->add_option("--verdicts", options.verdicts,
+                        "folder of test results; the newest of build/*/verdicts without it");
     command->add_option("--coverage", options.coverage,
                         "what tests/coverage measured; build/coverage/coverage.json without it");
     command->add_option("--exhibits", options.exhibits, "folder of results of other tools; build/exhibits without it");
@@ -216,7 +218,8 @@ void add_diff(CLI::App& app, std::function<int()>& chosen) {
     auto* command = app.add_subcommand("diff", "what the changes since a revision touch: items, code, tests, verdicts");
     command->add_option("REVISION", options.revision, "a commit, branch or tag of git")->required();
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
-    command->add_option("--verdicts", options.verdicts, "folder of test results; the newest of build/*/verdicts without it");
+    command->add_option("--verdicts", options.verdicts,
+                        "folder of test results; the newest of build/*/verdicts without it");
     command->add_option("--old-verdicts", options.old_verdicts, "results of the revision: tells whose verdict differs");
     command->callback([&chosen] { chosen = [] { return diff(options); }; });
 }

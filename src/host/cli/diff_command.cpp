@@ -15,8 +15,7 @@ int diff(const DiffOptions& options) {
     const std::filesystem::path root{options.root};
     const LoadResult before = load_register(spec_files_at(root, options.revision));
     const Register after = sound_register(root / "spec");
-    const auto verdicts =
-        options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
+    const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, after);
     Impact impact;
     impact.items = compare(before.content, after);

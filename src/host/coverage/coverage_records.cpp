@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
 #include <algorithm>
 
-#include "host/bus/candump.hpp"
 #include "host/coverage/coverage.hpp"
-#include "host/speccompiler/toml_item.hpp"
+#include "host/trace/toml_records.hpp"
 
 namespace canproof::host {
 
@@ -18,24 +14,14 @@ bool matches(const CoverageRecord& record, const CoverageGap& gap) {
 }  // namespace
 
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file) {
-    Faults faults;
     std::vector<CoverageRecord> records;
-    try {
-        const toml::table table = toml::parse_file(file.string());
-        TomlItem whole{table, file.string(), faults};
+    read_toml_records(file, [&records](TomlItem& whole) {
         for (auto& item : whole.items("record")) {
             records.push_back({item.text("file"), item.word("kind", {"function", "line", "branch", "condition"}, ""),
                                item.text("code"), item.text("reason"), item.place().line});
             item.finish();
         }
-        whole.finish();
-    } catch (const toml::parse_error& error) {
-        faults.emplace_back(Place{file.string(), static_cast<unsigned>(error.source().begin.line)},
-                            std::string{error.description()}, "mend the TOML");
-    }
-    if (!faults.empty()) {
-        throw InputError{faults.front().text()};
-    }
+    });
     return records;
 }
 

@@ -1,12 +1,10 @@
 #include "host/evidence/argument.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "host/bus/candump.hpp"
-#include "host/speccompiler/toml_item.hpp"
+#include "host/trace/toml_records.hpp"
 
 namespace canproof::host {
 
@@ -47,20 +45,10 @@ void read_tables(TomlItem& whole, Argument& argument) {
 
 Argument read_argument(const std::filesystem::path& file) {
     Argument argument;
-    Faults faults;
-    try {
-        const toml::table table = toml::parse_file(file.string());
-        TomlItem whole{table, file.string(), faults};
+    read_toml_records(file, [&argument](TomlItem& whole) {
         read_claims(whole, argument);
         read_tables(whole, argument);
-        whole.finish();
-    } catch (const toml::parse_error& error) {
-        faults.emplace_back(Place{file.string(), static_cast<unsigned>(error.source().begin.line)},
-                            std::string{error.description()}, "mend the TOML");
-    }
-    if (!faults.empty()) {
-        throw InputError{faults.front().text()};
-    }
+    });
     return argument;
 }
 

@@ -23,10 +23,11 @@ th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bott
 td{overflow-wrap:anywhere}.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
-input[type=search]{font:inherit;width:min(100%,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
+input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
 figure{margin:1rem 0}figure img{width:100%;height:auto;background:#fff;border-radius:.3rem}
+.wrap{overflow-x:auto}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
-@media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}}
+@media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
 @page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
 @media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,[role=status],script{display:none}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";

@@ -1,44 +1,20 @@
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include "host/bus/candump.hpp"
 #include "host/mutation/mutation.hpp"
+#include "host/trace/toml_records.hpp"
 
 namespace canproof::host {
-
-namespace {
-
-std::string required(const toml::table& record, const char* key, const std::filesystem::path& file) {
-    const auto text = record[key].value<std::string>();
-    if (!text || text->empty()) {
-        throw InputError{fmt::format("{}:{}: a record without `{}`; every one has item, cell, change and reason",
-                                     file.string(), record.source().begin.line, key)};
-    }
-    return *text;
-}
-
-}  // namespace
 
 std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file) {
     std::vector<SurvivorRecord> records;
     if (!std::filesystem::exists(file)) {
         return records;
     }
-    try {
-        const toml::table content = toml::parse_file(file.string());
-        if (const auto* list = content["survivor"].as_array()) {
-            for (const auto& node : *list) {
-                if (const auto* record = node.as_table()) {
-                    records.push_back({required(*record, "item", file), required(*record, "cell", file),
-                                       required(*record, "change", file), required(*record, "reason", file),
-                                       static_cast<unsigned>(record->source().begin.line)});
-                }
-            }
+    read_toml_records(file, [&records](TomlItem& whole) {
+        for (auto& item : whole.items("survivor")) {
+            records.push_back(
+                {item.text("item"), item.text("cell"), item.text("change"), item.text("reason"), item.place().line});
+            item.finish();
         }
-    } catch (const toml::parse_error& error) {
-        throw InputError{fmt::format("{}:{}: {}; write [[survivor]] with item, cell, change and reason", file.string(),
-                                     error.source().begin.line, error.description())};
-    }
+    });
     return records;
 }
 

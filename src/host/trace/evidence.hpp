@@ -45,8 +45,8 @@ struct Evidence {
     std::size_t failed{0};
 };
 
-/// Where the last run of the tests left its verdicts: build/NAME/verdicts of the presets release, debug and coverage, the
-/// newest of them.
+/// Where the last run of the tests left its verdicts: build/NAME/verdicts of the presets release, debug and coverage,
+/// the newest of them.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
 /// The verdicts in one folder alone. Throws InputError for what is no XML.

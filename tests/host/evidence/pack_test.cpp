@@ -297,8 +297,10 @@ class ExhibitFolder : public ::testing::Test {
 };
 
 TEST_F(ExhibitFolder, IsReadWithItsFiles) {
-    EXPECT_THAT(exhibit_folders(root_), ElementsAre(root_ / "fuzz"));
-    EXPECT_THAT(exhibit_folders(root_ / "nowhere"), ::testing::IsEmpty());
+    // Paths compare as text: GoogleTest would print them as lists of themselves.
+    ASSERT_EQ(exhibit_folders(root_).size(), 1U);
+    EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
+    EXPECT_TRUE(exhibit_folders(root_ / "nowhere").empty());
     const Exhibit found = read_exhibit(root_ / "fuzz");
     EXPECT_EQ(found.key, "fuzz");
     EXPECT_EQ(found.state, Exhibit::State::open);
@@ -338,9 +340,9 @@ TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
     write("spec/a.toml", std::chrono::seconds{1});
     EXPECT_EQ(newer_source(root, {"spec"}, root / "measured.json"), "spec/a.toml");
     EXPECT_EQ(newer_source(root, {"spec"}, root / "never.json"), "");
-    EXPECT_EQ(oldest_file(root / "spec"), root / "spec/old.toml");
+    EXPECT_EQ(oldest_file(root / "spec").string(), (root / "spec/old.toml").string());
     fs::remove_all(root);
-    EXPECT_EQ(oldest_file(root), fs::path{});
+    EXPECT_EQ(oldest_file(root).string(), "");
 }
 
 TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {

@@ -166,7 +166,7 @@ TEST(Records, WithoutAReasonAreRefused) {
         read_survivor_records(file.path());
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(".toml:1: a record without `reason`"));
+        EXPECT_THAT(error.what(), HasSubstr(".toml:1: missing reason"));
     }
 }
 
