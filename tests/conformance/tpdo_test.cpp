@@ -175,11 +175,9 @@ class TimeDriven : public Tpdo {
         service.advance(now);
     }
     TransmitQueue own_queue;
-    // The four TPDOs of the slave, eight entries each.
-    std::array<TransmitPdos::Tpdo, 4> pdos{};
-    std::array<PdoMapping::Line, 32> lines{};
-    TransmitPdos service{device->objects(), own_queue, TpdoTrigger::event_timer, mutable_table(pdos),
-                         mutable_table(lines)};
+    SizedPdoMemory<0, max_pdos, max_pdo_lines> pdo_memory;
+    TransmitPdos service{pdo_memory.memory().sent, pdo_memory.memory().sent_lines, device->objects(), own_queue,
+                         TpdoTrigger::event_timer};
 };
 
 }  // namespace
@@ -226,8 +224,8 @@ TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
 
 TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
     verifies<req::CO_PDO_027>();
-    TransmitPdos unused{device->objects(), own_queue, TpdoTrigger::value_change, {}, {}};
-    unused.start(now);
+    TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
+    unused.start(now);  // before reset() no TPDO is known
     unused.sync(0);
     unused.value_changed(0x2001, 1, now);
     unused.advance(now);

@@ -37,13 +37,12 @@ TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
     MutableBytes first_four{room.data(), 4U};
     first_four.copy(2U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 1, 2, 0, 0}}));
-    first_four.copy(5U, ByteView{source});
-    first_four.copy_first<4U>(5U, ByteView{source});  // begins behind the end
-    first_four.copy_first<4U>(1U, ByteView{source});  // ends behind it: 1, 2 and 3 fit
+    first_four.copy(5U, ByteView{source});  // begins behind the end
+    first_four.copy(1U, ByteView{source});  // ends behind it: 1, 2 and 3 fit
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 1, 2, 3, 0, 0}}));
-    first_four.copy_first<4U>(0U, ByteView{source});
+    first_four.copy(0U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));
-    first_four.copy_first<4U>(0U, ByteView{source.data() + 3, 1U});  // a source that is shorter
+    first_four.copy(0U, ByteView{source.data() + 3, 1U});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{4, 2, 3, 4, 0, 0}}));
 }
 

@@ -9,6 +9,21 @@
 
 namespace canproof {
 
+// A number in memory has the order of the bus: what is read or written is then one access.
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a processor that puts the least significant byte first");
+
+/// N (1…8) bytes that are there as a number, and the reverse.
+template <std::size_t N>
+inline std::uint64_t load_le(const std::uint8_t* const bytes) noexcept {
+    std::uint64_t value{0U};
+    static_cast<void>(std::memcpy(&value, bytes, N));
+    return value;
+}
+template <std::size_t N>
+inline void store_le(std::uint8_t* const bytes, const std::uint64_t value) noexcept {
+    static_cast<void>(std::memcpy(bytes, &value, N));
+}
+
 /// Read-only view of bytes. Reading past its end gives zero, never memory beside it.
 class ByteView {
   public:
@@ -54,30 +69,37 @@ class MutableBytes {
         }
     }
     /// Copies `source` to `at`; bytes that would not fit are dropped.
-    constexpr void copy(const std::size_t at, const ByteView source) noexcept {
+    void copy(const std::size_t at, const ByteView source) noexcept {
         const std::size_t room = (at < size_) ? (size_ - at) : std::size_t{0U};
         const std::size_t count = (source.size() < room) ? source.size() : room;
-        for (std::size_t i = 0U; i < count; ++i) {
-            data_[at + i] = source.data()[i];
+        if (count != 0U) {
+            static_cast<void>(std::copy_n(source.data(), count, data_ + at));
         }
     }
-    /// copy() of the first N bytes of `source`: the compiler knows how many, and makes a few moves of a loop.
+    /// The low N (1…8) bytes of `value` at `at`, least significant first; bytes that would not fit are dropped.
     template <std::size_t N>
-    void copy_first(const std::size_t at, const ByteView source) noexcept {
-        if ((source.size() >= N) && (at <= size_) && (N <= (size_ - at))) {
-            static_cast<void>(std::copy_n(source.data(), N, data_ + at));
+    void put_le(const std::size_t at, const std::uint64_t value) noexcept {
+        if ((at <= size_) && (N <= (size_ - at))) {
+            store_le<N>(data_ + at, value);
         } else {
-            copy(at, source.part(0U, N));
+            put_each(at, N, value);
         }
     }
-    /// The low `count` (0…8) bytes of `value` at `at`, least significant first; bytes that would not fit are dropped.
-    constexpr void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
-        const std::size_t room = (at < size_) ? (size_ - at) : std::size_t{0U};
-        const std::size_t fitting = (count < room) ? count : room;
-        std::uint64_t rest{value};
-        for (std::size_t i = 0U; i < fitting; ++i) {
-            data_[at + i] = static_cast<std::uint8_t>(rest & 0xFFU);
-            rest >>= 8U;
+    /// The same for `count` (0…8) bytes.
+    void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
+        switch (count) {
+            case 1U:
+                put_le<1U>(at, value);
+                break;
+            case 2U:
+                put_le<2U>(at, value);
+                break;
+            case 4U:
+                put_le<4U>(at, value);
+                break;
+            default:
+                put_each(at, count, value);
+                break;
         }
     }
     constexpr MutableBytes part(const std::size_t from, const std::size_t count) const noexcept {
@@ -87,30 +109,46 @@ class MutableBytes {
     }
 
   private:
+    void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
+
     std::uint8_t* data_{nullptr};
     std::size_t size_{0U};
 };
 
-/// `count` (0…8) bytes from `at`, least significant first; bytes beyond the view read as zero.
-constexpr std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
-    const ByteView part = bytes.part(at, count);
-    std::uint64_t value{0U};
-    for (std::size_t i = part.size(); i > 0U; --i) {
-        value = (value << 8U) | part.data()[i - 1U];
+/// `count` (0…8) bytes from `at`, least significant first; bytes beyond the view read as zero. One by one: the way that
+/// always works.
+std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
+
+/// The same for N (1…8) bytes.
+template <std::size_t N>
+inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept {
+    const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
+    return whole ? load_le<N>(bytes.data() + at) : join_each(bytes, at, N);
+}
+/// The same for `count` (0…8) bytes.
+inline std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
+    switch (count) {
+        case 1U:
+            return get_le<1U>(bytes, at);
+        case 2U:
+            return get_le<2U>(bytes, at);
+        case 4U:
+            return get_le<4U>(bytes, at);
+        default:
+            return join_each(bytes, at, count);
     }
-    return value;
 }
 
-constexpr std::uint16_t read_u16(const ByteView bytes, const std::size_t at) noexcept {
-    return static_cast<std::uint16_t>(read_le(bytes, at, 2U));
+inline std::uint16_t read_u16(const ByteView bytes, const std::size_t at) noexcept {
+    return static_cast<std::uint16_t>(get_le<2U>(bytes, at));
 }
-constexpr std::uint32_t read_u32(const ByteView bytes, const std::size_t at) noexcept {
-    return static_cast<std::uint32_t>(read_le(bytes, at, 4U));
+inline std::uint32_t read_u32(const ByteView bytes, const std::size_t at) noexcept {
+    return static_cast<std::uint32_t>(get_le<4U>(bytes, at));
 }
 
 /// Writes the low `count` (0…8) bytes of `value` at `at`, least significant first.
-constexpr void write_le(MutableBytes bytes, const std::size_t at, const std::size_t count,
-                        const std::uint64_t value) noexcept {
+inline void write_le(MutableBytes bytes, const std::size_t at, const std::size_t count,
+                     const std::uint64_t value) noexcept {
     bytes.set_le(at, count, value);
 }
 

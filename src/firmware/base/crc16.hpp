@@ -11,24 +11,35 @@ namespace canproof {
 class Crc16 {
   public:
     constexpr void add(const ByteView bytes) noexcept {
-        std::uint32_t crc{register_};
-        const std::uint8_t* const data = bytes.data();
-        const std::size_t even = bytes.size() & ~std::size_t{1U};
-        for (std::size_t i = 0U; i < even; i += 2U) {
-            const std::uint32_t two = crc ^ ((std::uint32_t{data[i]} << 8U) | data[i + 1U]);
-            crc = std::uint32_t{first_of_two[two >> 8U]} ^ last[two & 0xFFU];
+        for (std::size_t i = 0U; i < bytes.size(); ++i) {
+            add_one(bytes[i]);
         }
-        if (even != bytes.size()) {
-            crc = ((crc << 8U) & 0xFFFFU) ^ last[(crc >> 8U) ^ data[even]];
-        }
-        register_ = static_cast<std::uint16_t>(crc);
     }
-    constexpr std::uint16_t value() const noexcept { return register_; }
+    /// The low seven bytes of `segment`, least significant first: what a segment of a block transfer holds.
+    constexpr void add_seven(const std::uint64_t segment) noexcept {
+        add_two(segment);
+        add_two(segment >> 16U);
+        add_two(segment >> 32U);
+        add_one(segment >> 48U);
+    }
+    constexpr std::uint16_t value() const noexcept { return swapped(swapped_); }
 
   private:
     using Table = std::array<std::uint16_t, 256U>;
 
-    /// Remainder of every byte followed by `zeros` zero bits: a look-up a byte in place of eight steps.
+    static constexpr std::uint16_t swapped(const std::uint32_t word) noexcept {
+        return static_cast<std::uint16_t>(((word >> 8U) | (word << 8U)) & 0xFFFFU);
+    }
+    constexpr void add_two(const std::uint64_t bytes) noexcept {
+        const auto two = static_cast<std::uint32_t>((swapped_ ^ bytes) & 0xFFFFU);
+        swapped_ = std::uint32_t{first_of_two[two & 0xFFU]} ^ last[two >> 8U];
+    }
+    constexpr void add_one(const std::uint64_t bytes) noexcept {
+        swapped_ = (swapped_ >> 8U) ^ last[(swapped_ ^ bytes) & 0xFFU];
+    }
+
+    /// Remainder of every byte followed by `zeros` zero bits, its bytes swapped: a look-up a byte in place of eight
+    /// steps.
     static constexpr Table remainders(const std::uint32_t zeros) noexcept {
         Table rows{};
         for (std::uint32_t byte = 0U; byte < rows.size(); ++byte) {
@@ -37,14 +48,14 @@ class Crc16 {
                 const bool carry = (remainder & 0x8000U) != 0U;
                 remainder = ((remainder << 1U) & 0xFFFFU) ^ (carry ? 0x1021U : 0U);
             }
-            rows[byte] = static_cast<std::uint16_t>(remainder);
+            rows[byte] = swapped(remainder);
         }
         return rows;
     }
     static const Table last;          ///< a byte that nothing follows: sixteen zero bits make room for the remainder
     static const Table first_of_two;  ///< a byte that another one follows
 
-    std::uint16_t register_{0U};
+    std::uint32_t swapped_{0U};  ///< the register with its bytes swapped, so that data is taken as it lies in memory
 };
 
 inline constexpr Crc16::Table Crc16::last = Crc16::remainders(16U);

@@ -19,7 +19,7 @@ constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no
 }  // namespace
 
 void Emcy::reset() noexcept {
-    active_.fill(false);
+    active_ = 0U;
     pending_count_ = 0U;
     may_send_at_ = Instant{};
     clear_list();
@@ -33,33 +33,23 @@ void Emcy::show_register() noexcept {
     objects_.write(error_register_index, 0U, value);
 }
 
-bool Emcy::take_register_change() noexcept {
-    const bool changed = register_changed_;
-    register_changed_ = false;
-    return changed;
-}
-
 void Emcy::refresh() noexcept {
     forget_when_switched_off();
     show_register();
     for (std::size_t error = 0U; (list_ == ErrorList::active) && (error < max_errors); ++error) {
-        if (active_[error] && errors_[error].listed) {
+        if (is_active(error) && errors_[error].listed) {
             enter_into_list(list_entry(error));
         }
     }
 }
 
-bool Emcy::is_active(const ErrorId error) const noexcept {
-    return active_[static_cast<std::size_t>(error)];
-}
-
 void Emcy::set(const ErrorId error, const bool present, const Instant now, const std::uint8_t channel) noexcept {
     const std::size_t at = static_cast<std::size_t>(error);
     const ErrorRow& row = errors_[at];
-    if ((row.code == error_cured_code) || (active_[at] == present)) {
+    if ((row.code == error_cured_code) || (is_active(at) == present)) {
         return;
     }
-    active_[at] = present;
+    active_ ^= std::uint64_t{1U} << at;
     if (present) {
         channel_[at] = channel;
     }
@@ -99,7 +89,7 @@ std::uint32_t Emcy::list_entry(const std::size_t error) const noexcept {
 std::uint8_t Emcy::active_register() const noexcept {
     std::uint32_t bits{0U};
     for (std::size_t i = 0U; i < max_errors; ++i) {
-        if (active_[i]) {
+        if (is_active(i)) {
             bits |= errors_[i].register_bits;
         }
     }
@@ -227,10 +217,7 @@ void Emcy::enable(const bool enabled, const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003> && implements<req::CO_EMCY_006>);
-void Emcy::advance(const Instant now) noexcept {
-    if (!enabled_ || (pending_count_ == 0U)) {
-        return;
-    }
+void Emcy::send_pending(const Instant now) noexcept {
     const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
     while ((pending_count_ > 0U) && (may_send_at_ <= now)) {
         const bool queued = queue_.push(message(pending_[0]));
@@ -239,13 +226,6 @@ void Emcy::advance(const Instant now) noexcept {
         }
         may_send_at_ = now + (queued ? inhibit : queue_retry);
     }
-}
-
-Instant Emcy::next_deadline() const noexcept {
-    if (register_changed_) {
-        return Instant{};
-    }
-    return (enabled_ && (pending_count_ > 0U)) ? may_send_at_ : never;
 }
 
 static_assert(implements<req::CO_EMCY_005>);

@@ -29,7 +29,7 @@ enum class ErrorId : std::uint8_t {
     heartbeat_4 = 13U,
     first_of_device = 14U
 };
-constexpr std::size_t max_errors = 48U;
+constexpr std::size_t max_errors = 48U;  ///< at most 64: what is active are the bits of one number
 
 /// Error number `offset` behind `first`, such as the same fault of another channel.
 constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noexcept {
@@ -76,14 +76,27 @@ class Emcy {
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
     /// An error that is over when it is noticed: listed and sent, never active.
     void report(ErrorId error, Instant now) noexcept;
-    bool is_active(ErrorId error) const noexcept;
+    bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
     /// Emergency messages go out in pre-operational and operational only; what arises elsewhere waits.
     void enable(bool enabled, Instant now) noexcept;
-    void advance(Instant now) noexcept;
-    Instant next_deadline() const noexcept;
+    void advance(const Instant now) noexcept {
+        if (enabled_ && (pending_count_ != 0U)) {
+            send_pending(now);
+        }
+    }
+    Instant next_deadline() const noexcept {
+        if (register_changed_) {
+            return Instant{};
+        }
+        return (enabled_ && (pending_count_ != 0U)) ? may_send_at_ : never;
+    }
     /// Whether 1001h has changed since the last call: it may be mapped into a TPDO.
-    bool take_register_change() noexcept;
+    bool take_register_change() noexcept {
+        const bool changed = register_changed_;
+        register_changed_ = false;
+        return changed;
+    }
 
     AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
@@ -99,6 +112,7 @@ class Emcy {
     /// For no error more than two messages wait, see announce().
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
+    void send_pending(Instant now) noexcept;
     void announce(std::size_t error, bool cured, std::uint8_t register_value, Instant now) noexcept;
     std::uint32_t cob_id_entry() const noexcept;
     std::size_t find_last(std::size_t error) const noexcept;
@@ -106,6 +120,7 @@ class Emcy {
     Frame message(const Pending& told) const noexcept;
     void enter_into_list(std::uint32_t entry) noexcept;
     void remove_from_list(std::uint32_t entry) noexcept;
+    bool is_active(const std::size_t error) const noexcept { return ((active_ >> error) & 1U) != 0U; }
     std::uint32_t list_entry(std::size_t error) const noexcept;
     std::uint8_t active_register() const noexcept;
     void show_register() noexcept;
@@ -118,7 +133,7 @@ class Emcy {
     const ErrorTable& errors_;
     ErrorList list_;
     EmcyContent content_;
-    std::array<bool, max_errors> active_{};
+    std::uint64_t active_{0U};  ///< bit n: error n
     std::array<std::uint8_t, max_errors> channel_{};
     std::array<Pending, pending_capacity> pending_{};
     std::size_t pending_count_{0U};

@@ -66,8 +66,8 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_GUARD_001> && implements<req::CO_GUARD_002>);
-bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
-    const bool is_request = frame.remote && !frame.extended && (frame.id == identifier_);
+bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
+    const bool is_request = !request.extended && (request.id == identifier_);
     if (!is_request || (heartbeat_time_.us != 0U)) {
         return false;
     }
@@ -80,7 +80,7 @@ bool ErrorControl::receive(const Frame& frame, const Instant now) noexcept {
     return true;
 }
 
-void ErrorControl::advance(const Instant now) noexcept {
+void ErrorControl::act(const Instant now) noexcept {
     if (next_heartbeat_ <= now) {
         send_state(static_cast<std::uint8_t>(state_));
         next_heartbeat_ = next_heartbeat_ + heartbeat_time_;

@@ -17,8 +17,12 @@ class ErrorControl {
     void set_state(const NmtState state) noexcept { state_ = state; }
 
     /// Answers the master's guarding request. True when the frame was one (life guarding is then fed).
-    bool receive(const Frame& frame, Instant now) noexcept;
-    void advance(Instant now) noexcept;
+    bool receive(const Frame& frame, const Instant now) noexcept { return frame.remote ? answer(frame, now) : false; }
+    void advance(const Instant now) noexcept {
+        if (next_deadline() <= now) {
+            act(now);
+        }
+    }
     Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
 
     /// The master's guarding requests failed to come for guard time × life time factor.
@@ -31,6 +35,8 @@ class ErrorControl {
   private:
     /// Reads the parameters anew: after a reset and after each write to one of them.
     void refresh() noexcept;
+    bool answer(const Frame& request, Instant now) noexcept;
+    void act(Instant now) noexcept;
     Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;
     void start_heartbeat(Instant now) noexcept;

@@ -16,7 +16,7 @@ struct Frame {
     bool extended{false};
     bool remote{false};       ///< RTR: asks for the frame, carries no data
     std::uint8_t length{0U};  ///< DLC, 0…8
-    std::array<std::uint8_t, max_frame_length> data{};
+    alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};  ///< aligned: moved as one word
 
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };

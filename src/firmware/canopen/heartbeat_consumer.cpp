@@ -46,6 +46,7 @@ void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
     for (const Watch& watch : watches_) {
         any_ = any_ || (watch.identifier != 0U);
     }
+    schedule();
 }
 
 std::uint32_t HeartbeatConsumer::setting(const std::size_t slot) const noexcept {
@@ -57,34 +58,32 @@ std::uint8_t HeartbeatConsumer::producer(const std::size_t slot) const noexcept 
 }
 
 static_assert(implements<req::CO_HB_002>);
-void HeartbeatConsumer::receive(const Frame& frame, const Instant now) noexcept {
-    if (!any_ || frame.extended || frame.remote || (frame.length != 1U)) {
-        return;
-    }
+void HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) noexcept {
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         Watch& watch = watches_[slot];
-        if ((watch.identifier != 0U) && (frame.id == watch.identifier)) {
+        if ((watch.identifier != 0U) && (identifier == watch.identifier)) {
             failed_ &= ~slot_bit(slot);
             watch.deadline = now + watch.time;
         }
     }
+    schedule();
 }
 
-void HeartbeatConsumer::advance(const Instant now) noexcept {
-    for (std::size_t slot = 0U; (slot < max_producers) && any_; ++slot) {
+void HeartbeatConsumer::find_silent(const Instant now) noexcept {
+    for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         if (watches_[slot].deadline <= now) {
             watches_[slot].deadline = never;
             failed_ |= slot_bit(slot);
         }
     }
+    schedule();
 }
 
-Instant HeartbeatConsumer::next_deadline() const noexcept {
-    Instant next{never};
-    for (std::size_t slot = 0U; (slot < max_producers) && any_; ++slot) {
-        next = earliest(next, watches_[slot].deadline);
+void HeartbeatConsumer::schedule() noexcept {
+    next_ = never;
+    for (const Watch& watch : watches_) {
+        next_ = earliest(next_, watch.deadline);
     }
-    return next;
 }
 
 AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const ByteView value) const noexcept {

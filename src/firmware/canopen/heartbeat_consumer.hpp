@@ -19,9 +19,17 @@ class HeartbeatConsumer {
 
     /// Monitoring of each producer starts with the first heartbeat that is received from it.
     void reset() noexcept;
-    void receive(const Frame& frame, Instant now) noexcept;
-    void advance(Instant now) noexcept;
-    Instant next_deadline() const noexcept;
+    void receive(const Frame& frame, const Instant now) noexcept {
+        if (any_ && !frame.extended && !frame.remote && (frame.length == 1U)) {
+            hear(frame.id, now);
+        }
+    }
+    void advance(const Instant now) noexcept {
+        if (next_ <= now) {
+            find_silent(now);
+        }
+    }
+    Instant next_deadline() const noexcept { return next_; }
     /// Producers that were heard, have fallen silent and have not been heard again: bit n for 1016h:n + 1.
     std::uint32_t failed() const noexcept { return failed_; }
     /// The node-ID that this entry watches.
@@ -37,6 +45,9 @@ class HeartbeatConsumer {
         Instant deadline{never};
     };
 
+    void hear(std::uint32_t identifier, Instant now) noexcept;
+    void find_silent(Instant now) noexcept;
+    void schedule() noexcept;
     std::uint32_t setting(std::size_t slot) const noexcept;
     /// Reads one entry of 1016h anew; what was heard from its producer is forgotten.
     void restart(std::size_t slot) noexcept;
@@ -45,6 +56,7 @@ class HeartbeatConsumer {
     std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
     bool any_{false};  ///< somebody is watched
+    Instant next_{never};
 };
 
 }  // namespace canproof

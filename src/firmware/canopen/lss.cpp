@@ -99,12 +99,6 @@ std::uint8_t Lss::take_node_id() noexcept {
     return active_.node_id;
 }
 
-static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> && implements<req::CO_K_LSS_REQUEST_ID>);
-bool Lss::is_request(const Frame& frame) const noexcept {
-    return profile_.is_offered() && !frame.extended && !frame.remote &&
-           (frame.id == generated::canopen::lss_request_cob_id);
-}
-
 static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && implements<req::CO_LSS_060> &&
               implements<req::CO_LSS_061> && implements<req::CO_LSS_063> && implements<req::CO_K_LSS_RESPONSE_ID>);
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
@@ -292,7 +286,7 @@ void Lss::activate(const Duration delay, const Instant now) noexcept {
     advance(now);
 }
 
-void Lss::advance(const Instant now) noexcept {
+void Lss::switch_bit_rate(const Instant now) noexcept {
     if ((switching_ == Switching::before) && (due_ <= now)) {
         active_.bit_rate = pending_.bit_rate;
         application_.set_bit_rate(active_.bit_rate, now);

@@ -4,12 +4,14 @@
 
 #include <optional>
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/lss_fastscan.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
 
 namespace canproof {
@@ -105,11 +107,20 @@ class Lss {
     std::uint8_t take_node_id() noexcept;
 
     /// Whether a frame is for LSS. Never, when the device does not offer it.
-    bool is_request(const Frame& frame) const noexcept;
+    bool is_request(const Frame& frame) const noexcept {
+        static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> &&
+                      implements<req::CO_K_LSS_REQUEST_ID>);
+        return (frame.id == generated::canopen::lss_request_cob_id) && !frame.extended && !frame.remote &&
+               profile_.is_offered();
+    }
     /// Serves one request of a node in state `nmt` that is not silent. True when the node must now reset its
     /// communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
-    void advance(Instant now) noexcept;
+    void advance(const Instant now) noexcept {
+        if (due_ <= now) {
+            switch_bit_rate(now);
+        }
+    }
     Instant next_deadline() const noexcept { return due_; }
 
     /// The bit rate is being switched: no frame may be sent and none counts.
@@ -131,6 +142,7 @@ class Lss {
     LssError configure_node_id(std::uint8_t node_id) noexcept;
     LssError configure_bit_timing(std::uint8_t table, std::uint8_t index) noexcept;
     LssError store() noexcept;
+    void switch_bit_rate(Instant now) noexcept;
     void activate(Duration delay, Instant now) noexcept;
 
     bool is_configured() const noexcept;

@@ -1,7 +1,9 @@
 #include "firmware/canopen/node.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
+
 namespace canproof {
 
 namespace {
@@ -14,14 +16,6 @@ constexpr std::uint32_t to_pre_operational = 0U;
 constexpr std::uint32_t no_change = 1U;
 constexpr std::uint32_t to_stopped = 2U;
 constexpr std::uint32_t store_index = 0x1010U;
-
-bool are_equal(const ByteView a, const ByteView b) noexcept {
-    bool equal = a.size() == b.size();
-    for (std::size_t i = 0U; equal && (i < a.size()); ++i) {
-        equal = std::uint32_t{a[i]} == b[i];
-    }
-    return equal;
-}
 
 }  // namespace
 
@@ -38,8 +32,8 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       sync_{objects, queue},
       error_control_{objects, queue},
       heartbeats_{objects},
-      rpdos_{objects, *this, queue, profile.rpdos_answering_remote, pdos.receive, pdos.receive_lines},
-      tpdos_{objects, queue, profile.tpdo_trigger, pdos.transmit, pdos.transmit_lines},
+      rpdos_{pdos.received, pdos.received_lines, objects, *this, queue, profile.rpdos_answering_remote},
+      tpdos_{pdos.sent, pdos.sent_lines, objects, queue, profile.tpdo_trigger},
       lss_{profile.lss, objects, queue, application} {}
 
 void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {
@@ -85,6 +79,7 @@ void Node::reset_communication(const Instant now) noexcept {
 
 static_assert(implements<req::CO_LSS_030> && implements<req::CO_K_LSS_UNCONFIGURED>);
 void Node::boot_up(const Instant now) noexcept {
+    wake();
     state_ = NmtState::initialising;
     allowed_ = AllowedServices{};
     start_at_ = never;
@@ -106,6 +101,7 @@ void Node::boot_up(const Instant now) noexcept {
 
 static_assert(implements<req::CO_SDO_017>);
 void Node::enter(const NmtState state, const Instant now) noexcept {
+    wake();
     const bool had_pdos = allowed_.has(NmtService::pdo);
     allowed_ = AllowedServices{state};
     const bool has_pdos = allowed_.has(NmtService::pdo);
@@ -130,16 +126,16 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (can_state_ == CanState::bus_off) {
         return;
     }
-    if (next_deadline() <= now) {
-        advance(now);
-    }
+    advance(now);
     if (lss_.is_silent()) {
         return;
     }
-    if (lss_.is_request(frame)) {
+    if (sdo_.is_request(frame)) {
+        serve_sdo(frame, now);
+    } else if (lss_.is_request(frame)) {
         configure(frame, now);
     } else if (state_ != NmtState::initialising) {
-        dispatch(frame, now);
+        serve(frame, now);
         watch_communication(now);
         send_events(now);
     } else {
@@ -148,6 +144,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
 }
 
 void Node::configure(const Frame& frame, const Instant now) noexcept {
+    wake();
     if (lss_.receive(frame, state_, now)) {
         reset_communication(now);
     } else {
@@ -156,10 +153,7 @@ void Node::configure(const Frame& frame, const Instant now) noexcept {
 }
 
 /// A change of the bit rate begins or ends: what waits to be sent at its beginning is dropped (CO-D-LSS-006).
-void Node::follow_switching(const Instant now) noexcept {
-    if (switching_ == lss_.is_silent()) {
-        return;
-    }
+void Node::switch_bit_rate(const Instant now) noexcept {
     switching_ = lss_.is_silent();
     if (may_send()) {
         queue_.open();
@@ -172,37 +166,44 @@ void Node::follow_switching(const Instant now) noexcept {
 
 /// What no service takes, 29-bit identifiers and TIME among it, has no effect.
 static_assert(implements<req::CO_FRAME_001> && implements<req::CO_TIME_001>);
-void Node::dispatch(const Frame& frame, const Instant now) noexcept {
-    const auto command = nmt_command(frame, node_id_);
-    if (command.has_value()) {
-        obey(*command, now);
+void Node::serve(const Frame& frame, const Instant now) noexcept {
+    if (frame.id == generated::canopen::nmt_command_cob_id) {
+        const auto command = nmt_command(frame, node_id_);
+        if (command.has_value()) {
+            obey(*command, now);
+        }
         return;
     }
     const SyncEvent sync = allowed_.has(NmtService::sync) ? sync_.classify(frame) : SyncEvent::none;
     if (sync != SyncEvent::none) {
+        wake();
         emcy_.set(ErrorId::sync_length, sync == SyncEvent::wrong_length, now);
         if (sync == SyncEvent::sync) {
             consume_sync(sync_.counter_of(frame), now);
         }
     } else if (error_control_.receive(frame, now)) {
-        // answered
-    } else if (sdo_.is_request(frame)) {
-        if (allowed_.has(NmtService::sdo)) {
-            sdo_.receive(frame, now);
-        }
+        wake();
     } else {
-        heartbeats_.receive(frame, now);
-        if (allowed_.has(NmtService::pdo)) {
-            rpdos_.receive(frame, now);
-            if (frame.remote) {
-                tpdos_.answer(frame, now);
-            }
+        serve_pdo(frame, now);
+    }
+}
+
+/// A heartbeat may have the identifier of a PDO; each is served.
+void Node::serve_pdo(const Frame& frame, const Instant now) noexcept {
+    heartbeats_.receive(frame, now);
+    idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
+    if (allowed_.has(NmtService::pdo)) {
+        rpdos_.receive(frame, now);
+        if (frame.remote) {
+            tpdos_.answer(frame, now);
         }
+        idle_until_ = earliest(idle_until_, rpdos_.next_deadline());
     }
 }
 
 static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
+    wake();
     start_at_ = never;  // the master has taken over: no self-start any more
     switch (command) {
         case NmtCommand::start:
@@ -233,10 +234,11 @@ void Node::consume_sync(const std::uint8_t counter, const Instant now) noexcept 
     }
 }
 
-void Node::advance(const Instant now) noexcept {
+void Node::act(const Instant now) noexcept {
     lss_.advance(now);
     follow_switching(now);
     if (state_ == NmtState::initialising) {
+        idle_until_ = lss_.next_deadline();
         return;
     }
     if (start_at_ <= now) {
@@ -253,16 +255,16 @@ void Node::advance(const Instant now) noexcept {
     emcy_.advance(now);
     watch_communication(now);
     send_events(now);
+    // A block upload goes on as soon as there is room: nothing else needs to be looked at to know that.
+    const Instant segments = sdo_.idle_until();
+    idle_until_ = (segments <= now) ? segments : earliest(segments, next_without_tpdos());
 }
 
-void Node::send_events(const Instant now) noexcept {
-    if (emcy_.take_register_change()) {
-        tpdos_.value_changed(error_register_index, 0U, now);
-    }
-    tpdos_.advance(now);
+void Node::tell_register(const Instant now) noexcept {
+    tpdos_.value_changed(error_register_index, 0U, now);
 }
 
-Instant Node::next_deadline() const noexcept {
+Instant Node::next_without_tpdos() const noexcept {
     if (state_ == NmtState::initialising) {
         return lss_.next_deadline();
     }
@@ -272,17 +274,17 @@ Instant Node::next_deadline() const noexcept {
     next = earliest(next, sdo_.next_deadline());
     next = earliest(next, sync_.next_deadline());
     next = earliest(next, rpdos_.next_deadline());
-    next = earliest(next, tpdos_.next_deadline());
     return earliest(next, emcy_.next_deadline());
 }
 
 void Node::start_at(const Instant at) noexcept {
+    wake();
     start_at_ = (communication_failed_ && (error_behaviour(communication_error_subindex) != no_change)) ? never : at;
 }
 
 void Node::set_overrun(const bool lost, const Instant now) noexcept {
     overrun_ = lost;
-    emcy_.set(ErrorId::can_overrun, lost, now);
+    set_error(ErrorId::can_overrun, lost, now);
 }
 
 void Node::set_controller(const std::uint8_t state, const bool overrun, const Instant now) noexcept {
@@ -298,6 +300,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     const bool was_off = can_state_ == CanState::bus_off;
     const bool is_off = state == CanState::bus_off;
     can_state_ = state;
+    wake();
     if (may_send()) {
         queue_.open();
     } else {
@@ -317,22 +320,8 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     watch_communication(now);
 }
 
-static_assert(implements<req::CO_PDO_032>);
-CommunicationFaults Node::communication_faults() const noexcept {
-    CommunicationFaults faults{};
-    faults.silent_producers = heartbeats_.failed();
-    faults.guarding = error_control_.life_guarding_failed();
-    faults.rpdo_short = rpdos_.has_short();
-    faults.rpdo_overdue = rpdos_.has_overdue();
-    faults.bus_off = can_state_ == CanState::bus_off;
-    return faults;
-}
-
-void Node::watch_communication(const Instant now) noexcept {
-    const CommunicationFaults faults = communication_faults();
-    if (faults == faults_) {
-        return;
-    }
+void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
+    wake();
     faults_ = faults;
     announce(faults, now);
     const bool failed = faults.is_error();
@@ -346,15 +335,16 @@ void Node::watch_communication(const Instant now) noexcept {
     application_.communication_failed(failed, now);
 }
 
-void Node::announce(const CommunicationFaults& faults, const Instant now) noexcept {
-    emcy_.set(ErrorId::guard_or_heartbeat, faults.guarding || (faults.silent_producers != 0U), now);
-    emcy_.set(ErrorId::life_guarding, faults.guarding, now);
+void Node::announce(const CommunicationFaults faults, const Instant now) noexcept {
+    using Faults = CommunicationFaults;
+    emcy_.set(ErrorId::guard_or_heartbeat, faults.has(Faults::guarding | Faults::silent_producers), now);
+    emcy_.set(ErrorId::life_guarding, faults.has(Faults::guarding), now);
     for (std::size_t slot = 0U; slot < HeartbeatConsumer::max_producers; ++slot) {
-        const bool silent = ((faults.silent_producers >> slot) & 1U) != 0U;
+        const bool silent = faults.has(1U << slot);
         emcy_.set(error_after(ErrorId::heartbeat_1, slot), silent, now, heartbeats_.producer(slot));
     }
-    emcy_.set(ErrorId::rpdo_length, faults.rpdo_short, now);
-    emcy_.set(ErrorId::rpdo_timeout, faults.rpdo_overdue, now);
+    emcy_.set(ErrorId::rpdo_length, faults.has(Faults::rpdo_short), now);
+    emcy_.set(ErrorId::rpdo_timeout, faults.has(Faults::rpdo_overdue), now);
 }
 
 std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
@@ -376,36 +366,32 @@ void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now)
     }
 }
 
-Result<EntryRef, AbortCode> Node::find(const std::uint16_t index, const std::uint8_t subindex) noexcept {
-    const auto found = objects_.find(index, subindex);
-    if (found.ok() && (found.value().row->service == Service::program)) {
-        const AbortCode code = application_.check_access(found.value());
-        return (code == AbortCode::none) ? found : Result<EntryRef, AbortCode>::failure(code);
-    }
-    return found;
+AbortCode Node::check_program(const EntryRef entry) noexcept {
+    return application_.check_access(entry);
 }
 
 static_assert(implements<req::CO_SDO_009>);
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
     using Read = Result<ByteView, AbortCode>;
-    const auto found = find(index, subindex);
-    if (!found.ok()) {
-        return Read::failure(found.error());
+    const EntryRef entry = objects_.lookup(index, subindex);
+    const AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return Read::failure(code);
     }
-    if (!found.value().may(rights::read)) {
+    if (!entry.may(rights::read)) {
         return Read::failure(AbortCode::write_only);
     }
-    const bool is_domain = found.value().row->type == DataType::domain;
-    return is_domain ? application_.domain_value(found.value()) : Read::success(objects_.value(found.value()));
+    return (entry.row->type == DataType::domain) ? application_.domain_value(entry)
+                                                 : Read::success(objects_.value(entry));
 }
 
 Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const std::uint8_t subindex) {
     using Place = Result<WritePlace, AbortCode>;
-    const auto found = find(index, subindex);
-    if (!found.ok()) {
-        return Place::failure(found.error());
+    const EntryRef entry = objects_.lookup(index, subindex);
+    const AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return Place::failure(code);
     }
-    const EntryRef& entry = found.value();
     if (!entry.may(rights::write)) {
         return Place::failure(AbortCode::read_only);
     }
@@ -419,7 +405,7 @@ Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const st
 }
 
 static_assert(implements<req::CO_SDO_033>);
-AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
+AbortCode Node::write_domain(const EntryRef entry, const ByteView value, const Instant now) noexcept {
     MutableBytes staging = application_.staging(entry);
     if (staging.size() == 0U) {
         return AbortCode::out_of_memory;
@@ -435,29 +421,39 @@ AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const 
 
 static_assert(implements<req::CO_SDO_016>);
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
-    const auto found = find(index, subindex);
-    if (!found.ok()) {
-        return found.error();
+    const EntryRef entry = objects_.lookup(index, subindex);
+    AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return code;
     }
-    const EntryRef& entry = found.value();
-    if ((entry.row->type == DataType::domain) && entry.may(rights::write)) {
+    const bool is_number = !has_variable_length(entry.row->type);
+    if (!is_number && (entry.row->type == DataType::domain) && entry.may(rights::write)) {
         return write_domain(entry, value, now);
     }
-    AbortCode code = objects_.check_write(entry, value);
-    if ((code == AbortCode::none) && (entry.row->service == Service::store)) {
+    std::uint64_t number{0U};
+    code = objects_.check_length(entry, value.size());
+    if ((code == AbortCode::none) && is_number) {
+        number = read_le(value, 0U, value.size());
+        code = objects_.check_bits(entry, number);
+    }
+    if (code != AbortCode::none) {
+        return code;
+    }
+    if (entry.row->service == Service::store) {
         return store(entry, value);  // a signature is obeyed, not kept
     }
-    if (code == AbortCode::none) {
+    if (entry.row->service != Service::none) {
         code = before_write(entry, value);
-    }
-    if (code == AbortCode::none) {
-        const bool reconfigures = entry.may(rights::stored) && !are_equal(objects_.value(entry), value);
-        put(entry, value, now);
-        if (reconfigures) {
-            forget_verification(index);
+        if (code != AbortCode::none) {
+            return code;
         }
     }
-    return code;
+    const bool changes = is_number ? objects_.put_bits(entry, number) : objects_.put(entry, value);
+    after_put(entry, changes, now);
+    if (changes && entry.may(rights::stored)) {
+        forget_verification(index);
+    }
+    return AbortCode::none;
 }
 
 /// Date and time of the configuration tool mean the configuration that it left, no other.
@@ -466,14 +462,14 @@ void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     constexpr std::uint32_t verify_index = 0x1020U;
     constexpr std::uint32_t parts = 2U;  // date, time
     for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
-        const auto found = objects_.find(verify_index, subindex);
-        if (found.ok() && found.value().may(rights::write)) {
-            objects_.write(verify_index, subindex, 0U);
+        const EntryRef found = objects_.lookup(verify_index, subindex);
+        if (found.exists() && found.may(rights::write)) {
+            static_cast<void>(objects_.put_bits(found, 0U));
         }
     }
 }
 
-AbortCode Node::store(const EntryRef& entry, const ByteView value) noexcept {
+AbortCode Node::store(const EntryRef entry, const ByteView value) noexcept {
     const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
     if (wrong_state && (entry.index == store_index)) {
         return AbortCode::device_state;
@@ -481,24 +477,13 @@ AbortCode Node::store(const EntryRef& entry, const ByteView value) noexcept {
     return store_.execute(entry, value);
 }
 
-AbortCode Node::before_received(const EntryRef& entry, const ByteView value) {
-    return before_write(entry, value);
+AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {
+    std::array<std::uint8_t, sizeof(bits)> bytes{};
+    MutableBytes{bytes}.put_le<sizeof(bits)>(0U, bits);
+    return before_write(entry, ByteView{bytes.data(), entry.row->size});
 }
 
-void Node::put_received(const EntryRef& entry, const ByteView value, const Instant now) {
-    put(entry, value, now);
-}
-
-void Node::put(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
-    const bool changes = entry.may(rights::tpdo) && !are_equal(objects_.value(entry), value);
-    objects_.put(entry, value);
-    after_write(entry, now);
-    if (changes) {
-        tpdos_.value_changed(entry.index, entry.row->subindex, now);
-    }
-}
-
-AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
+AbortCode Node::before_write(const EntryRef entry, const ByteView value) noexcept {
     switch (entry.row->service) {
         case Service::sync:
             return sync_.before_write(entry, value);
@@ -523,7 +508,7 @@ AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexce
     }
 }
 
-void Node::after_write(const EntryRef& entry, const Instant now) noexcept {
+void Node::after_write(const EntryRef entry, const Instant now) noexcept {
     switch (entry.row->service) {
         case Service::sync:
             sync_.after_write(now);

@@ -117,9 +117,14 @@ class Node final : private ObjectAccess {
     /// One frame from the bus. Frames that mean nothing to this node are passed over.
     void receive(const Frame& frame, Instant now) noexcept;
     /// Does what is due at `now`.
-    void advance(Instant now) noexcept;
+    void advance(const Instant now) noexcept {
+        if (idle_until_ <= now) {
+            act(now);
+        }
+        tpdos_.advance(now);
+    }
     /// The earliest time at which advance() has something to do.
-    Instant next_deadline() const noexcept;
+    Instant next_deadline() const noexcept { return earliest(next_without_tpdos(), tpdos_.next_deadline()); }
 
     void set_can_state(CanState state, Instant now) noexcept;
     /// The CAN controller as a physical input tells of it: `state` numbers CanState, whatever is beyond is bus-off.
@@ -128,7 +133,10 @@ class Node final : private ObjectAccess {
     void set_overrun(bool lost, Instant now) noexcept;
     /// An error of the device begins or ends.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
-        emcy_.set(error, present, now);
+        if (emcy_.is_active(error) != present) {
+            emcy_.set(error, present, now);
+            wake();
+        }
     }
     /// The change of state that 1029h:`subindex` asks for an error of its class.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
@@ -152,13 +160,36 @@ class Node final : private ObjectAccess {
     AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) override;
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
-    AbortCode before_received(const EntryRef& entry, ByteView value) override;
-    void put_received(const EntryRef& entry, ByteView value, Instant now) override;
+    AbortCode before_received(const EntryRef& entry, std::uint64_t bits) override;
+    void after_received(const EntryRef& entry, const bool changes, const Instant now) override {
+        after_put(entry, changes, now);
+    }
 
-    void dispatch(const Frame& frame, Instant now) noexcept;
+    Instant next_without_tpdos() const noexcept;
+    /// What was thought to be idle may have something to do now.
+    void wake() noexcept { idle_until_ = Instant{}; }
+    void act(Instant now) noexcept;
+    void serve(const Frame& frame, Instant now) noexcept;
+    void serve_sdo(const Frame& frame, const Instant now) noexcept {
+        if (allowed_.has(NmtService::sdo)) {
+            sdo_.receive(frame, now);
+            idle_until_ = earliest(idle_until_, sdo_.idle_until());
+            if (idle_until_ <= now) {  // a write has done more than to put a value there
+                watch_communication(now);
+                send_events(now);
+            }
+            tpdos_.advance(now);
+        }
+    }
+    void serve_pdo(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
     void configure(const Frame& frame, Instant now) noexcept;
-    void follow_switching(Instant now) noexcept;
+    void follow_switching(const Instant now) noexcept {
+        if (switching_ != lss_.is_silent()) {
+            switch_bit_rate(now);
+        }
+    }
+    void switch_bit_rate(Instant now) noexcept;
     bool may_send() const noexcept { return (can_state_ != CanState::bus_off) && !lss_.is_silent(); }
     void reset_node(Instant now) noexcept;
     void reset_communication(Instant now) noexcept;
@@ -166,23 +197,71 @@ class Node final : private ObjectAccess {
     void boot_up(Instant now) noexcept;
     void enter(NmtState state, Instant now) noexcept;
 
-    /// The entry, if it exists and can be accessed now.
-    Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) noexcept;
-    AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
-    /// The value, its effects in the service that owns it, and the TPDOs that carry it.
-    void put(const EntryRef& entry, ByteView value, Instant now) noexcept;
-    void after_write(const EntryRef& entry, Instant now) noexcept;
-    AbortCode store(const EntryRef& entry, ByteView value) noexcept;
+    /// Why what was found under `index` cannot be accessed now; none when it can.
+    AbortCode check_access(const EntryRef entry, const std::uint16_t index) noexcept {
+        if (!entry.exists()) {
+            return objects_.missing(index);
+        }
+        return (entry.row->service == Service::program) ? check_program(entry) : AbortCode::none;
+    }
+    AbortCode check_program(EntryRef entry) noexcept;
+    AbortCode before_write(EntryRef entry, ByteView value) noexcept;
+    /// The effects of a new value: in the service that owns it, and in the TPDOs that carry it when it is another one.
+    void after_put(const EntryRef entry, const bool changes, const Instant now) noexcept {
+        if (entry.row->service != Service::none) {
+            after_write(entry, now);
+            wake();
+        }
+        if (changes && entry.may(rights::tpdo)) {
+            process_value_changed(entry.index, entry.row->subindex, now);
+        }
+    }
+    void after_write(EntryRef entry, Instant now) noexcept;
+    AbortCode store(EntryRef entry, ByteView value) noexcept;
     void forget_verification(std::uint16_t changed_index) noexcept;
-    AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
+    AbortCode write_domain(EntryRef entry, ByteView value, Instant now) noexcept;
 
-    CommunicationFaults communication_faults() const noexcept;
-    void watch_communication(Instant now) noexcept;
-    void announce(const CommunicationFaults& faults, Instant now) noexcept;
+    /// What stands in the way of communication, as bits.
+    struct CommunicationFaults {
+        static constexpr std::uint32_t silent_producers = 0xFFU;  ///< bit n: the producer of 1016h:n + 1
+        static constexpr std::uint32_t guarding = 0x100U;
+        static constexpr std::uint32_t rpdo_overdue = 0x200U;
+        static constexpr std::uint32_t bus_off = 0x400U;
+        static constexpr std::uint32_t rpdo_short = 0x800U;
+
+        std::uint32_t bits{0U};
+
+        bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
+        /// A communication error of 1029h:1.
+        bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
+    };
+
+    CommunicationFaults communication_faults() const noexcept {
+        static_assert(implements<req::CO_PDO_032>);
+        return CommunicationFaults{heartbeats_.failed() |
+                                   (error_control_.life_guarding_failed() ? CommunicationFaults::guarding : 0U) |
+                                   (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
+                                   (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
+                                   ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
+    }
+    void watch_communication(const Instant now) noexcept {
+        const CommunicationFaults faults = communication_faults();
+        if (faults.bits != faults_.bits) {
+            take_note(faults, now);
+        }
+    }
+    void take_note(CommunicationFaults faults, Instant now) noexcept;
+    void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
     /// The TPDOs that an event of this step asks for.
-    void send_events(Instant now) noexcept;
+    void send_events(const Instant now) noexcept {
+        if (emcy_.take_register_change()) {
+            tell_register(now);
+        }
+        tpdos_.advance(now);
+    }
+    void tell_register(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
@@ -206,6 +285,8 @@ class Node final : private ObjectAccess {
     bool overrun_{false};
     bool switching_{false};  ///< silent: LSS changes the bit rate
     Instant start_at_{never};
+    Instant
+        idle_until_{};  ///< no service but the TPDOs has anything to do before: the last look found it, wake() ends it
 };
 
 }  // namespace canproof

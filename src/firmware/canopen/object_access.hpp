@@ -29,10 +29,10 @@ class ObjectAccess {
     /// Where the new value of an entry may gather, or the reason why it may not be written. What is staged there and
     /// never written has no effect.
     virtual Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) = 0;
-    /// Whether the owner of an entry takes a value that a PDO brought; type and limits are checked.
-    virtual AbortCode before_received(const EntryRef& entry, ByteView value) = 0;
-    /// Writes a value that was taken.
-    virtual void put_received(const EntryRef& entry, ByteView value, Instant now) = 0;
+    /// Whether the owner of an entry takes the number that a PDO brought; type and limits are checked.
+    virtual AbortCode before_received(const EntryRef& entry, std::uint64_t bits) = 0;
+    /// The number was taken and stands in the dictionary; `changes`: another one stood there before.
+    virtual void after_received(const EntryRef& entry, bool changes, Instant now) = 0;
 
   protected:
     ObjectAccess() = default;

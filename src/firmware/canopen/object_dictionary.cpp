@@ -37,10 +37,6 @@ std::size_t text_length(const ByteView text) noexcept {
 
 }  // namespace
 
-bool has_variable_length(const DataType type) noexcept {
-    return (type == DataType::visible_string) || (type == DataType::octet_string) || (type == DataType::domain);
-}
-
 ParameterGroup parameter_group(const std::uint16_t index) noexcept {
     constexpr std::uint32_t first_manufacturer_index{0x2000U};
     constexpr std::uint32_t first_profile_index{0x6000U};
@@ -54,70 +50,60 @@ ObjectDictionary::ObjectDictionary(const DictionaryTables& tables, const Mutable
                                    const LimitAbort limit_abort) noexcept
     : tables_{tables}, image_{image}, limit_abort_{limit_abort} {}
 
-const ObjectRow* ObjectDictionary::find_object(const std::uint16_t index) const noexcept {
+EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
     // The compiler leaves slots free, so that every search ends after a few steps.
-    const std::size_t count = tables_.slots.count;
-    std::size_t slot = object_slot(index, tables_.slot_factor, count);
-    while (tables_.slots[slot] != no_object) {
-        const ObjectRow& object = tables_.objects[tables_.slots[slot]];
-        if (std::uint32_t{object.index} == index) {
-            return &object;
-        }
-        slot = (slot + 1U) & (count - 1U);
+    const DictionaryTables& tables = tables_;
+    std::size_t slot = object_slot(index, tables.slot_factor, tables.slots.count);
+    std::uint16_t position = tables.slots[slot];
+    while ((position != no_object) && (std::uint32_t{tables.objects[position].index} != index)) {
+        slot = (slot + 1U) & (tables.slots.count - 1U);
+        position = tables.slots[slot];
     }
-    return nullptr;
+    if (position == no_object) {
+        return EntryRef{};
+    }
+    // Sub-indices ascend and rarely have holes: the wanted row lies at or before its own number.
+    const ObjectRow& object = tables.objects[position];
+    const EntryRow* row = &tables.entries[object.first_entry];
+    const EntryRow* const first = row;
+    row += (std::uint32_t{subindex} < object.count) ? std::size_t{subindex} : (object.count - std::size_t{1U});
+    while ((row != first) && (std::uint32_t{row->subindex} > subindex)) {
+        --row;
+    }
+    return EntryRef{(std::uint32_t{row->subindex} == subindex) ? row : nullptr, index};
+}
+
+AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
+    for (const ObjectRow& object : tables_.objects) {
+        if (std::uint32_t{object.index} == index) {
+            return AbortCode::subindex_missing;
+        }
+    }
+    return AbortCode::object_missing;
 }
 
 static_assert(implements<req::CO_SDO_008>);
 Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
                                                    const std::uint8_t subindex) const noexcept {
     using Found = Result<EntryRef, AbortCode>;
-    const ObjectRow* const object = find_object(index);
-    if (object == nullptr) {
-        return Found::failure(AbortCode::object_missing);
-    }
-    // Sub-indices ascend and rarely have holes: the wanted row lies at or before its own number.
-    const std::size_t wanted{subindex};
-    std::size_t at = (wanted < object->count) ? wanted : (object->count - std::size_t{1U});
-    while ((at > 0U) && (tables_.entries[object->first_entry + at].subindex > wanted)) {
-        --at;
-    }
-    const EntryRow& row = tables_.entries[object->first_entry + at];
-    return (row.subindex == wanted) ? Found::success(EntryRef{&row, index})
-                                    : Found::failure(AbortCode::subindex_missing);
+    const EntryRef entry = lookup(index, subindex);
+    return entry.exists() ? Found::success(entry) : Found::failure(missing(index));
 }
 
-ByteView ObjectDictionary::value(const EntryRef& entry) const noexcept {
+ByteView ObjectDictionary::value(const EntryRef entry) const noexcept {
     const EntryRow& row = *entry.row;
-    const ByteView source =
-        entry.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();
-    const ByteView bytes = source.part(row.offset, row.size);
-    return (row.type == DataType::visible_string) ? bytes.part(0U, text_length(bytes)) : bytes;
+    const ByteView all = bytes(entry);
+    return (row.type == DataType::visible_string) ? all.part(0U, text_length(all)) : all;
 }
 
-AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView value) const noexcept {
-    const EntryRow& row = *entry.row;
-    if (!entry.may(rights::write)) {
-        return AbortCode::read_only;
-    }
-    if (value.size() > row.size) {
-        return AbortCode::too_long;
-    }
-    if (!has_variable_length(row.type) && (value.size() < row.size)) {
-        return AbortCode::too_short;
-    }
-    return check_value(entry, value);
+AbortCode ObjectDictionary::check_write(const EntryRef entry, const ByteView value) const noexcept {
+    const AbortCode code = check_length(entry, value.size());
+    return (code == AbortCode::none) ? check_value(entry, value) : code;
 }
 
-AbortCode ObjectDictionary::check_value(const EntryRef& entry, const ByteView value) const noexcept {
-    if (has_variable_length(entry.row->type)) {
-        return AbortCode::none;
-    }
-    const std::uint64_t bits = read_le(value, 0U, value.size());
-    if ((entry.row->type == DataType::boolean) && (bits > 1U)) {
-        return AbortCode::value_range;
-    }
-    return (entry.row->limit == no_limit) ? AbortCode::none : check_limits(entry, bits);
+AbortCode ObjectDictionary::check_value(const EntryRef entry, const ByteView value) const noexcept {
+    const bool is_number = !has_variable_length(entry.row->type);
+    return is_number ? check_bits(entry, read_le(value, 0U, value.size())) : AbortCode::none;
 }
 
 bool ObjectDictionary::in_list(const Limit& list, const std::uint32_t bits) const noexcept {
@@ -130,7 +116,7 @@ bool ObjectDictionary::in_list(const Limit& list, const std::uint32_t bits) cons
     return found;
 }
 
-std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRef& entry) const noexcept {
+std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRef entry) const noexcept {
     if (limit.kind != LimitKind::entry) {
         return as_integer(entry.row->type, limit.bits);
     }
@@ -141,7 +127,7 @@ std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRef&
     return as_integer(entry.row->type, bits) + limit.add;
 }
 
-AbortCode ObjectDictionary::check_limits(const EntryRef& entry, const std::uint64_t bits) const noexcept {
+AbortCode ObjectDictionary::check_limits(const EntryRef entry, const std::uint64_t bits) const noexcept {
     const LimitRow& limits = tables_.limits[entry.row->limit];
     if (limits.minimum.kind == LimitKind::list) {
         return in_list(limits.minimum, static_cast<std::uint32_t>(bits)) ? AbortCode::none : AbortCode::value_range;
@@ -172,15 +158,27 @@ AbortCode ObjectDictionary::check_limits(const EntryRef& entry, const std::uint6
     return above ? AbortCode::value_too_high : AbortCode::value_too_low;
 }
 
-void ObjectDictionary::put(const EntryRef& entry, const ByteView value) noexcept {
+bool ObjectDictionary::put(const EntryRef entry, const ByteView value) noexcept {
     const EntryRow& row = *entry.row;
     if (entry.may(rights::constant)) {
-        return;
+        return false;
     }
-    const MutableBytes place = image_.part(row.offset, row.size);
+    MutableBytes place = image_.part(row.offset, row.size);
+    bool changes{false};
     for (std::size_t i = 0U; i < row.size; ++i) {
-        MutableBytes{place}.set(i, value[i]);
+        changes = changes || (std::uint32_t{place[i]} != value[i]);
+        place.set(i, value[i]);
     }
+    return changes;
+}
+
+bool ObjectDictionary::put_bits(const EntryRef entry, const std::uint64_t bits) noexcept {
+    const EntryRow& row = *entry.row;
+    const bool changes = !entry.may(rights::constant) && (read_le(image_.view(), row.offset, row.size) != bits);
+    if (changes) {
+        write_le(image_, row.offset, row.size, bits);
+    }
+    return changes;
 }
 
 void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint8_t node_id) noexcept {
@@ -194,7 +192,7 @@ void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint
             if (entry.may(rights::constant)) {
                 continue;
             }
-            put(entry, defaults.part(entry.row->offset, entry.row->size));
+            static_cast<void>(put(entry, defaults.part(entry.row->offset, entry.row->size)));
             if (entry.may(rights::node_id)) {
                 const std::uint64_t base = read_le(value(entry), 0U, entry.row->size);
                 write_le(image_, entry.row->offset, entry.row->size, base + node_id);
@@ -204,20 +202,20 @@ void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint
 }
 
 std::uint32_t ObjectDictionary::read(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
-    const auto found = find(index, subindex);
-    if (!found.ok()) {
+    constexpr std::size_t longest = sizeof(std::uint32_t);
+    const EntryRef entry = lookup(index, subindex);
+    if (!entry.exists()) {
         return 0U;
     }
-    const ByteView bytes = value(found.value());
-    return static_cast<std::uint32_t>(read_le(bytes, 0U, (bytes.size() < 4U) ? bytes.size() : 4U));
+    const std::size_t size = entry.row->size;
+    return static_cast<std::uint32_t>(read_le(pool(entry), entry.row->offset, (size < longest) ? size : longest));
 }
 
 void ObjectDictionary::write(const std::uint16_t index, const std::uint8_t subindex,
                              const std::uint32_t bits) noexcept {
-    const auto found = find(index, subindex);
-    if (found.ok()) {
-        const EntryRow& row = *found.value().row;
-        write_le(image_, row.offset, row.size, bits);
+    const EntryRef entry = lookup(index, subindex);
+    if (entry.exists()) {
+        static_cast<void>(put_bits(entry, bits));
     }
 }
 

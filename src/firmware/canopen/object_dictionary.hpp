@@ -12,7 +12,7 @@
 
 namespace canproof {
 
-/// An entry that exists: what find() hands out.
+/// An entry: what lookup() and find() hand out.
 struct EntryRef {
     const EntryRow* row{nullptr};
     std::uint16_t index{0U};
@@ -21,6 +21,7 @@ struct EntryRef {
         return (std::uint32_t{index} == wanted_index) && (std::uint32_t{row->subindex} == subindex);
     }
     bool may(const std::uint32_t right) const noexcept { return (row->rights & right) != 0U; }
+    bool exists() const noexcept { return row != nullptr; }
 };
 
 /// Which abort codes a value outside its limits gets; the manuals differ in what they list.
@@ -36,30 +37,61 @@ constexpr std::uint32_t parameter_group_count = 3U;
 /// 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
 ParameterGroup parameter_group(std::uint16_t index) noexcept;
 
+/// Whether a type is a string or domain, whose values may be shorter than the capacity.
+constexpr bool has_variable_length(const DataType type) noexcept {
+    return (type == DataType::visible_string) || (type == DataType::octet_string) || (type == DataType::domain);
+}
+
 class ObjectDictionary {
   public:
     /// `image` holds the values; at least tables.defaults.count bytes, owned by the device.
     ObjectDictionary(const DictionaryTables& tables, MutableBytes image, LimitAbort limit_abort) noexcept;
 
-    /// 06020000h when the object is absent, 06090011h when only the sub-index is.
+    /// The entry, or one that does not exist.
+    EntryRef lookup(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    /// Why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is.
+    AbortCode missing(std::uint16_t index) const noexcept;
+    /// Both at once.
     Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) const noexcept;
-    bool has(std::uint16_t index, std::uint8_t subindex) const noexcept { return find(index, subindex).ok(); }
+    bool has(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
+        return lookup(index, subindex).exists();
+    }
 
+    /// All bytes of the entry, where they lie.
+    ByteView bytes(const EntryRef entry) const noexcept { return pool(entry).part(entry.row->offset, entry.row->size); }
     /// The entry's bytes as they go on the bus; a string ends before its first zero byte.
-    ByteView value(const EntryRef& entry) const noexcept;
+    ByteView value(EntryRef entry) const noexcept;
     /// Whether `value` may be written here: access, length, type and limits. `none` when it may.
-    AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
-    /// Type and limits alone: what a value received by PDO must satisfy.
-    AbortCode check_value(const EntryRef& entry, ByteView value) const noexcept;
-    /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros.
-    void put(const EntryRef& entry, ByteView value) noexcept;
+    AbortCode check_write(EntryRef entry, ByteView value) const noexcept;
+    /// Access and length alone: the first part of check_write().
+    AbortCode check_length(const EntryRef entry, const std::size_t length) const noexcept {
+        if (!entry.may(rights::write)) {
+            return AbortCode::read_only;
+        }
+        if (length > entry.row->size) {
+            return AbortCode::too_long;
+        }
+        return ((length == entry.row->size) || has_variable_length(entry.row->type)) ? AbortCode::none
+                                                                                     : AbortCode::too_short;
+    }
+    /// Type and limits alone.
+    AbortCode check_value(EntryRef entry, ByteView value) const noexcept;
+    /// The same for a number: what is received by PDO.
+    AbortCode check_bits(const EntryRef entry, const std::uint64_t bits) const noexcept {
+        if ((entry.row->type == DataType::boolean) && (bits > 1U)) {
+            return AbortCode::value_range;
+        }
+        return (entry.row->limit == no_limit) ? AbortCode::none : check_limits(entry, bits);
+    }
+    /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros. True when the value
+    /// is another than before.
+    bool put(EntryRef entry, ByteView value) noexcept;
+    /// The same for an entry of at most eight bytes.
+    bool put_bits(EntryRef entry, std::uint64_t bits) noexcept;
 
     /// An entry of at most eight bytes as a number, least significant byte first: the short way of the PDOs.
-    std::uint64_t bits(const EntryRef& entry) const noexcept {
-        const EntryRow& row = *entry.row;
-        const bool in_flash = entry.may(rights::constant);
-        return in_flash ? read_le(ByteView{tables_.constants.rows, tables_.constants.count}, row.offset, row.size)
-                        : read_le(image_.view(), row.offset, row.size);
+    std::uint64_t bits(const EntryRef entry) const noexcept {
+        return read_le(pool(entry), entry.row->offset, entry.row->size);
     }
 
     /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
@@ -73,11 +105,11 @@ class ObjectDictionary {
 
     template <typename T>
     T get(const Field<T> field) const noexcept {
-        return from_bits<T>(read_le(image_.view(), field.offset, sizeof(T)));
+        return from_bits<T>(get_le<sizeof(T)>(image_.view(), field.offset));
     }
     template <typename T>
     void set(const Field<T> field, const T value) noexcept {
-        write_le(image_, field.offset, sizeof(T), to_bits(value));
+        image_.put_le<sizeof(T)>(field.offset, to_bits(value));
     }
 
     const DictionaryTables& tables() const noexcept { return tables_; }
@@ -104,17 +136,17 @@ class ObjectDictionary {
         }
     }
 
-    const ObjectRow* find_object(std::uint16_t index) const noexcept;
-    AbortCode check_limits(const EntryRef& entry, std::uint64_t bits) const noexcept;
+    /// Where the entry's value lies.
+    ByteView pool(const EntryRef entry) const noexcept {
+        return entry.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();
+    }
+    AbortCode check_limits(EntryRef entry, std::uint64_t bits) const noexcept;
     bool in_list(const Limit& list, std::uint32_t bits) const noexcept;
-    std::int64_t integer_limit(const Limit& limit, const EntryRef& entry) const noexcept;
+    std::int64_t integer_limit(const Limit& limit, EntryRef entry) const noexcept;
 
     const DictionaryTables& tables_;
     MutableBytes image_;
     LimitAbort limit_abort_;
 };
-
-/// Whether a type is a string or domain, whose values may be shorter than the capacity.
-bool has_variable_length(DataType type) noexcept;
 
 }  // namespace canproof

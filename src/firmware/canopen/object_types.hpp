@@ -114,23 +114,6 @@ constexpr auto table_view(const Array& rows) noexcept {
     return TableView<typename Array::value_type>{rows.data(), rows.size()};
 }
 
-/// The same of rows in RAM, which whoever holds it may change.
-template <typename Row>
-struct MutableTable {
-    Row* rows{nullptr};
-    std::size_t count{0U};
-
-    constexpr Row* begin() const noexcept { return rows; }
-    constexpr Row* end() const noexcept { return rows + count; }
-    constexpr Row& operator[](const std::size_t at) const noexcept { return rows[at]; }
-};
-
-/// The rows of an array or a vector.
-template <typename Array>
-constexpr auto mutable_table(Array& rows) noexcept {
-    return MutableTable<typename Array::value_type>{rows.data(), rows.size()};
-}
-
 /// Everything the compiler knows of one dictionary.
 struct DictionaryTables {
     TableView<ObjectRow> objects;       ///< ascending by index

@@ -147,7 +147,7 @@ void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_
                         const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
                         if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
                             follow_node_id(entry, value);
-                            objects_.put(entry, value.view());
+                            static_cast<void>(objects_.put(entry, value.view()));
                         }
                     });
 }

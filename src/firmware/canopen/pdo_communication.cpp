@@ -17,16 +17,15 @@ constexpr std::uint32_t inhibit_subindex = 3U;
 constexpr std::uint32_t event_subindex = 5U;
 constexpr std::uint32_t sync_start_subindex = 6U;
 
-/// What a mapped entry needs.
-constexpr std::uint8_t mapping_right(const PdoDirection direction) noexcept {
-    return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
+constexpr std::uint16_t numbered(const std::uint16_t index, const std::size_t number) noexcept {
+    return static_cast<std::uint16_t>(index + number);
 }
 
 /// The COB-ID entry; "not valid" where there is no such PDO.
 std::uint32_t cob_id_entry(const ObjectDictionary& objects, const PdoDirection direction,
                            const std::size_t number) noexcept {
-    const auto found = objects.find(communication_object(direction, number), cob_id_subindex);
-    return found.ok() ? read_u32(objects.value(found.value()), 0U) : cob_id::not_valid;
+    const EntryRef found = objects.lookup(communication_object(direction, number), cob_id_subindex);
+    return found.exists() ? static_cast<std::uint32_t>(objects.bits(found)) : cob_id::not_valid;
 }
 
 /// Whether another valid PDO of that direction has this identifier.
@@ -98,7 +97,7 @@ static_assert(implements<req::CO_PDO_009>);
 AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction, const std::size_t number,
                               const EntryRef& entry, const ByteView value) noexcept {
     // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.
-    const std::uint8_t right = mapping_right(direction);
+    const std::uint8_t right = family_of(direction).right;
     if (cob_id::is_valid(cob_id_entry(objects, direction, number))) {
         return AbortCode::device_state;
     }
@@ -111,12 +110,12 @@ AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirectio
 
 }  // namespace
 
-std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
-    const std::uint32_t first = index & 0xFF00U;
-    const std::size_t number = index & 0x00FFU;
-    const bool belongs = ((first == communication_object(direction, 0U)) || (first == mapping_object(direction, 0U))) &&
-                         (number < max_pdos);
-    return belongs ? number : max_pdos;
+std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
+    return numbered(family_of(direction).communication, number);
+}
+
+std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
+    return numbered(family_of(direction).mapping, number);
 }
 
 PdoParameters read_pdo_parameters(const ObjectDictionary& objects, const PdoDirection direction,

@@ -14,6 +14,29 @@ enum class PdoDirection : std::uint8_t { receive, transmit };
 
 /// PDO1…PDO8 of each direction: 1400h…1407h, 1800h…1807h. The devices here have at most four.
 constexpr std::size_t max_pdos = 8U;
+/// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
+constexpr std::size_t max_pdo_lines = 64U;
+
+/// Where the objects of one direction begin, and which right a mapped entry needs.
+struct PdoFamily {
+    std::uint16_t communication;
+    std::uint16_t mapping;
+    std::uint8_t right;
+};
+
+constexpr PdoFamily family_of(const PdoDirection direction) noexcept {
+    return (direction == PdoDirection::receive) ? PdoFamily{0x1400U, 0x1600U, rights::rpdo}
+                                                : PdoFamily{0x1800U, 0x1A00U, rights::tpdo};
+}
+
+/// Number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when to none.
+constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
+    const PdoFamily family = family_of(direction);
+    const std::uint32_t first = index & 0xFF00U;
+    const std::size_t number = index & 0x00FFU;
+    const bool belongs = ((first == family.communication) || (first == family.mapping)) && (number < max_pdos);
+    return belongs ? number : max_pdos;
+}
 
 /// When a received PDO takes effect and when a transmit PDO is sent, by its transmission type.
 using PdoApplied = generated::canopen::t_co_t_transmission_type::Applied;
@@ -33,32 +56,34 @@ struct PdoParameters {
 };
 
 /// Object of PDO `number` (0…max_pdos - 1).
-constexpr std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
-    constexpr std::uint32_t first_receive{0x1400U};
-    constexpr std::uint32_t first_transmit{0x1800U};
-    return static_cast<std::uint16_t>(((direction == PdoDirection::receive) ? first_receive : first_transmit) + number);
-}
-constexpr std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
-    constexpr std::uint32_t between{0x0200U};
-    return static_cast<std::uint16_t>(communication_object(direction, number) + between);
-}
+std::uint16_t communication_object(PdoDirection direction, std::size_t number) noexcept;
+std::uint16_t mapping_object(PdoDirection direction, std::size_t number) noexcept;
 
-/// How many of the PDOs of a direction the dictionary can have: the highest number present.
-constexpr std::size_t count_pdos(const DictionaryTables& tables, const PdoDirection direction) noexcept {
+/// How many PDOs of a direction a dictionary has: the highest number present.
+constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirection direction) noexcept {
+    const std::size_t first = family_of(direction).communication;
     std::size_t count{0U};
     for (const ObjectRow& object : tables.objects) {
-        for (std::size_t number = count; number < max_pdos; ++number) {
-            count = (std::uint32_t{object.index} == communication_object(direction, number)) ? (number + 1U) : count;
+        if ((object.index >= first) && (object.index < (first + max_pdos))) {
+            count = (object.index - first) + 1U;
         }
     }
     return count;
+}
+/// How many entries the longest of its mapping objects can map.
+constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
+    std::size_t most{0U};
+    for (const ObjectRow& object : tables.objects) {
+        const bool maps = (pdo_number(PdoDirection::receive, object.index) < max_pdos) ||
+                          (pdo_number(PdoDirection::transmit, object.index) < max_pdos);
+        const std::size_t highest = tables.entries[(object.first_entry + std::size_t{object.count}) - 1U].subindex;
+        most = (maps && (highest > most)) ? highest : most;
+    }
+    return (most < max_pdo_lines) ? most : max_pdo_lines;
 }
 PdoParameters read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number) noexcept;
 
 /// Whether an entry of 14xxh, 16xxh, 18xxh or 1Axxh may get this value now.
 AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, ByteView value) noexcept;
-
-/// Number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when to none.
-std::size_t pdo_number(PdoDirection direction, std::uint16_t index) noexcept;
 
 }  // namespace canproof

@@ -2,11 +2,9 @@
 // A mapping is resolved when it changes, so that a frame costs no search in the dictionary.
 #pragma once
 
-#include <array>
-
+#include "firmware/base/slots.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_access.hpp"
-#include "firmware/canopen/pdo_communication.hpp"
 
 namespace canproof {
 
@@ -20,28 +18,29 @@ AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint8_t righ
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint8_t right, std::uint16_t index,
                               std::uint8_t count) noexcept;
 
+/// One line of a mapping object, its entry found.
+struct PdoLine {
+    const EntryRow* row{nullptr};  ///< nullptr: a gap
+    std::uint16_t index{0U};
+    std::uint8_t bits{0U};
+    std::uint8_t width{0U};  ///< 1, 2 or 4 when just so many bytes at `value` are mapped; 0: by the row
+    const std::uint8_t* value{nullptr};
+
+    EntryRef entry() const noexcept { return EntryRef{row, index}; }
+    /// No limits and no owner: whatever comes goes into the image. A gap is free as well.
+    bool is_free() const noexcept {
+        return (row == nullptr) || ((row->limit == no_limit) && (row->service == Service::none));
+    }
+};
+
 /// One resolved mapping object.
 class PdoMapping {
   public:
-    /// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
-    static constexpr std::size_t max_lines = 64U;
-
-    /// One line of the mapping object, its entry found.
-    struct Line {
-        const EntryRow* row{nullptr};  ///< nullptr: a gap
-        std::uint16_t index{0U};
-        std::uint8_t bits{0U};
-        bool bytes{false};  ///< just the bits / 8 bytes of the image from the row's offset, on a byte boundary
-        bool plain{false};  ///< such bytes without limits, owner or anyone to be told; neighbours are joined into one
-    };
-
-    /// Takes memory for as many lines as the mapping object has entries; fewer, and the lines behind are not mapped.
-    void lend(const MutableTable<Line> lines) noexcept { lines_ = lines; }
-    /// Reads mapping object `index` anew.
-    void resolve(const ObjectDictionary& objects, std::uint16_t index) noexcept;
+    /// Reads mapping object `index` anew; its lines find room in `places`.
+    void resolve(const ObjectDictionary& objects, std::uint16_t index, const Slots<PdoLine>& places) noexcept;
 
     /// False when nothing is mapped, or more than a frame can carry.
-    bool is_usable() const noexcept { return count_ != 0U; }
+    bool is_usable() const noexcept { return !lines_.empty(); }
     /// Length in bytes of a PDO that carries all that is mapped, 0…8.
     std::uint8_t length() const noexcept { return length_; }
     bool maps(std::uint16_t index, std::uint8_t subindex) const noexcept;
@@ -55,49 +54,13 @@ class PdoMapping {
     Frame pack(const ObjectDictionary& objects, std::uint32_t id) const noexcept;
 
   private:
-    static Line find_line(const ObjectDictionary& objects, std::uint32_t entry, std::uint32_t at) noexcept;
-    void append(const Line& line) noexcept;
+    static PdoLine find_line(const ObjectDictionary& objects, std::uint32_t entry) noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
 
-    MutableTable<Line> lines_{};
-    std::uint8_t count_{0U};
+    Slots<PdoLine> lines_{};
     std::uint8_t length_{0U};
-    bool all_plain_{false};
+    bool all_free_{false};
 };
-
-/// Entries of mapping object `index`, no more than a PDO can have; zero without such an object.
-constexpr std::size_t count_mapping_lines(const DictionaryTables& tables, const std::uint16_t index) noexcept {
-    std::size_t count{0U};
-    for (const ObjectRow& object : tables.objects) {
-        if (std::uint32_t{object.index} == index) {
-            count = tables.entries[(object.first_entry + std::size_t{object.count}) - 1U].subindex;
-        }
-    }
-    return (count < PdoMapping::max_lines) ? count : PdoMapping::max_lines;
-}
-
-/// The same of all PDOs of a direction together.
-constexpr std::size_t count_mapping_lines(const DictionaryTables& tables, const PdoDirection direction) noexcept {
-    std::size_t count{0U};
-    for (std::size_t number = 0U; number < count_pdos(tables, direction); ++number) {
-        count += count_mapping_lines(tables, mapping_object(direction, number));
-    }
-    return count;
-}
-
-/// Lends each PDO of a direction its part of `lines`, in their order. `Pdo` has a member `mapping`.
-template <typename Pdo>
-void lend_lines(const MutableTable<Pdo> pdos, const MutableTable<PdoMapping::Line> lines,
-                const DictionaryTables& tables, const PdoDirection direction) noexcept {
-    std::size_t used{0U};
-    for (std::size_t number = 0U; number < pdos.count; ++number) {
-        const std::size_t wanted = count_mapping_lines(tables, mapping_object(direction, number));
-        const std::size_t rest = lines.count - used;
-        const std::size_t given = (wanted < rest) ? wanted : rest;
-        pdos[number].mapping.lend(MutableTable<PdoMapping::Line>{lines.rows + used, given});
-        used += given;
-    }
-}
 
 /// The bit of a 64-bit set that stands for an entry. Two entries may share one.
 constexpr std::uint64_t watch_mark(const std::uint32_t index, const std::uint32_t subindex) noexcept {

@@ -1,34 +1,39 @@
-// What the PDOs of a node take in RAM, sized by its dictionary: a device with four PDOs of four values does not pay for
-// the eight of 64 bits that CiA 301 allows.
+// The memory of a node's PDOs: the device owns it, as much as its own dictionary asks for.
 #pragma once
+
+#include <array>
 
 #include "firmware/canopen/receive_pdo.hpp"
 #include "firmware/canopen/transmit_pdo.hpp"
 
 namespace canproof {
 
-/// The memory that a device lends to the PDOs of its node; it outlives the node.
+/// What a node is lent for its PDOs.
 struct PdoMemory {
-    MutableTable<ReceivePdos::Rpdo> receive;
-    MutableTable<PdoMapping::Line> receive_lines;  ///< of their mappings
-    MutableTable<TransmitPdos::Tpdo> transmit;
-    MutableTable<PdoMapping::Line> transmit_lines;
+    Slots<ReceivePdo> received{};
+    Slots<TransmitPdo> sent{};
+    Slots<PdoLine> received_lines{};  ///< as many for each receive PDO
+    Slots<PdoLine> sent_lines{};      ///< as many for each transmit PDO
 };
 
-/// Such memory for a dictionary that is known when the device is compiled.
-template <const DictionaryTables& Tables>
-class PdoMemoryFor {
-  public:
+/// Memory for `received` and `sent` PDOs of at most `lines` mapped entries each: pdo_count() and pdo_lines() of the
+/// dictionary.
+template <std::size_t received, std::size_t sent, std::size_t lines>
+struct SizedPdoMemory {
+    std::array<ReceivePdo, received> received_pdos{};
+    std::array<TransmitPdo, sent> sent_pdos{};
+    std::array<PdoLine, received * lines> received_lines{};
+    std::array<PdoLine, sent * lines> sent_lines{};
+
     PdoMemory memory() noexcept {
-        return PdoMemory{mutable_table(receive_), mutable_table(receive_lines_), mutable_table(transmit_),
-                         mutable_table(transmit_lines_)};
+        return PdoMemory{Slots<ReceivePdo>{received_pdos}, Slots<TransmitPdo>{sent_pdos},
+                         Slots<PdoLine>{received_lines}, Slots<PdoLine>{sent_lines}};
     }
-
-  private:
-    std::array<ReceivePdos::Rpdo, count_pdos(Tables, PdoDirection::receive)> receive_{};
-    std::array<PdoMapping::Line, count_mapping_lines(Tables, PdoDirection::receive)> receive_lines_{};
-    std::array<TransmitPdos::Tpdo, count_pdos(Tables, PdoDirection::transmit)> transmit_{};
-    std::array<PdoMapping::Line, count_mapping_lines(Tables, PdoDirection::transmit)> transmit_lines_{};
 };
+
+/// The same, sized for a dictionary that is known when it is compiled.
+template <const DictionaryTables& tables>
+using PdoMemoryFor = SizedPdoMemory<pdo_count(tables, PdoDirection::receive), pdo_count(tables, PdoDirection::transmit),
+                                    pdo_lines(tables)>;
 
 }  // namespace canproof

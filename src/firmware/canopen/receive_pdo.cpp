@@ -15,16 +15,18 @@ constexpr std::uint8_t with_bit(const std::uint8_t set, const std::size_t number
 }  // namespace
 
 void ReceivePdos::reset() noexcept {
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         refresh(number);
     }
     schedule();
 }
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {
-    Rpdo& rpdo = rpdos_[number];
+    ReceivePdo& rpdo = rpdos_[number];
     rpdo.parameters = read_pdo_parameters(objects_, PdoDirection::receive, number);
-    rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number));
+    const std::size_t lines = lines_.size() / rpdos_.size();
+    rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number), lines_.part(number * lines, lines));
+    rpdo.identifier = rpdo.parameters.valid ? rpdo.parameters.identifier : ReceivePdo::nobody;
     rpdo.waits = false;
     rpdo.due = never;
     short_ = with_bit(short_, number, false);
@@ -33,7 +35,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
 
 static_assert(implements<req::CO_PDO_003>);
 void ReceivePdos::stop() noexcept {
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         rpdos_[number].waits = false;
         rpdos_[number].due = never;
     }
@@ -44,27 +46,32 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
     if (frame.extended) {
         return;
     }
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
-        const Rpdo& rpdo = rpdos_[number];
-        if ((rpdo.parameters.identifier != frame.id) || !rpdo.parameters.valid) {
-            continue;
-        }
-        const bool answers = ((answering_remote_ >> number) & 1U) != 0U;
-        if (!frame.remote) {
-            take(number, frame, now);
-        } else if (answers && rpdo.parameters.remote_allowed) {
-            // CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes.
-            static_cast<void>(queue_.push(rpdo.mapping.pack(objects_, frame.id)));
+    std::size_t number{0U};
+    for (const ReceivePdo& rpdo : rpdos_) {
+        if (rpdo.identifier != frame.id) {
+            // not for this one
+        } else if (frame.remote) {
+            answer(number);
         } else {
-            // nobody asks a receive PDO
+            take(number, frame, now);
         }
+        ++number;
+    }
+}
+
+/// CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes. Elsewhere nobody asks a receive PDO.
+void ReceivePdos::answer(const std::size_t number) noexcept {
+    const ReceivePdo& rpdo = rpdos_[number];
+    const bool answers = ((std::uint32_t{answering_remote_} >> number) & 1U) != 0U;
+    if (answers && rpdo.parameters.remote_allowed) {
+        static_cast<void>(queue_.push(rpdo.mapping.pack(objects_, rpdo.identifier)));
     }
 }
 
 static_assert(implements<req::CO_PDO_001> && implements<req::CO_PDO_004> && implements<req::CO_PDO_020> &&
               implements<req::CO_PDO_021>);
 void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
-    Rpdo& rpdo = rpdos_[number];
+    ReceivePdo& rpdo = rpdos_[number];
     const bool too_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     short_ = with_bit(short_, number, too_short);
     if (too_short) {
@@ -85,8 +92,8 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
 
 static_assert(implements<req::CO_PDO_002>);
 void ReceivePdos::sync(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
-        Rpdo& rpdo = rpdos_[number];
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
+        ReceivePdo& rpdo = rpdos_[number];
         if (rpdo.waits) {
             rpdo.waits = false;
             rpdo.mapping.apply(rpdo.waiting, objects_, access_, now);
@@ -95,7 +102,7 @@ void ReceivePdos::sync(const Instant now) noexcept {
 }
 
 void ReceivePdos::find_overdue(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         if (rpdos_[number].due <= now) {
             rpdos_[number].due = never;
             overdue_ = with_bit(overdue_, number, true);
@@ -106,7 +113,7 @@ void ReceivePdos::find_overdue(const Instant now) noexcept {
 
 void ReceivePdos::schedule() noexcept {
     next_ = never;
-    for (std::size_t number = 0U; number < rpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         next_ = earliest(next_, rpdos_[number].due);
     }
 }
@@ -114,7 +121,7 @@ void ReceivePdos::schedule() noexcept {
 static_assert(implements<req::CO_PDO_022>);
 void ReceivePdos::after_write(const EntryRef& entry) noexcept {
     const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
-    if (number < rpdos_.count) {
+    if (number < rpdos_.size()) {
         refresh(number);
         schedule();
     }

@@ -2,8 +2,6 @@
 // 7.5.2.35).
 #pragma once
 
-#include <array>
-
 #include "firmware/canopen/object_access.hpp"
 #include "firmware/canopen/pdo_communication.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
@@ -11,25 +9,29 @@
 
 namespace canproof {
 
+/// One receive PDO.
+struct ReceivePdo {
+    static constexpr std::uint32_t nobody = UINT32_MAX;  ///< an identifier that no frame has
+
+    PdoParameters parameters{};
+    PdoMapping mapping{};
+    std::uint32_t identifier{nobody};  ///< that of its frames; nobody while it is not valid
+    Frame waiting{};
+    bool waits{false};
+    Instant due{never};  ///< the next reception, at the latest
+};
+
 class ReceivePdos {
   public:
-    /// One PDO.
-    struct Rpdo {
-        PdoParameters parameters{};
-        PdoMapping mapping{};
-        Frame waiting{};
-        bool waits{false};
-        Instant due{never};  ///< the next reception, at the latest
-    };
-
-    /// `answering_remote`: bit n lets RPDO n + 1 answer a remote frame. `pdos` and `lines`: memory for as many as the
-    /// dictionary has (count_pdos() and count_mapping_lines()).
-    ReceivePdos(ObjectDictionary& objects, ObjectAccess& access, TransmitQueue& queue,
-                const std::uint8_t answering_remote, const MutableTable<Rpdo> pdos,
-                const MutableTable<PdoMapping::Line> lines) noexcept
-        : objects_{objects}, access_{access}, queue_{queue}, answering_remote_{answering_remote}, rpdos_{pdos} {
-        lend_lines(rpdos_, lines, objects.tables(), PdoDirection::receive);
-    }
+    /// `lines` are shared evenly among the `pdos`. `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
+    ReceivePdos(const Slots<ReceivePdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
+                ObjectAccess& access, TransmitQueue& queue, const std::uint8_t answering_remote) noexcept
+        : rpdos_{pdos},
+          lines_{lines},
+          objects_{objects},
+          access_{access},
+          queue_{queue},
+          answering_remote_{answering_remote} {}
 
     /// The parameters were loaded anew: nothing waits, nothing is late.
     void reset() noexcept;
@@ -60,15 +62,17 @@ class ReceivePdos {
 
   private:
     void refresh(std::size_t number) noexcept;
+    void answer(std::size_t number) noexcept;
     void take(std::size_t number, const Frame& frame, Instant now) noexcept;
     void find_overdue(Instant now) noexcept;
     void schedule() noexcept;
 
+    Slots<ReceivePdo> rpdos_;
+    Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
-    std::uint32_t answering_remote_;
-    MutableTable<Rpdo> rpdos_;
+    std::uint8_t answering_remote_;
     std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
     std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1
     Instant next_{never};

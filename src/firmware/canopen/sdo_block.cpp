@@ -25,9 +25,12 @@ SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
         if (size_ > place_.size()) {
             return Step::too_long;  // the segment before this one was full, for it was not the last
         }
-        add_to_crc();
+        if (checks_crc_ && (size_ != 0U)) {
+            crc_.add_seven(newest_);
+        }
+        newest_ = get_le<sdo::segment_capacity + 1U>(segment, 0U) >> 8U;
         // Bytes beyond the place may be unused ones of the last segment; finish() knows.
-        place_.copy_first<sdo::segment_capacity>(size_, segment.part(1U, sdo::segment_capacity));
+        place_.put_le<sdo::segment_capacity>(size_, newest_);
         size_ += sdo::segment_capacity;
         in_order_ = static_cast<std::uint8_t>(sequence);
         complete_ = last;
@@ -43,19 +46,13 @@ std::uint8_t SdoBlockDownload::acknowledge() noexcept {
 
 static_assert(implements<req::CO_SDO_028>);
 AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_t crc) noexcept {
+    const std::size_t checked = size_ - ((size_ < sdo::segment_capacity) ? size_ : sdo::segment_capacity);
     size_ -= (unused < size_) ? unused : size_;
     if (size_ > place_.size()) {
         return AbortCode::too_long;
     }
-    add_to_crc();
+    crc_.add(place_.view().part(checked, size_ - checked));
     return (checks_crc_ && (std::uint32_t{crc} != crc_.value())) ? AbortCode::crc_error : AbortCode::none;
-}
-
-void SdoBlockDownload::add_to_crc() noexcept {
-    if (checks_crc_) {
-        crc_.add(place_.view().part(checked_, size_ - checked_));
-        checked_ = size_;
-    }
 }
 
 void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) noexcept {
@@ -64,18 +61,23 @@ void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) 
     block_size_ = block_size;
 }
 
-void SdoBlockUpload::put_segment(MutableBytes frame) noexcept {
+std::uint64_t SdoBlockUpload::next_segment() noexcept {
     const std::size_t from = base_ + (sent_ * sdo::segment_capacity);
-    const ByteView data = value_.part(from, sdo::segment_capacity);
-    const std::size_t end = from + data.size();
+    const std::uint64_t data = sdo::read_segment(value_, from);
+    const std::size_t rest = value_.size() - from;
     ++sent_;
-    last_sent_ = end == value_.size();
-    frame.set(0U, static_cast<std::uint8_t>(sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U)));
-    frame.copy_first<sdo::segment_capacity>(1U, data);
-    if (end > checked_) {
-        crc_.add(data);
-        checked_ = end;
+    last_sent_ = rest <= sdo::segment_capacity;
+    if (from < checked_) {
+        // sent again
+    } else if (last_sent_) {
+        crc_.add(value_.part(from, rest));
+        checked_ = value_.size();
+    } else {
+        crc_.add_seven(data);
+        checked_ = from + sdo::segment_capacity;
     }
+    const std::uint32_t sequence = sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U);
+    return (data << 8U) | sequence;
 }
 
 static_assert(implements<req::CO_SDO_022>);

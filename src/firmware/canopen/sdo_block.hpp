@@ -37,11 +37,9 @@ class SdoBlockDownload {
     std::size_t size() const noexcept { return size_; }
 
   private:
-    void add_to_crc() noexcept;
-
     MutableBytes place_{};
     std::size_t size_{0U};
-    std::size_t checked_{0U};  ///< bytes that the CRC covers: how many the last segment holds is told only at the end
+    std::uint64_t newest_{0U};  ///< the last segment, not yet in the CRC: how much of it counts is told only at the end
     Crc16 crc_{};
     std::uint8_t in_order_{0U};  ///< sequence number of the last segment taken in this sub-block
     bool checks_crc_{false};
@@ -60,8 +58,8 @@ class SdoBlockUpload {
     void start(ByteView value, std::uint8_t block_size) noexcept;
     /// Whether the present sub-block has another segment.
     bool has_segment() const noexcept { return !last_sent_ && (std::uint32_t{sent_} < block_size_); }
-    /// Writes that segment, sequence number and data, into the eight bytes of a frame.
-    void put_segment(MutableBytes frame) noexcept;
+    /// That segment, sequence number and data: the eight bytes of its frame as a number, the first one lowest.
+    std::uint64_t next_segment() noexcept;
     /// The client has segments up to `sequence` (0: none) and wants `block_size` segments next. 05040003h when that
     /// segment was not sent, 05040002h for a block size of 0 or above 127.
     AbortCode acknowledge(std::uint8_t sequence, std::uint8_t block_size) noexcept;

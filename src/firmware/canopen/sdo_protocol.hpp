@@ -1,8 +1,7 @@
 // How SDO frames are laid out (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include "firmware/base/bytes.hpp"
 
 namespace canproof::sdo {
 
@@ -11,6 +10,12 @@ constexpr std::size_t subindex_position = 3U;
 constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame; abort code of an abort
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
+
+/// What a segment holds of `value` from byte `from` on, the first byte lowest; zeros where the value has ended.
+inline std::uint64_t read_segment(const ByteView value, const std::size_t from) noexcept {
+    constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
+    return get_le<segment_capacity + 1U>(value, from) & seven_bytes;
+}
 
 /// The upper three bits of byte 0 of a request.
 enum class ClientCommand : std::uint8_t {

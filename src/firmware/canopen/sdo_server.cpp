@@ -9,7 +9,6 @@ namespace {
 
 using generated::canopen::sdo_request_cob_id_base;
 using generated::canopen::sdo_response_cob_id_base;
-using generated::canopen::sdo_timeout_ms;
 using sdo::ClientCommand;
 
 }  // namespace
@@ -18,13 +17,6 @@ void SdoServer::reset(const std::uint8_t node_id) noexcept {
     request_id_ = sdo_request_cob_id_base + std::uint32_t{node_id};
     response_id_ = sdo_response_cob_id_base + std::uint32_t{node_id};
     abandon();
-}
-
-static_assert(implements<req::CO_SDO_007>);
-void SdoServer::receive(const Frame& frame, const Instant now) noexcept {
-    if (frame.length == max_frame_length) {
-        dispatch(frame.payload(), now);
-    }
 }
 
 static_assert(implements<req::CO_SDO_035>);
@@ -65,18 +57,12 @@ void SdoServer::dispatch(const ByteView request, const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::CO_SDO_012>);
-void SdoServer::select(const ByteView request) noexcept {
-    abandon();  // a new initiate ends the transfer before it
-    index_ = read_u16(request, sdo::index_position);
-    subindex_ = request[sdo::subindex_position];
-}
-
 void SdoServer::begin(const State state, const Instant now) noexcept {
     state_ = state;
     toggle_ = 0U;
     done_ = 0U;
     last_progress_ = now;
+    idle_until_ = (state == State::block_uploading) ? now : deadline();
 }
 
 static_assert(implements<req::CO_SDO_034>);
@@ -194,16 +180,13 @@ void SdoServer::answer_upload(const ByteView value, const Instant now) noexcept 
     if ((value.size() > 0U) && (value.size() <= sdo::expedited_capacity)) {
         const std::size_t unused = sdo::expedited_capacity - value.size();
         const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
-        Frame frame = answer_object(static_cast<std::uint8_t>(command));
-        MutableBytes{frame.data}.copy(sdo::data_position, value);
-        send(frame);
+        const std::uint64_t data = read_le(value, 0U, value.size());
+        send(answer_object(static_cast<std::uint8_t>(command), static_cast<std::uint32_t>(data)));
         return;
     }
     value_ = keep(value);
     begin(State::uploading, now);
-    Frame frame = answer_object(sdo::upload_initiated | sdo::size_flag);
-    write_le(MutableBytes{frame.data}, sdo::data_position, 4U, value_.size());
-    send(frame);
+    send(answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size())));
 }
 
 static_assert(implements<req::CO_SDO_002>);
@@ -223,8 +206,9 @@ void SdoServer::upload_segment(const ByteView request, const Instant now) noexce
     const bool last = done_ == value_.size();
     const std::size_t unused = sdo::segment_capacity - segment.size();
     const std::size_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
+    const std::uint64_t data = sdo::read_segment(value_, done_ - segment.size());
     Frame frame = answer(static_cast<std::uint8_t>(specifier));
-    MutableBytes{frame.data}.copy(1U, segment);
+    MutableBytes{frame.data}.put_le<max_frame_length>(0U, (data << 8U) | specifier);
     send(frame);
     if (last) {
         abandon();
@@ -253,25 +237,13 @@ bool SdoServer::toggle_fits(const std::uint8_t command) noexcept {
 
 static_assert(implements<req::CO_SDO_014>);
 static_assert(implements<req::CO_SDO_037>);
-void SdoServer::advance(const Instant now) noexcept {
-    if (state_ == State::idle) {
-        return;
-    }
+void SdoServer::proceed(const Instant now) noexcept {
     send_segments(now);
     if (deadline() <= now) {
         abort(AbortCode::time_out);
+    } else {
+        idle_until_ = (state_ == State::block_uploading) ? last_progress_ : deadline();
     }
-}
-
-Instant SdoServer::deadline() const noexcept {
-    return last_progress_ + milliseconds(sdo_timeout_ms);
-}
-
-Instant SdoServer::next_deadline() const noexcept {
-    if (state_ == State::idle) {
-        return never;
-    }
-    return can_send_segment() ? last_progress_ : deadline();
 }
 
 Frame SdoServer::answer(const std::uint8_t command) const noexcept {
@@ -280,10 +252,12 @@ Frame SdoServer::answer(const std::uint8_t command) const noexcept {
     return frame;
 }
 
-Frame SdoServer::answer_object(const std::uint8_t command) const noexcept {
+Frame SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) const noexcept {
     Frame frame = answer(command);
-    write_le(MutableBytes{frame.data}, sdo::index_position, 2U, index_);
-    frame.data[sdo::subindex_position] = subindex_;
+    MutableBytes bytes{frame.data};
+    bytes.put_le<2U>(sdo::index_position, index_);
+    bytes.set(sdo::subindex_position, subindex_);
+    bytes.put_le<4U>(sdo::data_position, data);
     return frame;
 }
 
@@ -291,9 +265,7 @@ static_assert(implements<req::CO_SDO_015>);
 static_assert(implements<req::CO_SDO_036>);
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
-    Frame frame = answer_object(sdo::aborted);
-    write_le(MutableBytes{frame.data}, sdo::data_position, 4U, static_cast<std::uint32_t>(code));
-    send(frame);
+    send(answer_object(sdo::aborted, static_cast<std::uint32_t>(code)));
 }
 
 }  // namespace canproof

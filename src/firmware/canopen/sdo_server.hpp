@@ -4,11 +4,14 @@
 
 #include <array>
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_access.hpp"
 #include "firmware/canopen/sdo_block.hpp"
+#include "firmware/canopen/sdo_protocol.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -24,18 +27,38 @@ class SdoServer {
     /// Takes the identifiers of 600h + node-ID and 580h + node-ID and forgets any transfer.
     void reset(std::uint8_t node_id) noexcept;
     /// Forgets a running transfer without a word: the node left the states in which SDO works.
-    void abandon() noexcept { state_ = State::idle; }
+    void abandon() noexcept {
+        state_ = State::idle;
+        idle_until_ = never;
+    }
 
     bool is_request(const Frame& frame) const noexcept {
         return (frame.id == request_id_) && !frame.extended && !frame.remote;
     }
     /// Answers one request. Frames of other than eight bytes are ignored.
-    void receive(const Frame& frame, Instant now) noexcept;
+    void receive(const Frame& frame, const Instant now) noexcept {
+        static_assert(implements<req::CO_SDO_007>);
+        if (frame.length == max_frame_length) {
+            dispatch(ByteView{frame.data}, now);
+        }
+    }
     /// Queues the next segments of a block upload; aborts a transfer that stalled for longer than the time-out.
-    void advance(Instant now) noexcept;
+    void advance(const Instant now) noexcept {
+        if (state_ != State::idle) {
+            proceed(now);
+        }
+    }
     /// A block upload with segments to send is due as soon as the queue has room; the driver calls advance() when a
     /// frame has left.
-    Instant next_deadline() const noexcept;
+    Instant next_deadline() const noexcept {
+        if (state_ == State::idle) {
+            return never;
+        }
+        return can_send_segment() ? last_progress_ : deadline();
+    }
+    /// Not later than next_deadline(), whatever requests come and whatever room the queue gets in the meantime: until
+    /// then advance() can wait.
+    Instant idle_until() const noexcept { return idle_until_; }
 
   private:
     enum class State : std::uint8_t {
@@ -49,6 +72,7 @@ class SdoServer {
         block_upload_ending     ///< the CRC is sent; the client is to confirm
     };
 
+    void proceed(Instant now) noexcept;
     void dispatch(ByteView request, Instant now) noexcept;
     void initiate_download(ByteView request, Instant now) noexcept;
     void download_expedited(ByteView request, std::uint8_t command, Instant now) noexcept;
@@ -66,9 +90,17 @@ class SdoServer {
     void initiate_block_upload(ByteView request, Instant now) noexcept;
     void acknowledge_block_upload(ByteView request, Instant now) noexcept;
     void send_segments(Instant now) noexcept;
-    bool can_send_segment() const noexcept;
+    bool can_send_segment() const noexcept { return (state_ == State::block_uploading) && has_segment_and_room(); }
+    bool has_segment_and_room() const noexcept {
+        return sent_.has_segment() && (queue_.size() < generated::canopen::sdo_block_queued);
+    }
 
-    void select(ByteView request) noexcept;
+    void select(const ByteView request) noexcept {
+        static_assert(implements<req::CO_SDO_012>);
+        abandon();  // a new initiate ends the transfer before it
+        index_ = read_u16(request, sdo::index_position);
+        subindex_ = request[sdo::subindex_position];
+    }
     void begin(State state, Instant now) noexcept;
     /// Finds the place for a download of the selected entry. `announced`: size that the client gave, if it gave one.
     AbortCode open_download(bool has_size, std::uint32_t announced) noexcept;
@@ -80,11 +112,11 @@ class SdoServer {
 
     void refuse_command() noexcept;
     bool toggle_fits(std::uint8_t command) noexcept;
-    Instant deadline() const noexcept;
+    Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
     /// A frame with `command` and no more.
     Frame answer(std::uint8_t command) const noexcept;
-    /// A frame with `command`, index and sub-index.
-    Frame answer_object(std::uint8_t command) const noexcept;
+    /// A frame with `command`, index, sub-index and four bytes of data.
+    Frame answer_object(std::uint8_t command, std::uint32_t data = 0U) const noexcept;
     void abort(AbortCode code) noexcept;
     void send(const Frame& frame) noexcept { static_cast<void>(queue_.push(frame)); }
 
@@ -95,6 +127,7 @@ class SdoServer {
     bool offers_block_;
     State state_{State::idle};
     Instant last_progress_{};
+    Instant idle_until_{never};
     std::uint16_t index_{0U};
     std::uint8_t subindex_{0U};
     std::uint8_t toggle_{0U};

@@ -7,7 +7,6 @@ namespace canproof {
 
 namespace {
 
-using generated::canopen::sdo_block_queued;
 using generated::canopen::sdo_block_size;
 using sdo::BlockUploadCommand;
 
@@ -44,9 +43,7 @@ void SdoServer::initiate_block_download(const ByteView request, const Instant no
     }
     received_.start(place_, (command & sdo::block_crc_flag) != 0U);
     begin(State::block_downloading, now);
-    Frame frame = answer_object(sdo::block_download_initiated | sdo::block_crc_flag);
-    frame.data[block_size_position] = sdo_block_size;
-    send(frame);
+    send(answer_object(sdo::block_download_initiated | sdo::block_crc_flag, sdo_block_size));
 }
 
 static_assert(implements<req::CO_SDO_030>);
@@ -148,9 +145,8 @@ void SdoServer::initiate_block_upload(const ByteView request, const Instant now)
     value_ = keep(read.value());
     sent_.start(value_, block_size);
     begin(State::block_upload_starting, now);
-    Frame frame = answer_object(sdo::block_upload_initiated | sdo::block_crc_flag | sdo::block_size_flag);
-    write_le(MutableBytes{frame.data}, sdo::data_position, 4U, value_.size());
-    send(frame);
+    send(answer_object(sdo::block_upload_initiated | sdo::block_crc_flag | sdo::block_size_flag,
+                       static_cast<std::uint32_t>(value_.size())));
 }
 
 static_assert(implements<req::CO_SDO_025>);
@@ -175,19 +171,18 @@ void SdoServer::acknowledge_block_upload(const ByteView request, const Instant n
     state_ = State::block_upload_ending;
 }
 
-bool SdoServer::can_send_segment() const noexcept {
-    return (state_ == State::block_uploading) && sent_.has_segment() && (queue_.size() < sdo_block_queued);
-}
-
 static_assert(implements<req::CO_SDO_021>);
 static_assert(implements<req::CO_SDO_039>);
 void SdoServer::send_segments(const Instant now) noexcept {
+    if (!can_send_segment()) {
+        return;
+    }
+    last_progress_ = now;
     // At most sdo_block_queued turns: each adds a frame to the queue.
-    while (can_send_segment()) {
-        Frame frame = data_frame(response_id_, max_frame_length);
-        sent_.put_segment(MutableBytes{frame.data});
+    Frame frame = data_frame(response_id_, max_frame_length);
+    while (has_segment_and_room()) {
+        MutableBytes{frame.data}.put_le<max_frame_length>(0U, sent_.next_segment());
         send(frame);
-        last_progress_ = now;
     }
 }
 

@@ -34,19 +34,8 @@ void Sync::restart(const Instant now) noexcept {
     next_ = (allowed_ && is_producer() && (period_us != 0U)) ? (now + microseconds(period_us)) : never;
 }
 
-static_assert(implements<req::CO_SYNC_001> && implements<req::CO_SYNC_002>);
-SyncEvent Sync::classify(const Frame& frame) const noexcept {
-    if (frame.extended || frame.remote || (identifier_ == 0U) || (frame.id != identifier_)) {
-        return SyncEvent::none;
-    }
-    return (std::uint32_t{frame.length} == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
-}
-
 static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);
-bool Sync::advance(const Instant now) noexcept {
-    if (next_ > now) {
-        return false;
-    }
+bool Sync::produce(const Instant now) noexcept {
     const std::uint32_t overflow = objects_.read(counter_overflow_index, 0U);
     Frame frame = data_frame(identifier_, length_);
     if (overflow != 0U) {

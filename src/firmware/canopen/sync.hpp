@@ -1,10 +1,12 @@
 // SYNC: consumer and producer (CiA 301, 7.2.5; objects 1005h, 1006h, 1019h).
 #pragma once
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -21,13 +23,19 @@ class Sync {
 
     /// The node entered a state in which SYNC works, or left the last one: the producer starts or stops.
     void allow(bool allowed, Instant now) noexcept;
-    SyncEvent classify(const Frame& frame) const noexcept;
+    SyncEvent classify(const Frame& frame) const noexcept {
+        static_assert(implements<req::CO_SYNC_001> && implements<req::CO_SYNC_002>);
+        if ((frame.id != identifier_) || (identifier_ == 0U) || frame.extended || frame.remote) {
+            return SyncEvent::none;
+        }
+        return (std::uint32_t{frame.length} == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
+    }
     /// The counter that a SYNC carries; zero while 1019h is zero.
     std::uint8_t counter_of(const Frame& sync) const noexcept {
         return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];
     }
     /// True when a SYNC was produced: the node consumes its own as well.
-    bool advance(Instant now) noexcept;
+    bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
     /// The counter of the SYNC that was produced last; zero while 1019h is zero.
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
@@ -36,6 +44,7 @@ class Sync {
     void after_write(Instant now) noexcept { restart(now); }
 
   private:
+    bool produce(Instant now) noexcept;
     bool is_producer() const noexcept;
     /// Reads the parameters; the producer starts anew, one period from now, if it is switched on.
     void restart(Instant now) noexcept;

@@ -21,7 +21,7 @@ constexpr Instant latest(const Instant a, const Instant b) noexcept {
 
 void TransmitPdos::reset() noexcept {
     running_ = false;
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.size(); ++number) {
         refresh(number);
     }
     watch();
@@ -29,16 +29,17 @@ void TransmitPdos::reset() noexcept {
 }
 
 void TransmitPdos::refresh(const std::size_t number) noexcept {
-    Tpdo& tpdo = tpdos_[number];
+    TransmitPdo& tpdo = tpdos_[number];
     tpdo.parameters = read_pdo_parameters(objects_, PdoDirection::transmit, number);
-    tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number));
+    const std::size_t lines = lines_.size() / tpdos_.size();
+    tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number), lines_.part(number * lines, lines));
     tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();
     tpdo.event_driven = tpdo.usable && (tpdo.parameters.sent == PdoSent::on_event);
 }
 
 void TransmitPdos::start(const Instant now) noexcept {
     running_ = true;
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
+    for (std::size_t number = 0U; number < tpdos_.size(); ++number) {
         begin(tpdos_[number], now);
     }
     watch();
@@ -53,7 +54,7 @@ void TransmitPdos::stop() noexcept {
 }
 
 static_assert(implements<req::CO_PDO_018>);
-void TransmitPdos::begin(Tpdo& tpdo, const Instant now) const noexcept {
+void TransmitPdos::begin(TransmitPdo& tpdo, const Instant now) const noexcept {
     const bool is_timed = tpdo.parameters.event.us != 0U;
     const bool is_sent_now = tpdo.event_driven && ((trigger_ == TpdoTrigger::value_change) || is_timed);
     tpdo.sampled = false;
@@ -64,27 +65,26 @@ void TransmitPdos::begin(Tpdo& tpdo, const Instant now) const noexcept {
     tpdo.timer_expires = never;
 }
 
-bool TransmitPdos::waits_for_changes(const Tpdo& tpdo) const noexcept {
+bool TransmitPdos::waits_for_changes(const TransmitPdo& tpdo) const noexcept {
     const bool at_once = tpdo.event_driven && (trigger_ == TpdoTrigger::value_change);
     return tpdo.usable && (at_once || (tpdo.parameters.sent == PdoSent::at_sync_after_event));
 }
 
 static_assert(implements<req::CO_PDO_015>);
-void TransmitPdos::note_change(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
-        Tpdo& tpdo = tpdos_[number];
-        if (((tpdo.watched & watch_mark(index, subindex)) != 0U) && tpdo.mapping.maps(index, subindex)) {
+void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t index, const std::uint8_t subindex,
+                               const Instant now) noexcept {
+    for (TransmitPdo& tpdo : tpdos_) {
+        if (((tpdo.watched & mark) != 0U) && tpdo.mapping.maps(index, subindex)) {
             tpdo.pending = true;
             if (tpdo.event_driven) {
-                next_ = earliest(next_, latest(now, tpdo.inhibited_until));
+                plan(tpdo, now);
             }
         }
     }
 }
 
 void TransmitPdos::sync(const std::uint8_t counter) noexcept {
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
-        Tpdo& tpdo = tpdos_[number];
+    for (TransmitPdo& tpdo : tpdos_) {
         if (running_ && tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
             sync_one(tpdo, counter);
         }
@@ -92,7 +92,7 @@ void TransmitPdos::sync(const std::uint8_t counter) noexcept {
 }
 
 static_assert(implements<req::CO_PDO_013> && implements<req::CO_PDO_014> && implements<req::CO_PDO_019>);
-void TransmitPdos::sync_one(Tpdo& tpdo, const std::uint8_t counter) noexcept {
+void TransmitPdos::sync_one(TransmitPdo& tpdo, const std::uint8_t counter) noexcept {
     bool is_sent{false};
     if (tpdo.parameters.sent == PdoSent::at_sync_after_event) {
         is_sent = tpdo.pending;
@@ -118,14 +118,14 @@ void TransmitPdos::sync_one(Tpdo& tpdo, const std::uint8_t counter) noexcept {
 
 static_assert(implements<req::CO_PDO_016>);
 void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
-    for (std::size_t number = 0U; (number < tpdos_.count) && running_ && !request.extended; ++number) {
-        Tpdo& tpdo = tpdos_[number];
+    for (std::size_t number = 0U; (number < tpdos_.size()) && running_ && !request.extended; ++number) {
+        TransmitPdo& tpdo = tpdos_[number];
         if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
             continue;
         }
         if (tpdo.event_driven) {
             tpdo.pending = true;
-            next_ = earliest(next_, latest(now, tpdo.inhibited_until));
+            plan(tpdo, now);
         } else if (!is_sampled_at_sync(tpdo.parameters)) {
             push(tpdo);
         } else if (tpdo.sampled) {
@@ -137,37 +137,45 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
 }
 
 void TransmitPdos::send_due(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
-        Tpdo& tpdo = tpdos_[number];
-        const bool is_due = tpdo.pending || (tpdo.timer_expires <= now);
-        if (tpdo.event_driven && is_due && (tpdo.inhibited_until <= now)) {
+    Instant next{never};
+    for (TransmitPdo& tpdo : tpdos_) {
+        if (tpdo.due <= now) {
             send_event(tpdo, now);
         }
+        next = earliest(next, tpdo.due);
     }
-    schedule();
+    next_ = next;
+}
+
+/// An event of `tpdo` at `event` is told as soon as it may be.
+void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
+    tpdo.due = latest(event, tpdo.inhibited_until);
+    next_ = earliest(next_, tpdo.due);
 }
 
 static_assert(implements<req::CO_PDO_017>);
-void TransmitPdos::send_event(Tpdo& tpdo, const Instant now) noexcept {
+void TransmitPdos::send_event(TransmitPdo& tpdo, const Instant now) noexcept {
     push(tpdo);
     // An interval that the timer ended is followed by the next one without a gap, so that a period does not drift;
     // after a long silence it is not made up for.
-    const bool by_timer = !tpdo.pending;
-    const Duration interval = tpdo.parameters.event;
-    const Instant in_step = (by_timer ? tpdo.timer_expires : now) + interval;
-    tpdo.pending = false;
     tpdo.inhibited_until = now + tpdo.parameters.inhibit;
-    tpdo.timer_expires = (interval.us == 0U) ? never : ((in_step > now) ? in_step : (now + interval));
+    if (tpdo.parameters.event.us == 0U) {
+        tpdo.timer_expires = never;
+    } else {
+        const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
+        tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
+    }
+    tpdo.pending = false;
+    tpdo.due = latest(tpdo.timer_expires, tpdo.inhibited_until);
 }
 
-void TransmitPdos::push(const Tpdo& tpdo) noexcept {
+void TransmitPdos::push(const TransmitPdo& tpdo) noexcept {
     static_cast<void>(queue_.push(tpdo.mapping.pack(objects_, tpdo.parameters.identifier)));
 }
 
 void TransmitPdos::watch() noexcept {
     watched_ = 0U;
-    for (std::size_t number = 0U; number < tpdos_.count; ++number) {
-        Tpdo& tpdo = tpdos_[number];
+    for (TransmitPdo& tpdo : tpdos_) {
         tpdo.watched = (running_ && waits_for_changes(tpdo)) ? tpdo.mapping.watch_marks() : 0U;
         watched_ |= tpdo.watched;
     }
@@ -175,12 +183,10 @@ void TransmitPdos::watch() noexcept {
 
 void TransmitPdos::schedule() noexcept {
     next_ = never;
-    for (std::size_t number = 0U; running_ && (number < tpdos_.count); ++number) {
-        const Tpdo& tpdo = tpdos_[number];
-        if (tpdo.event_driven) {
-            const Instant wanted =
-                tpdo.pending ? tpdo.inhibited_until : latest(tpdo.timer_expires, tpdo.inhibited_until);
-            next_ = earliest(next_, wanted);
+    for (TransmitPdo& tpdo : tpdos_) {
+        tpdo.due = never;
+        if (running_ && tpdo.event_driven) {
+            plan(tpdo, tpdo.pending ? Instant{} : tpdo.timer_expires);
         }
     }
 }
@@ -188,10 +194,10 @@ void TransmitPdos::schedule() noexcept {
 static_assert(implements<req::CO_PDO_025>);
 void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcept {
     const std::size_t number = pdo_number(PdoDirection::transmit, entry.index);
-    if (number >= tpdos_.count) {
+    if (number >= tpdos_.size()) {
         return;
     }
-    Tpdo& tpdo = tpdos_[number];
+    TransmitPdo& tpdo = tpdos_[number];
     const PdoParameters before = tpdo.parameters;
     const bool was_usable = tpdo.usable;
     refresh(number);

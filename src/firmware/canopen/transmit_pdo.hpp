@@ -1,8 +1,6 @@
 // Transmit PDOs: on events, by their timer, at a SYNC, on request (CiA 301, 7.2.2 and 7.5.2.37).
 #pragma once
 
-#include <array>
-
 #include "firmware/canopen/pdo_communication.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
@@ -18,30 +16,29 @@ enum class TpdoTrigger : std::uint8_t {
     event_timer
 };
 
+/// One transmit PDO.
+struct TransmitPdo {
+    PdoParameters parameters{};
+    PdoMapping mapping{};
+    Frame sample{};  ///< the values of the last SYNC
+    bool usable{false};
+    bool event_driven{false};   ///< usable, of type 254 or 255
+    std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
+    bool sampled{false};
+    bool pending{false};           ///< an event has not been told yet
+    bool cycle_begun{false};       ///< the SYNC of the start value has come
+    std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
+    Instant inhibited_until{};     ///< no event is told before
+    Instant timer_expires{never};  ///< the event timer's next event
+    Instant due{never};            ///< when an event is to be told next
+};
+
 class TransmitPdos {
   public:
-    /// One PDO.
-    struct Tpdo {
-        PdoParameters parameters{};
-        PdoMapping mapping{};
-        Frame sample{};  ///< the values of the last SYNC
-        bool usable{false};
-        bool event_driven{false};   ///< usable, of type 254 or 255
-        std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
-        bool sampled{false};
-        bool pending{false};           ///< an event has not been told yet
-        bool cycle_begun{false};       ///< the SYNC of the start value has come
-        std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
-        Instant inhibited_until{};     ///< no event is told before
-        Instant timer_expires{never};  ///< the event timer's next event
-    };
-
-    /// `pdos` and `lines`: memory for as many as the dictionary has (count_pdos() and count_mapping_lines()).
-    TransmitPdos(ObjectDictionary& objects, TransmitQueue& queue, const TpdoTrigger trigger,
-                 const MutableTable<Tpdo> pdos, const MutableTable<PdoMapping::Line> lines) noexcept
-        : objects_{objects}, queue_{queue}, trigger_{trigger}, tpdos_{pdos} {
-        lend_lines(tpdos_, lines, objects.tables(), PdoDirection::transmit);
-    }
+    /// `lines` are shared evenly among the `pdos`.
+    TransmitPdos(const Slots<TransmitPdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
+                 TransmitQueue& queue, const TpdoTrigger trigger) noexcept
+        : tpdos_{pdos}, lines_{lines}, objects_{objects}, queue_{queue}, trigger_{trigger} {}
 
     /// The parameters were loaded anew. Outside operational.
     void reset() noexcept;
@@ -53,8 +50,9 @@ class TransmitPdos {
     /// A mapped value may have changed; costs next to nothing when no TPDO waits for it. The frame leaves with the next
     /// advance(), so that values which change together leave together.
     void value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
-        if ((watched_ & watch_mark(index, subindex)) != 0U) {
-            note_change(index, subindex, now);
+        const std::uint64_t mark = watch_mark(index, subindex);
+        if ((watched_ & mark) != 0U) {
+            note_change(mark, index, subindex, now);
         }
     }
     /// A SYNC, with its counter, or zero while 1019h is zero.
@@ -72,21 +70,23 @@ class TransmitPdos {
     void after_write(const EntryRef& entry, Instant now) noexcept;
 
   private:
-    bool waits_for_changes(const Tpdo& tpdo) const noexcept;
+    bool waits_for_changes(const TransmitPdo& tpdo) const noexcept;
     void refresh(std::size_t number) noexcept;
-    void begin(Tpdo& tpdo, Instant now) const noexcept;
-    void note_change(std::uint16_t index, std::uint8_t subindex, Instant now) noexcept;
-    void sync_one(Tpdo& tpdo, std::uint8_t counter) noexcept;
+    void begin(TransmitPdo& tpdo, Instant now) const noexcept;
+    void note_change(std::uint64_t mark, std::uint16_t index, std::uint8_t subindex, Instant now) noexcept;
+    void sync_one(TransmitPdo& tpdo, std::uint8_t counter) noexcept;
     void send_due(Instant now) noexcept;
-    void send_event(Tpdo& tpdo, Instant now) noexcept;
-    void push(const Tpdo& tpdo) noexcept;
+    void send_event(TransmitPdo& tpdo, Instant now) noexcept;
+    void push(const TransmitPdo& tpdo) noexcept;
     void watch() noexcept;
+    void plan(TransmitPdo& tpdo, Instant event) noexcept;
     void schedule() noexcept;
 
+    Slots<TransmitPdo> tpdos_;
+    Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     TpdoTrigger trigger_;
-    MutableTable<Tpdo> tpdos_;
     bool running_{false};
     std::uint64_t watched_{0U};  ///< the same of all TPDOs
     Instant next_{never};

@@ -1,40 +1,31 @@
 #include "firmware/canopen/transmit_queue.hpp"
 
-#include "firmware/base/requirement.hpp"
-#include "generated/canopen/requirements.hpp"
 namespace canproof {
 
-static_assert(implements<req::CO_FRAME_002>);
 bool TransmitQueue::push(const Frame& frame) noexcept {
+    const bool goes_last = (count_ == 0U) || (id_at(count_ - 1U) <= frame.id);
     if (!open_ || (count_ == capacity)) {
         return false;
     }
+    place(goes_last ? count_ : make_room(frame.id)) = frame;
+    ++count_;
+    return true;
+}
+
+std::size_t TransmitQueue::make_room(const std::uint32_t id) noexcept {
     const std::size_t first_free = boot_up_waits_ ? 1U : 0U;
     std::size_t at{count_};
-    while ((at > first_free) && (id_at(at - 1U) > frame.id)) {
+    while ((at > first_free) && (id_at(at - 1U) > id)) {
         place(at) = place(at - 1U);
         --at;
     }
-    place(at) = frame;
-    ++count_;
-    return true;
+    return at;
 }
 
 void TransmitQueue::push_boot_up(const Frame& frame) noexcept {
     count_ = 0U;
     boot_up_waits_ = false;
     boot_up_waits_ = push(frame);
-}
-
-Frame TransmitQueue::pop() noexcept {
-    if (count_ == 0U) {
-        return Frame{};
-    }
-    const Frame& next = frames_[first_];
-    first_ = (first_ + 1U) % capacity;
-    --count_;
-    boot_up_waits_ = false;
-    return next;
 }
 
 void TransmitQueue::close() noexcept {

@@ -4,10 +4,13 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
+static_assert(implements<req::CO_FRAME_002>);
 /// Lowest identifier first, and frames of one identifier in the order in which they were queued: a segment never
 /// overtakes the one before it.
 class TransmitQueue {
@@ -26,13 +29,24 @@ class TransmitQueue {
     /// The frame to be sent next; nullptr when there is none. Good until the queue is touched.
     const Frame* front() const noexcept { return (count_ == 0U) ? nullptr : &frames_[first_]; }
     /// Removes the frame to be sent next. Without one, gives an empty frame.
-    Frame pop() noexcept;
+    Frame pop() noexcept {
+        if (count_ == 0U) {
+            return Frame{};
+        }
+        const Frame next = frames_[first_];
+        first_ = (first_ + 1U) % capacity;
+        --count_;
+        boot_up_waits_ = false;
+        return next;
+    }
 
     /// While the controller is bus-off nothing can be sent: pending frames are dropped and new ones refused.
     void close() noexcept;
     void open() noexcept { open_ = true; }
 
   private:
+    /// Moves what goes behind a frame of this identifier one place on: the place that becomes free.
+    std::size_t make_room(std::uint32_t id) noexcept;
     Frame& place(const std::size_t at) noexcept { return frames_[(first_ + at) % capacity]; }
     std::uint32_t id_at(const std::size_t at) const noexcept { return frames_[(first_ + at) % capacity].id; }
 

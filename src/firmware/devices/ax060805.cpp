@@ -373,7 +373,7 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
     std::array<std::uint8_t, sizeof(float)> bytes{};
     write_le(MutableBytes{bytes}, 0U, sizeof(float), bit_cast<std::uint32_t>(value));
     if (entry.ok() && (objects_.check_value(entry.value(), ByteView{bytes}) == AbortCode::none)) {
-        objects_.put(entry.value(), ByteView{bytes});
+        static_cast<void>(objects_.put(entry.value(), ByteView{bytes}));
     }
 }
 

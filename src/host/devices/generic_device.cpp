@@ -53,17 +53,17 @@ GenericDevice::GenericDevice(GenericDescription description, NonVolatileMemory& 
       image_(rows_.layout.image.size()),
       objects_{tables_, MutableBytes{image_.data(), image_.size()}, description.profile.limit_abort},
       errors_{standard_errors()},
-      rpdos_(count_pdos(tables_, PdoDirection::receive)),
-      rpdo_lines_(count_mapping_lines(tables_, PdoDirection::receive)),
-      tpdos_(count_pdos(tables_, PdoDirection::transmit)),
-      tpdo_lines_(count_mapping_lines(tables_, PdoDirection::transmit)),
-      node_{objects_,
-            memory,
-            queue,
-            *this,
-            errors_,
-            description.profile,
-            {mutable_table(rpdos_), mutable_table(rpdo_lines_), mutable_table(tpdos_), mutable_table(tpdo_lines_)}} {}
+      received_(pdo_count(tables_, PdoDirection::receive)),
+      sent_(pdo_count(tables_, PdoDirection::transmit)),
+      received_lines_(received_.size() * pdo_lines(tables_)),
+      sent_lines_(sent_.size() * pdo_lines(tables_)),
+      node_{objects_, memory, queue, *this, errors_, description.profile, pdo_memory()} {}
+
+PdoMemory GenericDevice::pdo_memory() {
+    return {Slots<ReceivePdo>{received_.data(), received_.size()}, Slots<TransmitPdo>{sent_.data(), sent_.size()},
+            Slots<PdoLine>{received_lines_.data(), received_lines_.size()},
+            Slots<PdoLine>{sent_lines_.data(), sent_lines_.size()}};
+}
 
 void GenericDevice::lend(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
     domains_.push_back({index, subindex, size, {}, {}, 0, false});

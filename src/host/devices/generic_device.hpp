@@ -88,16 +88,17 @@ class GenericDevice final : private Application {
         bool holds_value{false};
     };
     Domain* domain(std::uint16_t index, std::uint8_t subindex);
+    PdoMemory pdo_memory();
 
     DictionaryRows rows_;
     DictionaryTables tables_;
     std::vector<std::uint8_t> image_;
     ObjectDictionary objects_;
     ErrorTable errors_;
-    std::vector<ReceivePdos::Rpdo> rpdos_;
-    std::vector<PdoMapping::Line> rpdo_lines_;
-    std::vector<TransmitPdos::Tpdo> tpdos_;
-    std::vector<PdoMapping::Line> tpdo_lines_;
+    std::vector<ReceivePdo> received_;
+    std::vector<TransmitPdo> sent_;
+    std::vector<PdoLine> received_lines_;
+    std::vector<PdoLine> sent_lines_;
     Node node_;
     int communication_errors_{0};
     LssConfiguration stored_{};

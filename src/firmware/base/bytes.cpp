@@ -1,0 +1,21 @@
+#include "firmware/base/bytes.hpp"
+
+namespace canproof {
+
+void MutableBytes::put_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
+    std::uint64_t rest{value};
+    for (std::size_t i = 0U; i < count; ++i) {
+        set(at + i, static_cast<std::uint8_t>(rest & 0xFFU));
+        rest >>= 8U;
+    }
+}
+
+std::uint64_t join_each(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
+    std::uint64_t value{0U};
+    for (std::size_t i = count; i > 0U; --i) {
+        value = (value << 8U) | bytes[at + (i - 1U)];
+    }
+    return value;
+}
+
+}  // namespace canproof

@@ -1,0 +1,37 @@
+// Places for a number of things that only the owner of the memory knows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace canproof {
+
+template <typename T>
+class Slots {
+  public:
+    constexpr Slots() noexcept = default;
+    constexpr Slots(T* const first, const std::size_t count) noexcept
+        : first_{first}, end_{first + count}, count_{count} {}
+    template <std::size_t N>
+    constexpr explicit Slots(std::array<T, N>& places) noexcept : Slots{places.data(), N} {}
+
+    constexpr std::size_t size() const noexcept { return count_; }
+    constexpr bool empty() const noexcept { return count_ == 0U; }
+    constexpr T* begin() const noexcept { return first_; }
+    constexpr T* end() const noexcept { return end_; }
+    /// Place `at`, which is below size().
+    constexpr T& operator[](const std::size_t at) const noexcept { return first_[at]; }
+    /// At most `count` places from `from`; fewer when there are no more.
+    constexpr Slots part(const std::size_t from, const std::size_t count) const noexcept {
+        const std::size_t start = (from < count_) ? from : count_;
+        const std::size_t rest = count_ - start;
+        return Slots{first_ + start, (count < rest) ? count : rest};
+    }
+
+  private:
+    T* first_{nullptr};
+    T* end_{nullptr};  ///< kept, for it is asked more often than the number
+    std::size_t count_{0U};
+};
+
+}  // namespace canproof
