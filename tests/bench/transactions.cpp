@@ -125,9 +125,7 @@ void receive_words(TestNode& node) {
 }
 
 void send_words(TestNode& node) {
-    node.device().node().process_value_changed(0x5F02, 1, node.now);
-    node.device().advance(node.now);
-    expect(node.take_answers() == 1 && node.last().id == 0x185, "one TPDO");
+    expect(node.change(0x5F02, 1) == 1 && node.last().id == 0x185, "one TPDO");
 }
 
 }  // namespace
@@ -154,6 +152,12 @@ void TestNode::pump() {
         device_->advance(now);
         take_answers();
     }
+}
+
+std::size_t TestNode::change(std::uint16_t index, std::uint8_t subindex) {
+    device_->node().process_value_changed(index, subindex, now);
+    device_->advance(now);
+    return take_answers();
 }
 
 std::size_t TestNode::take_answers() {

@@ -1,0 +1,55 @@
+// Many AX130751 at once, each in virtual time of its own: what a simulation costs that is driven by deadlines.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/devices/devices.hpp"
+
+namespace canproof::bench {
+
+/// Devices as shipped, node-IDs 1 to 127 over and over. They share no bus: a bus of 1 Mbit/s holds 127.
+class Fleet {
+  public:
+    explicit Fleet(std::size_t size, bool operational = true) {
+        for (std::size_t i = 0; i < size; ++i) {
+            devices_.push_back(host::make_ax130751());
+            devices_.back()->set_node_id(static_cast<int>(i % 127) + 1);
+            devices_.back()->power_on(now_);
+        }
+        if (operational) {
+            Frame start = data_frame(0x000, 2);  // to all nodes
+            start.data[0] = 0x01;
+            receive(start);
+        }
+    }
+
+    void receive(const Frame& frame) {
+        for (const auto& device : devices_) {
+            device->receive(frame, now_);
+        }
+    }
+    /// Runs every device until `length` later, each from deadline to deadline. Frames sent in that time.
+    std::size_t run(Duration length) {
+        const Instant end = now_ + length;
+        std::size_t frames = 0;
+        for (const auto& device : devices_) {
+            while (device->next_deadline() <= end) {
+                device->advance(device->next_deadline());
+                for (; !device->queue().empty(); ++frames) {
+                    device->queue().pop();
+                }
+            }
+        }
+        now_ = end;
+        return frames;
+    }
+    host::SimulatedDevice& device(std::size_t at) { return *devices_[at]; }
+    Instant now() const { return now_; }
+
+  private:
+    std::vector<std::unique_ptr<host::SimulatedDevice>> devices_;
+    Instant now_{};
+};
+
+}  // namespace canproof::bench
