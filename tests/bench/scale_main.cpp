@@ -1,7 +1,7 @@
 // How many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, operational as shipped, through
 // a hundred seconds of virtual time and leaves a table, a plot and their description there, as an exhibit of the pack
 // (src/host/evidence/exhibit.hpp). Ends with 1 when 1,000 are slower than real time, or a device of many costs more
-// than twice a device of a hundred. Times are of the processor, not of the clock on the wall.
+// than three times a device of a hundred. Times are of the processor, not of the clock on the wall.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ bool write_exhibit(const std::vector<Measured>& all, const std::filesystem::path
     };
     const Measured thousand = of(required);
     const double growth = all.back().microseconds_each() / of(100).microseconds_each();
-    const bool holds = thousand.times_real_time() >= 1.0 && growth <= 2.0;
+    const bool holds = thousand.times_real_time() >= 1.0 && growth <= 3.0;
     const nlohmann::ordered_json exhibit{
         {"title", "Simulated devices per core"},
         {"state", holds ? "holds" : "open"},
