@@ -204,7 +204,9 @@ void add_evidence(CLI::App& app, std::function<int()>& chosen) {
 void add_mutate(CLI::App& app, std::function<int()>& chosen) {
     static MutateOptions options;
     auto* command = app.add_subcommand("mutate", "alters each generated cell and asks whether a test notices");
-    command->add_option("SUBJECT", options.subject, "a device or an id; the whole register without it");
+    command->add_option("SUBJECT", options.subject,
+                        "a device or an id, with --code part of a file's path; everything without");
+    command->add_flag("--code", options.code, "the firmware's operators and conditions instead of generated cells");
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
     command->add_option("--programs", options.programs, "folder of the test programs; build/mutation without it");
     command->add_option("--sample", options.sample, "only so many cells, drawn by --seed");

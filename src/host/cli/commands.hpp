@@ -60,7 +60,8 @@ struct ReviewOptions {
 struct MutateOptions {
     std::string root{"."};
     std::string programs;  ///< folder; empty: build/mutation below the root
-    std::string subject;   ///< device, id or nothing
+    std::string subject;   ///< device, id or nothing; of code: part of a file's path
+    bool code{false};      ///< mutants of the firmware's code instead of generated cells
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};

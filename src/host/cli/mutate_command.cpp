@@ -1,4 +1,5 @@
-// mutate: every generated cell altered, one at a time; survivors without a recorded reason by requirement.
+// mutate: every generated cell altered, or every operator and condition of the firmware, one at a time; survivors
+// without a recorded reason by item.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,6 +9,8 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
+#include "host/mutation/code_exhibit.hpp"
+#include "host/mutation/code_mutation.hpp"
 #include "host/mutation/mutation.hpp"
 
 namespace canproof::host {
@@ -32,6 +35,15 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     return cells;
 }
 
+std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const std::string& file) {
+    const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
+    mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
+    if (mutants.empty()) {
+        throw InputError{fmt::format("no file of src/firmware with mutants has `{}` in its path", file)};
+    }
+    return mutants;
+}
+
 void print_survivors(const std::vector<MutationOutcome>& outcomes) {
     std::string item;
     for (const auto& outcome : outcomes) {
@@ -40,15 +52,16 @@ void print_survivors(const std::vector<MutationOutcome>& outcomes) {
         }
         if (outcome.cell.item != item) {
             item = outcome.cell.item;
-            fmt::print("{}{}\n", item, outcome.claimed ? "" : " (no test claims it)");
+            fmt::print("{}\n", item);
         }
-        fmt::print("  {}: {}\n", outcome.cell.cell, outcome.cell.change);
+        fmt::print("  {}: {}{}\n", outcome.cell.cell, outcome.cell.change,
+                   outcome.claimed ? "" : " (no test can notice)");
     }
 }
 
 void show_progress(std::size_t done, std::size_t all) {
     if (isatty(STDERR_FILENO) != 0) {
-        fmt::print(stderr, "\r{} of {} cells{}", done, all, done == all ? "\n" : "");
+        fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
     }
 }
 
@@ -58,27 +71,41 @@ int mutate(const MutateOptions& options) {
     const std::filesystem::path root{options.root};
     const auto programs =
         options.programs.empty() ? root / "build" / "mutation" : std::filesystem::path{options.programs};
-    const MutationSetup setup{programs / "canproof_tests", programs / "canproof_properties", programs / "verdicts",
-                              options.jobs};
-    const auto records = read_survivor_records(root / "reports" / "mutation.toml");
-    auto cells = chosen_cells(read_cells(setup.tests), sound_register(root / "spec"), options.subject);
+    const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
+    const auto records = read_survivor_records(record_file);
+    const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
+    auto cells = options.code ? chosen_mutants(all, options.subject)
+                              : chosen_cells(all, sound_register(root / "spec"), options.subject);
     const bool whole = options.subject.empty() && options.sample == 0;
     if (options.sample != 0) {
-        fmt::print("sample of {} of {} cells, seed {}\n", options.sample, cells.size(), options.seed);
+        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
         cells = sample_of(cells, options.sample, options.seed);
     }
-    auto outcomes = mutate_cells(setup, cells, [&](std::size_t done) { show_progress(done, cells.size()); });
+    const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
+    auto outcomes = options.code
+                        ? mutate_code({programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs},
+                                      cells, all.size(), progress)
+                        : mutate_cells({programs / "canproof_tests", programs / "canproof_properties",
+                                        programs / "verdicts", options.jobs},
+                                       cells, progress);
     const auto idle = justify(outcomes, records);
     print_survivors(outcomes);
     if (whole) {
-        write_file(programs / "mutation.json", write_mutation_json(outcomes));
+        write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
+        if (options.code) {
+            for (const auto& [name, bytes] : code_exhibit(outcomes)) {
+                write_file(root / "build" / "exhibits" / "code-mutation" / name, bytes);
+            }
+        }
         for (const SurvivorRecord* record : idle) {
-            fmt::print("reports/mutation.toml:{}: nothing survives that needs this record; remove it\n", record->line);
+            fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),
+                       record->line);
         }
     }
     const auto count = [&](const auto& which) { return std::count_if(outcomes.begin(), outcomes.end(), which); };
     const auto open = count([](const MutationOutcome& one) { return one.open(); });
-    fmt::print("{} cells altered, {} noticed, {} survive with a reason, {} without\n", outcomes.size(),
+    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", outcomes.size(),
+               options.code ? "places" : "cells",
                count([](const MutationOutcome& one) { return !one.killed_by.empty(); }),
                count([](const MutationOutcome& one) { return one.record != nullptr; }), open);
     return open == 0 && (!whole || idle.empty()) ? 0 : 1;

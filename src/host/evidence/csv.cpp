@@ -1,31 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/evidence/csv_line.hpp"
 #include "host/evidence/pack.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-/// RFC 4180: in quotes where a comma, a quote or a break stands in it.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
-        return text;
-    }
-    std::string quoted{"\""};
-    for (const char one : text) {
-        quoted += one == '"' ? "\"\"" : std::string(1, one);
-    }
-    return quoted + "\"";
-}
-
-std::string line(const std::vector<std::string>& fields) {
-    std::string text;
-    for (const auto& one : fields) {
-        text += (text.empty() ? "" : ",") + field(one);
-    }
-    return text + "\r\n";
-}
 
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, "; "));
@@ -45,27 +26,27 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
 
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence) {
     std::string text =
-        line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
+        csv_line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
     for (const auto& audit : audits) {
         for (const auto& one : audit.items) {
-            text += line({one.item->id, audit.part->name, one.word, one.item->text, joined(one.item->sources),
-                          joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
-                          tests_of(one.item->id, evidence), one.status()});
+            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text, joined(one.item->sources),
+                              joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
+                              tests_of(one.item->id, evidence), one.status()});
         }
     }
     return text;
 }
 
 std::string write_decisions_csv(const std::vector<PartAudit>& audits) {
-    std::string text = line({"id", "part", "question", "readings", "chosen", "because", "affects"});
+    std::string text = csv_line({"id", "part", "question", "readings", "chosen", "because", "affects"});
     for (const auto& audit : audits) {
         for (const auto& decision : audit.part->decisions) {
             std::vector<std::string> readings;
             for (const auto& reading : decision.readings) {
                 readings.push_back(fmt::format("{} ({})", reading.says, reading.source));
             }
-            text += line({decision.id, audit.part->name, decision.text, joined(readings), decision.chosen,
-                          decision.because, decision.affects.empty() ? decision.none : joined(decision.affects)});
+            text += csv_line({decision.id, audit.part->name, decision.text, joined(readings), decision.chosen,
+                              decision.because, decision.affects.empty() ? decision.none : joined(decision.affects)});
         }
     }
     return text;

@@ -35,8 +35,7 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
     return {path, filters_by_item(read_verdict_files(folder))};
 }
 
-MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& programs,
-                      const std::vector<std::unique_ptr<TestServer>>& servers) {
+MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& programs, const Servers& servers) {
     MutationOutcome outcome{cell, "", false, nullptr};
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
         if (const std::string* filter = programs[i].filter(cell.item)) {
@@ -83,12 +82,10 @@ std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::s
     return rest;
 }
 
-std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
-                                          const std::function<void(std::size_t)>& progress) {
-    std::vector<Program> programs{prepare(setup.tests, setup.verdicts)};
-    if (!setup.properties.empty()) {
-        programs.push_back(prepare(setup.properties, setup.verdicts));
-    }
+std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
+                                       const std::vector<std::filesystem::path>& programs, unsigned jobs,
+                                       const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,
+                                       const std::function<void(std::size_t)>& progress) {
     std::vector<MutationOutcome> outcomes(cells.size());
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
@@ -96,12 +93,12 @@ std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std:
     std::string trouble;
     const auto work = [&] {
         try {
-            std::vector<std::unique_ptr<TestServer>> servers;
-            for (const Program& program : programs) {
-                servers.push_back(std::make_unique<TestServer>(program.path));
+            Servers servers;
+            for (const auto& program : programs) {
+                servers.push_back(std::make_unique<TestServer>(program));
             }
             for (std::size_t at = next++; at < cells.size(); at = next++) {
-                outcomes[at] = judge(cells[at], programs, servers);
+                outcomes[at] = judge(cells[at], servers);
                 const std::scoped_lock lock{telling};
                 progress(++done);
             }
@@ -111,7 +108,7 @@ std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std:
         }
     };
     std::vector<std::thread> workers;
-    for (unsigned i = 0; i < std::max(1U, setup.jobs); ++i) {
+    for (unsigned i = 0; i < std::max(1U, jobs); ++i) {
         workers.emplace_back(work);
     }
     for (auto& worker : workers) {
@@ -121,6 +118,19 @@ std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std:
         throw InputError{trouble};
     }
     return outcomes;
+}
+
+std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
+                                          const std::function<void(std::size_t)>& progress) {
+    std::vector<Program> programs{prepare(setup.tests, setup.verdicts)};
+    std::vector<std::filesystem::path> paths{setup.tests};
+    if (!setup.properties.empty()) {
+        programs.push_back(prepare(setup.properties, setup.verdicts));
+        paths.push_back(setup.properties);
+    }
+    return judge_all(
+        cells, paths, setup.jobs,
+        [&](const AlteredCell& cell, const Servers& servers) { return judge(cell, programs, servers); }, progress);
 }
 
 }  // namespace canproof::host

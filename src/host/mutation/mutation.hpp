@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,15 @@ struct MutationSetup {
 /// `progress` is told how many are done.
 std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
                                           const std::function<void(std::size_t)>& progress);
+
+using Servers = std::vector<std::unique_ptr<TestServer>>;
+
+/// Has each cell judged, `jobs` at a time, each by servers of its own, one a program. `progress` is told how many are
+/// done. Throws InputError when a server is lost.
+std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
+                                       const std::vector<std::filesystem::path>& programs, unsigned jobs,
+                                       const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,
+                                       const std::function<void(std::size_t)>& progress);
 
 /// Gives survivors their records. The records that no survivor needs.
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,

@@ -79,8 +79,10 @@ bool fails_when_started_altered(const std::filesystem::path& program, std::size_
     return wait_for_process(process) != 0;
 }
 
-bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts) {
-    return wait_for_process(start_process({program.string(), "--gtest_output=xml:" + verdicts.string()}, {}, {})) == 0;
+bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
+                   const std::vector<std::string>& more_environment) {
+    return wait_for_process(
+               start_process({program.string(), "--gtest_output=xml:" + verdicts.string()}, more_environment, {})) == 0;
 }
 
 }  // namespace canproof::host

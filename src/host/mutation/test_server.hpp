@@ -42,7 +42,8 @@ class TestServer {
 /// Runs the program anew with the cell altered before anything is computed from it; whether a test failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
-/// Runs all tests unaltered and leaves their verdicts; whether all passed.
-bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts);
+/// Runs all tests unaltered and leaves their verdicts; whether all passed. `more_environment`: `NAME=value`.
+bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
+                   const std::vector<std::string>& more_environment = {});
 
 }  // namespace canproof::host

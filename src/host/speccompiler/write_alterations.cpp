@@ -132,6 +132,7 @@ class ObjectAlterations {
     void add_entry(const Placement& place) {
         const EntryRow& entry = rows_.entries[at_];
         add(sub("sub-index"), "is missing", row("subindex"), 0xF0U);
+        add_type(entry);
         if (place.size > 0) {
             add_size(place);
             add_default(place);
@@ -139,6 +140,26 @@ class ObjectAlterations {
         add_rights(entry, place);
         if (entry.limit != no_limit) {
             add_limits(entry);
+        }
+    }
+
+    /// The type of the same length that differs in its sign, or in how the bytes are read.
+    void add_type(const EntryRow& entry) {
+        static const std::pair<DataType, DataType> pairs[] = {
+            {DataType::boolean, DataType::unsigned8},    {DataType::unsigned8, DataType::integer8},
+            {DataType::integer8, DataType::unsigned8},   {DataType::unsigned16, DataType::integer16},
+            {DataType::integer16, DataType::unsigned16}, {DataType::unsigned32, DataType::integer32},
+            {DataType::integer32, DataType::unsigned32}, {DataType::real32, DataType::unsigned32},
+            {DataType::unsigned64, DataType::integer64}, {DataType::integer64, DataType::unsigned64},
+            {DataType::real64, DataType::unsigned64},    {DataType::visible_string, DataType::octet_string},
+            {DataType::octet_string, DataType::domain},  {DataType::domain, DataType::octet_string},
+        };
+        for (const auto& [type, other] : pairs) {
+            if (entry.type == type) {
+                add(sub("type"),
+                    fmt::format("{:02X}h -> {:02X}h", static_cast<unsigned>(type), static_cast<unsigned>(other)),
+                    row("type"), static_cast<std::uint64_t>(other));
+            }
         }
     }
 

@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "host/bus/candump.hpp"
+#include "host/mutation/code_exhibit.hpp"
+#include "host/mutation/code_mutation.hpp"
 #include "host/speccompiler/alter_value.hpp"
 #include "host/speccompiler/small_register.hpp"
 #include "host/speccompiler/writers.hpp"
@@ -78,6 +80,7 @@ TEST(Alterations, OfAnObjectAreItsDefaultLimitsAccessAndMapping) {
          R"("sub 0 minimum", "0 -> 1", &box::limit_rows[0U].minimum.bits)",
          R"("sub 0 maximum", "9 -> 10", &box::limit_rows[0U].maximum.bits)",
          R"("sub 0 maximum", "9 -> 8", &box::limit_rows[0U].maximum.bits)",
+         R"("sub 0 type", "05h -> 02h", &box::entry_rows[0U].type)",
          // read 01h, write 02h, TPDO 08h, stored 10h: 1Bh; each alteration turns one bit
          R"("sub 0 writable", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x19U)",
          R"("sub 0 TPDO mapping", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x13U)",
@@ -188,6 +191,39 @@ TEST(MutationReport, IsReadBackByItem) {
     EXPECT_EQ(counts.at("A").altered, 2U);
     EXPECT_EQ(counts.at("A").noticed, 1U);
     EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
+}
+
+TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
+    const RecordFile file{"Suite.First\t0.250\t0\t7\nSuite.Second\t0.001\n"};
+    const auto tests = read_told(file.path());
+    ASSERT_EQ(tests.size(), 2U);
+    EXPECT_EQ(tests[0].name, "Suite.First");
+    EXPECT_EQ(tests[0].seconds, 0.25);
+    EXPECT_EQ(tests[0].mutants, (std::vector<std::size_t>{0, 7}));
+    EXPECT_TRUE(tests[1].mutants.empty());
+    EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
+}
+
+TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
+    const std::vector<ToldTest> tests{
+        {"S.Slow", 5.0, {0, 1}}, {"S.Quick", 0.5, {0}}, {"S.Middling", 1.0, {0}}, {"S.Other", 1.0, {0}}};
+    EXPECT_EQ(filters_by_mutant(tests, 3, 2.0), (std::vector<std::string>{"S.Quick:S.Middling", "S.Slow", ""}));
+}
+
+TEST(CodeMutation, ExhibitSaysWhatSurvives) {
+    const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
+    std::vector<MutationOutcome> outcomes{{{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr},
+                                          {{1, "src/a.cpp", "f, line 2", "a, b -> false"}, "", true, nullptr},
+                                          {{2, "src/a.cpp", "f, line 3", "x -> true"}, "", true, &record}};
+    auto files = code_exhibit(outcomes);
+    EXPECT_THAT(files.at("exhibit.json"), HasSubstr(R"("state": "open")"));
+    EXPECT_THAT(files.at("exhibit.json"), HasSubstr("3 mutants of src/firmware, 33.3 % noticed by a test; 1 survive"));
+    EXPECT_EQ(files.at("survivors.csv"),
+              "file,place,change,reason\r\nsrc/a.cpp,\"f, line 2\",\"a, b -> false\",open\r\n"
+              "src/a.cpp,\"f, line 3\",x -> true,the same either way\r\n");
+    EXPECT_EQ(files.at("files.csv"), "file,altered,noticed,with a reason\r\nsrc/a.cpp,3,1,1\r\n");
+    outcomes.erase(outcomes.begin() + 1);
+    EXPECT_THAT(code_exhibit(outcomes).at("exhibit.json"), HasSubstr(R"("state": "holds")"));
 }
 
 }  // namespace canproof::host::test

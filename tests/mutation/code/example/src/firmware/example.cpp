@@ -1,0 +1,33 @@
+// What schemata_check.cpp has mutated: one operator or condition a function.
+namespace canproof {
+
+bool less(const unsigned a, const unsigned b) noexcept {
+    return a < b;
+}
+bool both(const bool a, const bool b) noexcept {
+    return a && b;
+}
+bool neither(const bool a, const bool b) noexcept {
+    return !(a || b);
+}
+unsigned chosen_by(const unsigned a, const unsigned b) noexcept {
+    return (a == b) ? 1U : 2U;
+}
+unsigned sum(const unsigned a, const unsigned b) noexcept {
+    return a + b;
+}
+unsigned added(const unsigned a, const unsigned b) noexcept {
+    unsigned total = a;
+    total += b;
+    return total;
+}
+constexpr unsigned twice(const unsigned a) noexcept {
+    return a * 2U;
+}
+static_assert(twice(4U) == 8U);
+unsigned of_a_constant() noexcept {
+    constexpr unsigned eight = twice(4U);
+    return eight;
+}
+
+}  // namespace canproof

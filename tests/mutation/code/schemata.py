@@ -1,0 +1,357 @@
+#!/usr/bin/python3
+"""Writes src/firmware anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
+
+A comparison becomes true, false, and the one with equality moved; any other condition true and false; && becomes || and
+back; + - * / % << >> & | ^, alone and before =, become another of them. What stands in a constant expression stays: a
+mutant there would not be one of the running program.
+
+    schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
+
+Writes OUTPUT_FOLDER/src/firmware/… and OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
+import collections
+import json
+import os
+import sys
+from concurrent.futures import ProcessPoolExecutor
+
+import clang.cindex
+from clang.cindex import CursorKind as K
+
+COMPARISONS = {"<": ("less", "<="), "<=": ("less_equal", "<"), ">": ("greater", ">="), ">=": ("greater_equal", ">")}
+EQUALITIES = {"==", "!="}
+ARITHMETIC = {"+": ("plus", "-"), "-": ("minus", "+"), "*": ("times", "/"), "/": ("over", "*"), "%": ("modulo", "*"),
+              "<<": ("left", ">>"), ">>": ("right", "<<"), "&": ("bit_and", "|"), "|": ("bit_or", "&"), "^": ("bit_xor", "|")}
+FUNCTIONS = {K.FUNCTION_DECL, K.CXX_METHOD, K.CONSTRUCTOR, K.DESTRUCTOR, K.FUNCTION_TEMPLATE, K.CONVERSION_FUNCTION}
+WRAPPERS = {K.PAREN_EXPR, K.UNEXPOSED_EXPR}
+SPACE = "::canproof::mutants::"
+
+
+class Rewriter:
+    """The edits of one file. Mutants are numbered from 0; `NUMBER[n]` in the text stands for the final number."""
+
+    def __init__(self, path, name):
+        self.path = path
+        self.name = name  # within the repository
+        self.text = open(path, "rb").read()
+        self.opens = collections.defaultdict(list)   # offset: what begins there, the outermost first
+        self.closes = collections.defaultdict(list)  # offset: what ends there, the innermost first
+        self.removed = {}                            # offset of an operator: its length
+        self.mutants = []                            # (line, function, original, mutated)
+        self.function = ""
+
+    def source(self, cursor):
+        return self.text[cursor.extent.start.offset:cursor.extent.end.offset].decode()
+
+    def mutant(self, cursor, mutated):
+        self.mutants.append((cursor.extent.start.line, self.function, " ".join(self.source(cursor).split()), mutated))
+        return len(self.mutants) - 1
+
+    def wrap(self, cursor, before, after):
+        self.opens[cursor.extent.start.offset].append(before)
+        return cursor.extent.end.offset, after
+
+    def close(self, at, text):
+        self.closes[at].append(text)
+
+    # Which tokens and operands an expression has.
+
+    def operator_of(self, cursor):
+        """(operator, its offset, left, right) of a binary operator, built in or of a class; nothing for other cursors."""
+        children = list(cursor.get_children())
+        if cursor.kind in (K.BINARY_OPERATOR, K.COMPOUND_ASSIGNMENT_OPERATOR) and len(children) == 2:
+            first, last = children
+        elif cursor.kind == K.CALL_EXPR and cursor.spelling.startswith("operator") and len(children) == 3:
+            first, _, last = children
+        else:
+            return None
+        start, end = first.extent.end.offset, last.extent.start.offset
+        between = self.text[start:end].decode()
+        sign = between.strip().rstrip("(").strip()
+        if not sign or any(c.isalnum() or c in "(),;{}" for c in sign):
+            return None
+        return sign, start + between.index(sign), first, last
+
+    @staticmethod
+    def core(cursor):
+        """The expression without parentheses and conversions around it."""
+        while cursor.kind in WRAPPERS:
+            children = list(cursor.get_children())
+            if len(children) != 1:
+                return cursor
+            cursor = children[0]
+        return cursor
+
+    # What is rewritten.
+
+    def call(self, cursor, function, numbers, operator, at, first, last):
+        """`a OP b` becomes `function(number, (a), (b))`."""
+        end, after = self.wrap(cursor, f"{SPACE}{function}(NUMBER[{numbers}], (", "))")
+        self.removed[at] = (len(operator), "), (")
+        self.visit(first)
+        self.visit(last)
+        self.close(end, after)
+
+    def forced(self, cursor, inside):
+        number = self.mutant(cursor, "true")
+        self.mutant(cursor, "false")
+        end, after = self.wrap(cursor, f"{SPACE}forced(NUMBER[{number}], (", "))")
+        inside()
+        self.close(end, after)
+
+    def condition(self, cursor):
+        """An expression that decides something."""
+        core = self.core(cursor)
+        operation = self.operator_of(core)
+        if operation and operation[0] in ("&&", "||") and core.kind == K.BINARY_OPERATOR:
+            self.logical(core, operation)
+        elif operation and (operation[0] in COMPARISONS or operation[0] in EQUALITIES):
+            self.comparison(core, operation)
+        elif core.kind == K.UNARY_OPERATOR and self.source(core).startswith("!") and \
+                (self.operator_of(self.core(next(core.get_children()))) or ("",))[0] in ("&&", "||"):
+            self.condition(next(core.get_children()))
+        elif core.kind == K.CXX_BOOL_LITERAL_EXPR:
+            pass
+        else:
+            self.forced(cursor, lambda: self.children(core))
+
+    def logical(self, cursor, operation):
+        sign, _, first, last = operation
+        number = self.mutant(cursor, f"{'||' if sign == '&&' else '&&'}")
+        flag = f"{SPACE}turned(NUMBER[{number}])"
+        # The flag is asked once for each part: that tells the same each time.
+        end, after = self.wrap(cursor, f"static_cast<bool>({flag} != (", "))")
+        for part in (first, last):
+            stop, finish = self.wrap(part, f"({flag} != static_cast<bool>(", "))")
+            self.condition(part)
+            self.close(stop, finish)
+        self.close(end, after)
+
+    def comparison(self, cursor, operation):
+        sign, at, first, last = operation
+        same = first.type.get_canonical().spelling.replace("const ", "") == last.type.get_canonical().spelling.replace("const ", "")
+        if sign in COMPARISONS and (cursor.kind == K.BINARY_OPERATOR or same) and "dependent" not in first.type.spelling:
+            function, boundary = COMPARISONS[sign]
+            if cursor.kind == K.BINARY_OPERATOR:
+                number = self.mutant(cursor, "true")
+                self.mutant(cursor, "false")
+                self.mutant(cursor, boundary)
+                self.call(cursor, function, number, sign, at, first, last)
+                return
+        self.forced(cursor, lambda: (self.visit(first), self.visit(last)))
+
+    def arithmetic(self, cursor, operation):
+        sign, at, first, last = operation
+        function, other = ARITHMETIC[sign]
+        self.call(cursor, function, self.mutant(cursor, other), sign, at, first, last)
+
+    def assignment(self, cursor, operation):
+        sign, at, first, last = operation
+        function, other = ARITHMETIC[sign[:-1]]
+        target = self.source(first)
+        if any(c in target for c in "(+-") or first.type.get_canonical().kind.name not in (
+                "UCHAR", "USHORT", "UINT", "ULONG", "ULONGLONG", "SCHAR", "SHORT", "INT", "LONG", "LONGLONG", "FLOAT", "DOUBLE"):
+            self.children(cursor)  # evaluating it twice might do something twice
+            return
+        number = self.mutant(cursor, other + "=")
+        end, after = self.wrap(cursor, f"{SPACE}assigned({target}, {SPACE}{function}(NUMBER[{number}], (", ")))")
+        self.removed[at] = (len(sign), "), (")
+        self.visit(last)
+        self.close(end, after)
+
+    # Walking.
+
+    def children(self, cursor):
+        for child in cursor.get_children():
+            self.visit(child)
+
+    def visit(self, cursor):
+        kind = cursor.kind
+        if kind in (K.STATIC_ASSERT, K.CXX_UNARY_EXPR, K.TYPEDEF_DECL, K.TYPE_ALIAS_DECL, K.ENUM_DECL):
+            return
+        if kind in (K.VAR_DECL,) and self.source(cursor).startswith(("constexpr ", "static constexpr ")):
+            return
+        operation = self.operator_of(cursor)
+        if operation:
+            sign = operation[0]
+            if sign in ("&&", "||") and kind == K.BINARY_OPERATOR:
+                self.logical(cursor, operation)
+                return
+            if sign in COMPARISONS or sign in EQUALITIES:
+                self.comparison(cursor, operation)
+                return
+            if kind == K.BINARY_OPERATOR and sign in ARITHMETIC:
+                self.arithmetic(cursor, operation)
+                return
+            if kind == K.COMPOUND_ASSIGNMENT_OPERATOR and sign[:-1] in ARITHMETIC:
+                self.assignment(cursor, operation)
+                return
+        visitor = {K.IF_STMT: self.if_statement, K.WHILE_STMT: self.loop, K.DO_STMT: self.loop, K.FOR_STMT: self.for_statement,
+                   K.CONDITIONAL_OPERATOR: self.choice, K.RETURN_STMT: self.result, K.CASE_STMT: self.case}.get(kind)
+        if visitor:
+            visitor(cursor)
+        else:
+            self.children(cursor)
+
+    def split(self, cursor, decides):
+        for child in cursor.get_children():
+            if decides(child):
+                self.condition(child)
+            else:
+                self.visit(child)
+
+    def if_statement(self, cursor):
+        if self.source(cursor).startswith("if constexpr"):
+            for child in cursor.get_children():
+                if child.kind.is_statement():
+                    self.visit(child)
+            return
+        expressions = [c for c in cursor.get_children() if c.kind.is_expression()]
+        self.split(cursor, lambda child: expressions and child == expressions[0])
+
+    def loop(self, cursor):
+        self.split(cursor, lambda child: child.kind.is_expression())
+
+    def for_statement(self, cursor):
+        """The condition stands between the two semicolons of the head."""
+        depth, signs = 0, []
+        for token in cursor.get_tokens():
+            depth += {"(": 1, ")": -1, "{": 1, "}": -1}.get(token.spelling, 0)
+            if token.spelling == ";" and depth == 1:
+                signs.append(token.extent.start.offset)
+            if len(signs) == 2:
+                break
+        self.split(cursor, lambda child: child.kind.is_expression() and len(signs) == 2
+                   and signs[0] < child.extent.start.offset < signs[1])
+
+    def choice(self, cursor):
+        parts = list(cursor.get_children())
+        self.condition(parts[0])
+        for part in parts[1:]:
+            self.visit(part)
+
+    def result(self, cursor):
+        for child in cursor.get_children():
+            if child.type.get_canonical().kind.name == "BOOL":
+                self.condition(child)
+            else:
+                self.visit(child)
+
+    def case(self, cursor):
+        for child in list(cursor.get_children())[1:]:
+            self.visit(child)
+
+    def declarations(self, cursor, scope=""):
+        """Bodies of functions; nothing outside them runs."""
+        for child in cursor.get_children():
+            if child.location.file is None or child.location.file.name != self.path:
+                continue
+            if child.kind in FUNCTIONS:
+                owner = child.semantic_parent.spelling if child.semantic_parent is not None else ""
+                self.function = (owner + "::" if owner and child.semantic_parent.kind != K.NAMESPACE else "") + child.spelling
+                for part in child.get_children():
+                    if part.kind == K.COMPOUND_STMT:
+                        self.visit(part)
+            elif child.kind in (K.NAMESPACE, K.CLASS_DECL, K.STRUCT_DECL, K.CLASS_TEMPLATE,
+                                K.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, K.LINKAGE_SPEC, K.UNEXPOSED_DECL):
+                self.declarations(child)
+
+    def result_text(self):
+        out, at = [], 0
+        places = sorted(set(self.opens) | set(self.closes) | set(self.removed))
+        for place in places:
+            out.append(self.text[at:place].decode())
+            at = max(at, place)
+            out += self.closes.get(place, [])
+            out += self.opens.get(place, [])
+            if place in self.removed:
+                length, instead = self.removed[place]
+                out.append(instead)
+                at = place + length
+        out.append(self.text[at:].decode())
+        return "".join(out)
+
+
+def rewrite(job):
+    path, name, arguments = job
+    index = clang.cindex.Index.create()
+    unit = index.parse(path, args=["-x", "c++", *arguments])
+    errors = [d.format() for d in unit.diagnostics if d.severity >= clang.cindex.Diagnostic.Error]
+    if errors:
+        raise SystemExit("\n".join(errors[:5]))
+    rewriter = Rewriter(path, name)
+    rewriter.declarations(unit.cursor)
+    return name, rewriter.result_text(), rewriter.mutants
+
+
+def number_text(text, first):
+    """The text with NUMBER[n] as numbers of the program, from `first` on."""
+    parts = text.split("NUMBER[")
+    out = [parts[0]]
+    for part in parts[1:]:
+        digits, rest = part.split("]", 1)
+        out.append(f"{first + int(digits)}U{rest}")
+    return "".join(out)
+
+
+def write_changed(path, text):
+    """Leaves a file alone that holds this already: nothing is compiled anew."""
+    if os.path.exists(path) and open(path, encoding="utf-8").read() == text:
+        return
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as out:
+        out.write(text)
+
+
+LIST = """// Written by tests/mutation/code/schemata.py: the mutants of src/firmware.
+#include <iterator>
+
+#include "host/mutation/alteration.hpp"
+
+namespace canproof::mutants {{
+unsigned chosen = 0U;
+unsigned char* told = nullptr;
+}}  // namespace canproof::mutants
+
+namespace canproof::host {{
+
+namespace {{
+
+// {{file, function and line, change, address, size, number}}
+const Alteration all[] = {{
+{lines}}};
+
+}}  // namespace
+
+Alterations generated_alterations() {{
+    return {{all, std::size(all)}};
+}}
+
+}}  // namespace canproof::host
+"""
+
+
+def main():
+    source, output, *arguments = sys.argv[1:]
+    root = os.path.join(source, "src", "firmware")
+    jobs = []
+    for folder, _, files in sorted(os.walk(root)):
+        for file in sorted(files):
+            if file.endswith((".cpp", ".hpp")):
+                path = os.path.join(folder, file)
+                jobs.append((path, os.path.relpath(path, source), arguments))
+    lines, first = [], 1
+    with ProcessPoolExecutor(max_workers=2) as pool:
+        for name, text, mutants in pool.map(rewrite, jobs, chunksize=4):
+            write_changed(os.path.join(output, name), number_text(text, first))
+            for offset, (line, function, original, mutated) in enumerate(mutants):
+                cell = json.dumps(f"{function}, line {line}")
+                lines.append(f"    {{{json.dumps(name)}, {cell}, {json.dumps(original + ' -> ' + mutated, ensure_ascii=False)}, "
+                             f"&mutants::chosen, sizeof(unsigned), {first + offset}U}},\n")
+            first += len(mutants)
+    write_changed(os.path.join(output, "mutants.cpp"), LIST.format(lines="".join(lines)))
+    print(f"{first - 1} mutants in {len(jobs)} files")
+
+
+if __name__ == "__main__":
+    clang.cindex.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
+    main()
