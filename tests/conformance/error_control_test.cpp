@@ -30,6 +30,39 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
     EXPECT_EQ(pass(100), (Frames{"100:703#7F"}));
 }
 
+TEST_F(ErrorControlService, AHeartbeatThatComesLateIsSentOnceAndThePeriodBeginsAnew) {
+    verifies<req::CO_HB_001>();
+    write("603#2B17100064000000");  // 100 ms; those of 100, 200 and 300 ms are due when time is told again
+    now = now + milliseconds(350);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"703#7F"}));
+    EXPECT_TRUE(pass(99).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:703#7F"}));
+}
+
+TEST_F(ErrorControlService, AnExtendedFrameIsNoHeartbeat) {
+    verifies<req::CO_HB_002>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    send("00000731#05");
+    EXPECT_TRUE(pass(1000).empty());
+    send("731#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+}
+
+TEST_F(ErrorControlService, ARunningLifeGuardingGoesOnWithANewTimeAndEndsWithNone) {
+    verifies<req::CO_GUARD_002>();
+    write("603#2B0C100064000000");  // 100 ms …
+    write("603#2F0D100003000000");  // … times 3
+    send("703#R1");
+    EXPECT_TRUE(pass(200).empty());
+    write("603#2B0C1000C8000000");  // 200 ms, from now on
+    EXPECT_TRUE(pass(599).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
+    send("703#R1");
+    write("603#2B0C100000000000");
+    EXPECT_TRUE(pass(2000).empty());
+}
+
 TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
     verifies<req::CO_HB_002, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms

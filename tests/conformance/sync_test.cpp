@@ -67,6 +67,24 @@ TEST_F(SyncService, IsProducedEachPeriod) {
     EXPECT_TRUE(pass(20).empty());
 }
 
+TEST_F(SyncService, OneThatComesLateIsNotMadeUpFor) {
+    verifies<req::CO_SYNC_003>();
+    write("603#2306100088130000");  // 5000 us
+    write("603#2305100080000040");
+    now = now + milliseconds(17);  // those of 5, 10 and 15 ms are due
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"080#"}));
+    EXPECT_EQ(pass(6), (Frames{"5:080#"}));
+}
+
+TEST_F(SyncService, IsNotProducedWithoutAPeriod) {
+    verifies<req::CO_SYNC_003>();
+    write("603#2305100080000040");  // a producer without a period
+    EXPECT_TRUE(pass(20).empty());
+    write("603#2306100088130000");
+    EXPECT_EQ(pass(5), (Frames{"5:080#"}));
+}
+
 TEST_F(SyncService, CounterRunsFromOneToItsOverflow) {
     verifies<req::CO_SYNC_004>();
     write("603#2F19100003000000");

@@ -345,6 +345,26 @@ TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
     EXPECT_EQ(oldest_file(root).string(), "");
 }
 
+TEST(Verdicts, AreThoseOfTheLastRun) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "verdicts";
+    EXPECT_EQ(newest_verdicts(root).string(), (root / "build/release/verdicts").string());
+    const auto now = fs::file_time_type::clock::now();
+    const auto run = [&](const char* preset, std::chrono::seconds age) {
+        const fs::path folder = root / "build" / preset / "verdicts";
+        fs::create_directories(folder);
+        std::ofstream{folder / "tests.xml"} << "<testsuites/>";
+        fs::last_write_time(folder / "tests.xml", now - age);
+        return folder.string();
+    };
+    run("release", std::chrono::seconds{30});
+    const std::string coverage = run("coverage", std::chrono::seconds{10});
+    run("debug", std::chrono::seconds{20});
+    run("mutation", std::chrono::seconds{1});  // of altered tables
+    EXPECT_EQ(newest_verdicts(root).string(), coverage);
+    fs::remove_all(root);
+}
+
 TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {
     const auto file = std::filesystem::path{::testing::TempDir()} / "argument.toml";
     const auto told = [&](const char* text) {
