@@ -117,7 +117,8 @@ RC_GTEST_PROP(LogicLaw, AtMostOneTableAndTheFirstThatHolds, ()) {
     }
     const auto first = std::find(holds.begin(), holds.end(), true);
     const auto expected = first == holds.end() ? 0 : first - holds.begin();
-    RC_ASSERT(select_function(functions) == static_cast<std::size_t>(expected));
+    RC_ASSERT(select_function([&](std::size_t number) { return functions[number]; }) ==
+              static_cast<std::size_t>(expected));
 }
 
 RC_GTEST_PROP(LogicLaw, OutputIsAPercentage, (std::int16_t value, std::int16_t a, std::int16_t b)) {

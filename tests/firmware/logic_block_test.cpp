@@ -34,6 +34,11 @@ LogicFunction function(std::uint8_t logical, ConditionResult first) {
     return made;
 }
 
+/// The index of the function that is chosen of A, B and C.
+std::size_t chosen(const std::array<LogicFunction, logic_functions>& functions) {
+    return select_function([&](std::size_t number) { return functions[number]; });
+}
+
 }  // namespace
 
 TEST(LogicBlock, ComparisonsOfTable16) {
@@ -90,22 +95,28 @@ TEST(LogicBlock, OperatorsOfTables18And19) {
 
 TEST(LogicBlock, TheFirstFunctionThatHoldsIsChosen) {
     verifies<req::AOR_LOGIC_003>();
-    EXPECT_EQ(select_function({function(1, yes), function(1, yes), function(0, na)}), 0U);
-    EXPECT_EQ(select_function({function(1, no), function(1, yes), function(0, na)}), 1U);
-    EXPECT_EQ(select_function({function(1, no), function(1, err), function(0, na)}), 2U);
-    EXPECT_EQ(select_function({function(1, no), function(0, na), function(1, yes)}), 1U)
+    EXPECT_EQ(chosen({function(1, yes), function(1, yes), function(0, na)}), 0U);
+    EXPECT_EQ(chosen({function(1, no), function(1, yes), function(0, na)}), 1U);
+    EXPECT_EQ(chosen({function(1, no), function(1, err), function(0, na)}), 2U);
+    EXPECT_EQ(chosen({function(1, no), function(0, na), function(1, yes)}), 1U)
         << "a default is taken as soon as it is reached";
+    std::size_t looked_at = 0;
+    select_function([&](std::size_t number) {
+        ++looked_at;
+        return number == 1 ? function(1, yes) : function(1, no);
+    });
+    EXPECT_EQ(looked_at, 2U) << "C has no turn";
 }
 
 TEST(LogicBlock, WithoutConditionsAndHolds) {
     verifies<req::AOR_LOGIC_004>();
-    EXPECT_EQ(select_function({function(1, na), function(1, yes), function(0, na)}), 0U);
-    EXPECT_EQ(select_function({function(2, na), function(2, yes), function(0, na)}), 1U);
+    EXPECT_EQ(chosen({function(1, na), function(1, yes), function(0, na)}), 0U);
+    EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);
 }
 
 TEST(LogicBlock, WithoutADefaultTableAIsIt) {
     verifies<req::AOR_LOGIC_005>();
-    EXPECT_EQ(select_function({function(1, no), function(1, no), function(1, no)}), 0U);
+    EXPECT_EQ(chosen({function(1, no), function(1, no), function(1, no)}), 0U);
 }
 
 TEST(LogicBlock, OutputIsAPercentageOfTheTablesLimits) {

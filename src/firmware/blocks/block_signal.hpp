@@ -1,6 +1,7 @@
 // What one function block hands to another.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -26,27 +27,33 @@ struct BlockSignal {
 
 /// Ten to the number of decimal digits, 0…4; more count as 4.
 constexpr double power_of_ten(const std::uint8_t digits) noexcept {
+    constexpr std::array<double, 5U> powers{{1.0, 10.0, 100.0, 1000.0, 10000.0}};
     constexpr std::uint32_t most = 4U;
-    const std::uint32_t count = (digits < most) ? digits : most;
-    double power = 1.0;
-    for (std::uint32_t digit = 0U; digit < count; ++digit) {
-        power *= 10.0;
-    }
-    return power;
+    return powers[(digits < most) ? digits : most];
 }
 
 /// What an integer with decimal digits stands for: 1234 with two digits is 12.34. Equal values with different digits
 /// give the same number, for the quotient is rounded once.
 constexpr double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
-    return static_cast<double>(integer) / power_of_ten(digits);
+    const double whole = static_cast<double>(integer);
+    return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // the FPU of a Cortex-M4F divides no doubles
+}
+
+/// The smaller of two numbers; the second when the first is none. One comparison, where std::fmin sorts out every NaN.
+constexpr double lesser(const double a, const double b) noexcept {
+    return (a < b) ? a : b;
+}
+/// The greater of two numbers; the second when the first is none.
+constexpr double greater(const double a, const double b) noexcept {
+    return (a > b) ? a : b;
 }
 
 /// The 16-bit integer that stands for a value, the nearest (halves away from zero), held at the ends of the type.
 inline std::int16_t process_value(const double value, const std::uint8_t digits) noexcept {
-    const double nearest = std::round(value * power_of_ten(digits));
     constexpr double least = -32768.0;
-    constexpr double greatest = 32767.0;
-    return static_cast<std::int16_t>(std::fmin(std::fmax(nearest, least), greatest));
+    constexpr double most = 32767.0;
+    const double scaled = (digits == 0U) ? value : (value * power_of_ten(digits));
+    return static_cast<std::int16_t>(std::round(lesser(greater(scaled, least), most)));
 }
 
 }  // namespace canproof

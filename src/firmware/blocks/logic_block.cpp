@@ -49,16 +49,10 @@ bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic
 }
 
 static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);
-std::size_t select_function(const std::array<LogicFunction, logic_functions>& functions) noexcept {
-    for (std::size_t number = 0U; number < logic_functions; ++number) {
-        const LogicFunction& function = functions[number];
-        const std::array<ConditionResult, logic_conditions> results{
-            {evaluate(function.conditions[0U]), evaluate(function.conditions[1U]), evaluate(function.conditions[2U])}};
-        if (selects(function.logical, results)) {
-            return number;
-        }
-    }
-    return 0U;
+bool selects(const LogicFunction& function) noexcept {
+    const std::array<ConditionResult, logic_conditions> results{
+        {evaluate(function.conditions[0U]), evaluate(function.conditions[1U]), evaluate(function.conditions[2U])}};
+    return selects(function.logical, results);
 }
 
 static_assert(implements<req::AOR_LOGIC_007>);

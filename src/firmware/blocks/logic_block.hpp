@@ -31,8 +31,20 @@ ConditionResult evaluate(const LogicCondition& condition) noexcept;
 /// Tables 18 and 19 for the results of the three conditions.
 bool selects(std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept;
 
-/// The function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, else A.
-std::size_t select_function(const std::array<LogicFunction, logic_functions>& functions) noexcept;
+/// Whether its three conditions let a function select its table.
+bool selects(const LogicFunction& function) noexcept;
+
+/// The function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, else A. `function_at` gives a
+/// function when its turn has come.
+template <typename FunctionAt>
+std::size_t select_function(const FunctionAt& function_at) noexcept {
+    for (std::size_t number = 0U; number < logic_functions; ++number) {
+        if (selects(function_at(number))) {
+            return number;
+        }
+    }
+    return 0U;
+}
 
 /// A value as a percentage of its limits, 0…100; 0 where they coincide.
 double percentage_of_limits(const BlockSignal& table) noexcept;

@@ -85,7 +85,7 @@ double calculate(const Operation operation, const double a, const double b) noex
 /// Loops of quotients and products grow no further than this, so that no result ever ceases to be a number.
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
-    return std::fmin(std::fmax(value, -bound), bound);
+    return lesser(greater(value, -bound), bound);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ double math_fraction(const MathInput& input) noexcept {
     const double fraction = (input.signal.value - input.scaling_1) / span;
     // Steps of a millionth: inputs that are equal stay so after different scalings.
     constexpr double steps = 1000000.0;
-    return std::round(std::fmin(std::fmax(fraction, 0.0), 1.0) * steps) / steps;
+    return std::round(lesser(greater(fraction, 0.0), 1.0) * steps) / steps;
 }
 
 static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003>);
@@ -172,7 +172,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
 
 static_assert(implements<req::AOR_MATH_008>);
 double math_output(const double fraction, const double scaling_1, const double scaling_2) noexcept {
-    const double held = std::fmin(std::fmax(fraction, 0.0), 1.0);
+    const double held = lesser(greater(fraction, 0.0), 1.0);
     return scaling_1 + (held * (scaling_2 - scaling_1));
 }
 

@@ -21,6 +21,7 @@ struct ReferencePiece {
     double from_c{0.0};
     double to_c{0.0};
     std::array<double, size> coefficients{};
+    std::size_t terms{size};  ///< coefficients behind these are zero
     ExponentialTerm exponential{};
 };
 
@@ -30,6 +31,7 @@ struct InversePiece {
     double from_mv{0.0};
     double to_mv{0.0};
     std::array<double, size> coefficients{};
+    std::size_t terms{size};  ///< coefficients behind these are zero
 };
 
 /// One type of thermocouple. The pieces ascend; each begins where the one before it ends, or inside it.

@@ -17,6 +17,8 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
 constexpr std::uint32_t slew_rate_index = 0x2000U;
+constexpr std::uint32_t input_filter_index = 0x2002U;
+constexpr std::uint32_t input_cut_off_index = 0x2003U;
 constexpr std::uint32_t filter_type_index = 0x2050U;
 constexpr std::uint32_t filter_constant_index = 0x2051U;
 constexpr std::uint32_t filter_rate_index = 0x2052U;
@@ -24,6 +26,8 @@ constexpr std::uint32_t angle_type_index = 0x2100U;
 constexpr std::uint32_t initial_pitch_index = 0x2200U;
 constexpr std::uint32_t initial_roll_index = 0x2210U;
 constexpr std::uint32_t auto_null_index = 0x2300U;
+constexpr std::uint32_t calibrated_pitch_index = 0x2400U;
+constexpr std::uint32_t calibrated_roll_index = 0x2401U;
 constexpr std::uint32_t received_index = 0x2500U;
 constexpr std::uint32_t function_operation_index = 0x300AU;
 constexpr std::uint32_t function_scaling_index = 0x300BU;
@@ -173,14 +177,16 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             drive_slew_rate();
             break;
         case received_index:
-            received_[entry.row->subindex - 1U] = true;
+            received_[entry.row->subindex - 1U] = true;  // the functions take it with the next sample
             break;
         case auto_null_index:
             obey_auto_null(now);
+            publish();
             break;
         case filter_type_index:
         case filter_constant_index:
             restart_filter(entry.row->subindex - 1U);
+            publish();
             break;
         case filter_rate_index:
         case angle_type_index:
@@ -188,6 +194,15 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case initial_roll_index:
             take_settings();
             restart_filters(now);
+            publish();
+            break;
+        case input_filter_index:
+        case input_cut_off_index:
+        case calibrated_pitch_index:
+        case calibrated_roll_index:
+            take_settings();
+            pass_filters(true, false);
+            publish();
             break;
         case function_operation_index:
         case function_scaling_index:
@@ -198,12 +213,10 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             if (is_function_input(entry.index)) {
                 take_function(static_cast<std::size_t>(entry.index - first_function_index) / function_index_step);
             } else {
-                take_settings();
+                publish();
             }
             break;
     }
-    pass_filters(true, false);
-    publish();
 }
 
 static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002> && implements<req::INC_SLEW_002> &&

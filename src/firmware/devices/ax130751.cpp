@@ -207,7 +207,7 @@ bool Device::run_blocks(const Instant now) noexcept {
         changes = tables_[table - 1U].advance(table, objects_, sources_, now) || changes;
     }
     for (std::uint8_t block = 1U; block <= logic_count; ++block) {
-        changes = advance_logic(block, objects_, sources_) || changes;
+        changes = selections_[block - 1U].advance(block, objects_, sources_) || changes;
     }
     for (std::uint8_t block = 1U; block <= math_count; ++block) {
         changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
@@ -270,9 +270,12 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
 
 void Device::after_write(const EntryRef& entry, const Instant) {
     const TableEntry place = table_entry(entry.index);
-    if ((place.table != 0U) && (place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
-        is_over_time(objects_, place.table)) {
-        begin_time_response(objects_, place.table);
+    if (place.table != 0U) {
+        if ((place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
+            is_over_time(objects_, place.table)) {
+            begin_time_response(objects_, place.table);
+        }
+        tables_[place.table - 1U].reread();
     }
     if (entry.index == output_type_index) {
         const std::uint8_t output = entry.row->subindex;

@@ -81,6 +81,7 @@ class Device final : private Application {
     Supervision supervision_{};
     Sources sources_;
     std::array<TableBlock, table_count> tables_{};
+    std::array<SelectionBlock, logic_count> selections_{};
     std::array<CalculationBlock, math_count> calculations_{};
     std::array<UniversalOutput, output_count> universal_;
     RelayOutput relay_;

@@ -71,43 +71,6 @@ LookupLimits limits_for_others(const LookupPoints& points) noexcept {
     return within ? percent : limits;
 }
 
-LogicCondition read_condition(const ObjectDictionary& objects, const Sources& sources,
-                              const ConditionFields& fields) noexcept {
-    return LogicCondition{sources.signal(objects.get(fields.first_source), objects.get(fields.first_number)),
-                          sources.signal(objects.get(fields.second_source), objects.get(fields.second_number)),
-                          objects.get(fields.comparison)};
-}
-
-std::array<LogicFunction, logic_functions> read_functions(const ObjectDictionary& objects, const Sources& sources,
-                                                          const std::uint8_t number) noexcept {
-    const LogicFields& fields = logic_fields[number - 1U];
-    std::array<LogicFunction, logic_functions> functions{};
-    for (std::size_t function = 0U; function < logic_functions; ++function) {
-        functions[function].logical = objects.get(fields.operators[static_cast<std::uint8_t>(function + 1U)]);
-        for (std::size_t condition = 0U; condition < logic_conditions; ++condition) {
-            functions[function].conditions[condition] =
-                read_condition(objects, sources, fields.conditions[(function * logic_conditions) + condition]);
-        }
-    }
-    return functions;
-}
-
-static_assert(implements<req::AOR_MATH_009> && implements<req::AOR_MATH_010> && implements<req::AOR_K_GAIN_ONE>);
-MathInput read_math_input(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
-                          const std::uint8_t input) noexcept {
-    const MathFields& fields = math_fields[number - 1U];
-    const SourceRef ref = resolve(objects.get(fields.source[input]), objects.get(fields.number[input]));
-    const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
-    const std::uint8_t digits = objects.get(fields.digits[input]);
-    MathInput made{};
-    made.signal = sources.signal(ref);
-    made.scaling_1 = physical_value(objects.get(fields.scaling_1[input]), digits);
-    made.scaling_2 = physical_value(objects.get(fields.scaling_2[input]), digits);
-    made.gain = static_cast<double>(objects.get(fields.gain[input])) / static_cast<double>(own::gain_of_one);
-    made.own_function = own_block ? objects.get(fields.function[input]) : std::uint8_t{0U};
-    return made;
-}
-
 template <typename T>
 bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noexcept {
     const bool changes = objects.get(entry) != value;
@@ -134,19 +97,21 @@ void begin_time_response(ObjectDictionary& objects, const std::uint8_t number) n
 bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources,
                          const Instant now) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
-    const BlockSignal input = sources.signal(objects.get(fields.source), objects.get(fields.number));
+    const BlockSignal input = sources.signal(source_.follow(objects.get(fields.source), objects.get(fields.number)));
     LookupOutput output{};
-    LookupLimits limits{};
     if (input.is_available()) {
-        const LookupConfig config = read_table(objects, number);
-        output = table_.advance(input, config, now);
-        limits = limits_for_others(config.points);
+        if (!is_read_) {
+            config_ = read_table(objects, number);
+            limits_ = limits_for_others(config_.points);
+            is_read_ = true;
+        }
+        output = table_.advance(input, config_, now);
     } else {
         table_.reset();
     }
     const bool changes = output.state != state_;
     state_ = output.state;
-    sources.set_lookup(number, output.state, limits);
+    sources.set_lookup(number, output.state, input.is_available() ? limits_ : LookupLimits{});
     return replace(objects, fields.output, process_value(output.value, objects.get(fields.y_digits))) || changes ||
            table_.is_running();
 }
@@ -173,7 +138,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
     const double value = static_cast<double>(x);
     const AbortCode by_order = check_range(value, std::fmax(least, static_cast<double>(INT16_MIN)),
                                            std::fmin(greatest, static_cast<double>(INT16_MAX)));
-    const BlockSignal source = sources.signal(objects.get(fields.source), objects.get(fields.number));
+    const BlockSignal source = sources.signal(resolve(objects.get(fields.source), objects.get(fields.number)));
     if ((by_order != AbortCode::none) || (!source.is_available()) || (source.upper <= source.lower)) {
         return by_order;
     }
@@ -198,11 +163,12 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, c
 
 static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_T20> && implements<req::AOR_LOGIC_007> &&
               implements<req::AOR_LOGIC_008> && implements<req::AOR_LOGIC_009>);
-bool advance_logic(const std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept {
+bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept {
     std::uint8_t selected{0U};
     BlockSignal table{};
     if (objects.get(field::o3300_logic_block_enable[number])) {
-        const std::size_t function = select_function(read_functions(objects, sources, number));
+        const std::size_t function =
+            select_function([&](const std::size_t one) noexcept { return read(number, one, objects, sources); });
         selected = objects.get(logic_fields[number - 1U].tables[static_cast<std::uint8_t>(function + 1U)]);
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
@@ -214,13 +180,47 @@ bool advance_logic(const std::uint8_t number, ObjectDictionary& objects, Sources
     return replace(objects, field::o3320_logic_block_output_pv[number], process_value(output, tenths)) || reselects;
 }
 
+LogicFunction SelectionBlock::read(const std::uint8_t number, const std::size_t function,
+                                   const ObjectDictionary& objects, const Sources& sources) noexcept {
+    const LogicFields& fields = logic_fields[number - 1U];
+    LogicFunction made{};
+    made.logical = objects.get(fields.operators[static_cast<std::uint8_t>(function + 1U)]);
+    for (std::size_t condition = 0U; condition < logic_conditions; ++condition) {
+        const std::size_t at = (function * logic_conditions) + condition;
+        const ConditionFields& of = fields.conditions[at];
+        const SourceRef& first = choices_[at].first.follow(objects.get(of.first_source), objects.get(of.first_number));
+        const SourceRef& second =
+            choices_[at].second.follow(objects.get(of.second_source), objects.get(of.second_number));
+        made.conditions[condition] =
+            LogicCondition{sources.signal(first), sources.signal(second), objects.get(of.comparison)};
+    }
+    return made;
+}
+
+static_assert(implements<req::AOR_MATH_009> && implements<req::AOR_MATH_010> && implements<req::AOR_K_GAIN_ONE>);
+MathInput CalculationBlock::read(const std::uint8_t number, const std::uint8_t input, const ObjectDictionary& objects,
+                                 const Sources& sources) noexcept {
+    const MathFields& fields = math_fields[number - 1U];
+    const SourceRef& ref =
+        choices_[input - 1U].follow(objects.get(fields.source[input]), objects.get(fields.number[input]));
+    const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
+    const std::uint8_t digits = objects.get(fields.digits[input]);
+    MathInput made{};
+    made.signal = sources.signal(ref);
+    made.scaling_1 = physical_value(objects.get(fields.scaling_1[input]), digits);
+    made.scaling_2 = physical_value(objects.get(fields.scaling_2[input]), digits);
+    made.gain = static_cast<double>(objects.get(fields.gain[input])) / static_cast<double>(own::gain_of_one);
+    made.own_function = own_block ? objects.get(fields.function[input]) : std::uint8_t{0U};
+    return made;
+}
+
 static_assert(implements<req::AOR_MATH_008> && implements<req::AOR_MATH_011>);
 bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept {
-    MathConfig config{};
     MathResult result{};
     if (objects.get(field::o4000_math_function_enable[number])) {
+        MathConfig config{};
         for (std::uint8_t input = 1U; input <= math_inputs; ++input) {
-            config.inputs[input - 1U] = read_math_input(objects, sources, number, input);
+            config.inputs[input - 1U] = read(number, input, objects, sources);
         }
         for (std::uint8_t function = 1U; function <= math_functions; ++function) {
             config.operators[function - 1U] = objects.get(math_fields[number - 1U].operators[function]);
@@ -230,9 +230,12 @@ bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& obje
         math_.reset();
     }
     const std::uint8_t digits = objects.get(field::o4032_math_output_decimal_digits_pv[number]);
-    const double scaling_1 = physical_value(objects.get(field::o4021_math_output_scaling_1_pv[number]), digits);
-    const double scaling_2 = physical_value(objects.get(field::o4023_math_output_scaling_2_pv[number]), digits);
-    const double output = result.done ? math_output(result.value, scaling_1, scaling_2) : 0.0;
+    double output{0.0};
+    if (result.done) {
+        output = math_output(result.value,
+                             physical_value(objects.get(field::o4021_math_output_scaling_1_pv[number]), digits),
+                             physical_value(objects.get(field::o4023_math_output_scaling_2_pv[number]), digits));
+    }
     return replace(objects, field::o4030_math_output_process_value[number], process_value(output, digits)) ||
            (!math_.is_settled());
 }

@@ -11,12 +11,21 @@ namespace canproof::ax130751 {
 /// One lookup table.
 class TableBlock {
   public:
-    void reset() noexcept { table_.reset(); }
+    void reset() noexcept {
+        table_.reset();
+        reread();
+    }
+    /// Its parameters are others than they were.
+    void reread() noexcept { is_read_ = false; }
     /// Evaluates table `number` (1…10), sets 3yz8h and what other blocks see. True while it goes on changing.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:
+    SourceChoice source_{};
     LookupTable table_{};
+    LookupConfig config_{};  ///< as last read
+    LookupLimits limits_{};  ///< of its output, for other blocks
+    bool is_read_{false};
     SignalState state_{SignalState::not_available};
 };
 
@@ -28,8 +37,23 @@ void begin_time_response(ObjectDictionary& objects, std::uint8_t number) noexcep
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, std::uint8_t number, std::uint8_t point,
                       std::int32_t x) noexcept;
 
-/// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when that changed.
-bool advance_logic(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
+/// One logic block.
+class SelectionBlock {
+  public:
+    /// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when that changed.
+    bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
+
+  private:
+    struct Choices {
+        SourceChoice first{};
+        SourceChoice second{};
+    };
+
+    LogicFunction read(std::uint8_t number, std::size_t function, const ObjectDictionary& objects,
+                       const Sources& sources) noexcept;
+
+    std::array<Choices, logic_functions * logic_conditions> choices_{};
+};
 
 /// One math block.
 class CalculationBlock {
@@ -39,6 +63,10 @@ class CalculationBlock {
     bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
 
   private:
+    MathInput read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects,
+                   const Sources& sources) noexcept;
+
+    std::array<SourceChoice, math_inputs> choices_{};
     MathBlock math_{};
 };
 

@@ -106,12 +106,13 @@ bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Ou
 }
 
 UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
-    const InputSignals signals{sources_.signal(objects_.get(field::o2340_ao_control_input_source[number_]),
-                                               objects_.get(field::o2341_ao_control_input_number[number_])),
-                               sources_.signal(objects_.get(field::o2350_ao_enable_input_source[number_]),
-                                               objects_.get(field::o2351_ao_enable_input_number[number_])),
-                               sources_.signal(objects_.get(field::o2360_ao_override_input_source[number_]),
-                                               objects_.get(field::o2361_ao_override_input_number[number_]))};
+    const InputSignals signals{
+        sources_.signal(control_choice_.follow(objects_.get(field::o2340_ao_control_input_source[number_]),
+                                               objects_.get(field::o2341_ao_control_input_number[number_]))),
+        sources_.signal(enable_choice_.follow(objects_.get(field::o2350_ao_enable_input_source[number_]),
+                                              objects_.get(field::o2351_ao_enable_input_number[number_]))),
+        sources_.signal(override_choice_.follow(objects_.get(field::o2360_ao_override_input_source[number_]),
+                                                objects_.get(field::o2361_ao_override_input_number[number_])))};
     static_cast<void>(control_.read(signals.control));
     static_cast<void>(enable_.read(signals.enable));
     static_cast<void>(override_.read(signals.override_input));

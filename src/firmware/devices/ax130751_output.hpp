@@ -64,6 +64,9 @@ class UniversalOutput {
     ObjectDictionary& objects_;
     const Sources& sources_;
     std::uint8_t number_;
+    SourceChoice control_choice_{};
+    SourceChoice enable_choice_{};
+    SourceChoice override_choice_{};
     AnalogueOutput analogue_{};
     DigitalOutput digital_{};
     DigitalReading control_{};

@@ -88,14 +88,14 @@ bool RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
 }
 
 OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {
-    const BlockSignal control = sources_.signal(objects_.get(field::o2260_relay_control_source[1U]),
-                                                objects_.get(field::o2261_relay_control_number[1U]));
-    const BlockSignal unlatch = sources_.signal(objects_.get(field::o2270_relay_unlatch_source[1U]),
-                                                objects_.get(field::o2271_relay_unlatch_number[1U]));
-    const BlockSignal enable = sources_.signal(objects_.get(field::o2280_relay_enable_source[1U]),
-                                               objects_.get(field::o2281_relay_enable_number[1U]));
-    const BlockSignal forced = sources_.signal(objects_.get(field::o2290_relay_override_source[1U]),
-                                               objects_.get(field::o2291_relay_override_number[1U]));
+    const BlockSignal control = sources_.signal(control_choice_.follow(
+        objects_.get(field::o2260_relay_control_source[1U]), objects_.get(field::o2261_relay_control_number[1U])));
+    const BlockSignal unlatch = sources_.signal(unlatch_choice_.follow(
+        objects_.get(field::o2270_relay_unlatch_source[1U]), objects_.get(field::o2271_relay_unlatch_number[1U])));
+    const BlockSignal enable = sources_.signal(enable_choice_.follow(
+        objects_.get(field::o2280_relay_enable_source[1U]), objects_.get(field::o2281_relay_enable_number[1U])));
+    const BlockSignal forced = sources_.signal(override_choice_.follow(
+        objects_.get(field::o2290_relay_override_source[1U]), objects_.get(field::o2291_relay_override_number[1U])));
     static_cast<void>(control_.read(control));
     static_cast<void>(unlatch_.read(unlatch));
     const bool enabled = enable_.read(enable);

@@ -26,6 +26,10 @@ class RelayOutput {
 
     const ObjectDictionary& objects_;
     const Sources& sources_;
+    SourceChoice control_choice_{};
+    SourceChoice unlatch_choice_{};
+    SourceChoice enable_choice_{};
+    SourceChoice override_choice_{};
     Relay relay_{};
     DigitalReading control_{};
     DigitalReading unlatch_{};

@@ -98,7 +98,7 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     const std::uint8_t places = digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel);
     const double first = lower(cell_or(row, &table::Row::lower, Lower::nothing), ref.channel, places);
     const double second = upper(cell_or(row, &table::Row::upper, Upper::nothing), ref.channel, places);
-    return BlockSignal{value(read, places), std::fmin(first, second), std::fmax(first, second), state(read)};
+    return BlockSignal{value(read, places), lesser(first, second), greater(first, second), state(read)};
 }
 
 std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) const noexcept {

@@ -27,6 +27,26 @@ struct SourceRef {
 /// Tables 4A and 4B; none for a pair that they do not have.
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
+/// A source and a number as last chosen, and what they stand for: looked up when the choice changes.
+class SourceChoice {
+  public:
+    const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {
+        if ((std::uint32_t{source} != source_) || (std::uint32_t{number} != number_)) {
+            source_ = source;
+            number_ = number;
+            ref_ = resolve(source, number);
+        }
+        return ref_;
+    }
+
+  private:
+    static constexpr std::uint8_t not_yet = 0xFFU;  // no source has this number
+
+    std::uint8_t source_{not_yet};
+    std::uint8_t number_{not_yet};
+    SourceRef ref_{};
+};
+
 class Sources {
   public:
     explicit Sources(const ObjectDictionary& objects) noexcept : objects_{objects} {}
@@ -38,9 +58,6 @@ class Sources {
     void set_logic(std::uint8_t block, SignalState state) noexcept;
 
     BlockSignal signal(const SourceRef& ref) const noexcept;
-    BlockSignal signal(const std::uint8_t source, const std::uint8_t number) const noexcept {
-        return signal(resolve(source, number));
-    }
 
   private:
     using Lower = generated::ax130751::t_aor_t05::Lower;

@@ -16,7 +16,6 @@ namespace {
 namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
-constexpr std::uint32_t filter_index = 0x2020U;
 constexpr std::uint32_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
 static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
@@ -138,12 +137,19 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
-    advance(now);
+    advance_when_due(now);
     if (nmt_command(frame, node_.node_id()).has_value()) {
         start_others_at_ = never;  // there is a master
     }
     node_.receive(frame, now);
-    advance(now);  // a self-start that followed a reset
+    advance_when_due(now);  // a self-start that followed a reset
+    show_outputs();
+}
+
+void Device::advance_when_due(const Instant now) noexcept {
+    if (next_deadline() <= now) {
+        advance(now);
+    }
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
@@ -154,8 +160,10 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 
 void Device::advance(const Instant now) noexcept {
     scan_when_due(now);
-    scanner_.advance(now);
-    tell_faults(now);
+    if (scanner_.next_deadline() <= now) {
+        scanner_.advance(now);
+        tell_faults(now);
+    }
     node_.advance(now);
     start_others_when_due(now);
     show_outputs();
@@ -222,10 +230,9 @@ AbortCode Device::before_write(const EntryRef&, const ByteView) {
 
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
-    if (entry.index == filter_index) {
-        scanner_.change_filter();
-    }
-    scanner_.evaluate(now);
+    // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
+    const std::size_t channel = (std::uint32_t{entry.row->subindex} == channel_count) ? 1U : 0U;
+    scanner_.reevaluate(entry.index, channel, now);
     tell_faults(now);
 }
 

@@ -53,6 +53,7 @@ class Device final : private Application {
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 
+    void advance_when_due(Instant now) noexcept;
     void scan_when_due(Instant now) noexcept;
     void start_others_when_due(Instant now) noexcept;
     void tell_faults(Instant now) noexcept;

@@ -22,6 +22,26 @@ namespace field = generated::ax188001::field;
 constexpr double microvolts_per_millivolt = 1000.0;
 constexpr std::uint32_t channel_field_value_index = 0x6100U;
 constexpr std::uint32_t average_field_value_index = 0x2100U;
+// Parameters by what depends on them.
+constexpr std::uint32_t cold_junction_correction_index = 0x2000U;
+constexpr std::uint32_t filter_index = 0x2020U;
+constexpr std::uint32_t average_mode_index = 0x2112U;
+constexpr std::uint32_t average_factor_index = 0x2126U;
+constexpr std::uint32_t average_offset_index = 0x2127U;
+constexpr std::uint32_t cold_junction_factor_index = 0x3126U;
+constexpr std::uint32_t cold_junction_offset_index = 0x3127U;
+constexpr std::uint32_t low_warning_index = 0x4000U;
+constexpr std::uint32_t high_warning_index = 0x4010U;
+constexpr std::uint32_t shutdown_index = 0x4020U;
+constexpr std::uint32_t channel_delay_index = 0x4030U;
+constexpr std::uint32_t fault_set_index = 0x5041U;
+constexpr std::uint32_t fault_clear_index = 0x5042U;
+constexpr std::uint32_t fault_enable_index = 0x5050U;
+constexpr std::uint32_t fault_delay_index = 0x5051U;
+constexpr std::uint32_t sensor_type_index = 0x6110U;
+constexpr std::uint32_t operating_mode_index = 0x6112U;
+constexpr std::uint32_t channel_factor_index = 0x6126U;
+constexpr std::uint32_t channel_offset_index = 0x6127U;
 constexpr std::uint32_t filter_50_hz = 50U;
 constexpr std::uint32_t filter_60_hz = 60U;
 
@@ -120,7 +140,6 @@ double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const 
     return hum_rises_ ? (voltage + left) : (voltage - left);
 }
 
-static_assert(implements<req::TCS_IN_008>);
 void Scanner::change_filter() noexcept {
     for (GainRanging& converter : converters_) {
         converter.unsettle(circuit);
@@ -142,18 +161,27 @@ bool Scanner::is_enabled(const std::size_t channel) const noexcept {
 }
 
 static_assert(implements<req::TCS_CJ_003> && implements<req::TCS_IN_009> && implements<req::TCS_IN_010>);
-double Scanner::converted_uv(const std::size_t channel) const noexcept {
+double Scanner::converted_uv(const std::size_t channel) noexcept {
     const double measured = converters_[channel].microvolts();
     if (objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) == 0U) {
         return measured;
     }
-    const ThermocoupleCurve& curve = thermocouple_curve(sensor_type(channel));
-    return measured + (reference_mv(curve, cold_junction_c_) * microvolts_per_millivolt);
+    Kept<double>& kept = compensations_[channel];
+    const SensorType type = sensor_type(channel);
+    if (!kept.is_of(type, cold_junction_c_)) {
+        const double millivolts = reference_mv(thermocouple_curve(type), cold_junction_c_);
+        kept = Kept<double>{type, cold_junction_c_, millivolts * microvolts_per_millivolt};
+    }
+    return measured + kept.value;
 }
 
 static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_006> && implements<req::TCS_K_RANGE_MARGIN>);
-Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) const noexcept {
+Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) noexcept {
     const SensorType type = sensor_type(channel);
+    Kept<Conversion>& kept = conversions_[channel];
+    if (kept.is_of(type, microvolts)) {
+        return kept.value;
+    }
     Conversion result{};
     result.celsius = exact_celsius(thermocouple_curve(type), microvolts / microvolts_per_millivolt);
     namespace table = own::t_tcs_t1;
@@ -162,19 +190,58 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
     const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));
     result.above = microvolts > (highest + own::range_margin_uv);
     result.below = microvolts < (lowest - own::range_margin_uv);
+    kept = Kept<Conversion>{type, microvolts, result};
     return result;
 }
 
 static_assert(implements<req::TCS_IN_011>);
 void Scanner::evaluate(const Instant now) noexcept {
-    std::array<Measurement, channel_count> channels{};
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
-        channels[channel] = evaluate_channel(channel, now);
+        measurements_[channel] = evaluate_channel(channel, now);
     }
-    evaluate_average(channels);
+    evaluate_average();
     evaluate_cold_junction();
     evaluate_unit(now);
     put_status();
+}
+
+static_assert(implements<req::TCS_IN_008> && implements<req::TCS_VAL_008>);
+void Scanner::reevaluate(const std::uint32_t index, const std::size_t channel, const Instant now) noexcept {
+    switch (index) {
+        case filter_index:
+            change_filter();
+            break;
+        case cold_junction_correction_index:
+        case low_warning_index:
+        case high_warning_index:
+        case shutdown_index:
+        case channel_delay_index:
+        case sensor_type_index:
+        case operating_mode_index:
+        case channel_factor_index:
+        case channel_offset_index:
+            measurements_[channel] = evaluate_channel(channel, now);
+            evaluate_average();
+            put_status();
+            break;
+        case average_mode_index:
+        case average_factor_index:
+        case average_offset_index:
+            evaluate_average();
+            break;
+        case cold_junction_factor_index:
+        case cold_junction_offset_index:
+            evaluate_cold_junction();
+            break;
+        case fault_set_index:
+        case fault_clear_index:
+        case fault_enable_index:
+        case fault_delay_index:
+            evaluate_unit(now);
+            break;
+        default:
+            break;  // nothing measured depends on it
+    }
 }
 
 static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002> && implements<req::TCS_VAL_003> &&
@@ -245,11 +312,11 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
 
 static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
               implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
-void Scanner::evaluate_average(const std::array<Measurement, channel_count>& channels) noexcept {
+void Scanner::evaluate_average() noexcept {
     using own::t_tcs_t2::Mode;
     const std::uint8_t mode = objects_.get(field::o2112_avg_operating_mode);
     const bool enabled = cell_or(own::t_tcs_t2::find(mode), &own::t_tcs_t2::Row::mode, Mode::disabled) == Mode::normal;
-    const Measurement mean = enabled ? average(channels) : Measurement{};
+    const Measurement mean = enabled ? average(measurements_) : Measurement{};
     if (mean.valid) {
         const float field_value = static_cast<float>(mean.value);
         const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),

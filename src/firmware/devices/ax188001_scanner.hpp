@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "firmware/blocks/delayed_fault.hpp"
 #include "firmware/blocks/gain_ranging.hpp"
@@ -37,8 +38,9 @@ class Scanner {
     void read(const Inputs& inputs) noexcept;
     /// Converts the last reading by the parameters as they are, and judges it.
     void evaluate(Instant now) noexcept;
-    /// 2020h has a new value: the filters start anew.
-    void change_filter() noexcept;
+    /// The parameter of this index, and of this channel where it has one (0 or 1), has a new value: what depends on it
+    /// is converted and judged anew.
+    void reevaluate(std::uint32_t index, std::size_t channel, Instant now) noexcept;
     /// Tells the faults whose delay has passed.
     void advance(Instant now) noexcept;
     /// When the next fault that waits is told.
@@ -59,14 +61,28 @@ class Scanner {
         bool below{false};
     };
 
+    /// A function of the sensor's type and a number, kept while both stay: double precision is dear without an FPU for
+    /// it.
+    template <typename Value>
+    struct Kept {
+        SensorType type{SensorType::j};
+        double of{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: nothing yet
+        Value value{};
+
+        bool is_of(const SensorType wanted, const double number) const noexcept {
+            return (type == wanted) && (of <= number) && (of >= number);
+        }
+    };
+
     double input_uv(const Inputs& inputs, std::size_t channel) const noexcept;
     bool is_enabled(std::size_t channel) const noexcept;
-    double converted_uv(std::size_t channel) const noexcept;
-    Conversion convert(std::size_t channel, double microvolts) const noexcept;
+    double converted_uv(std::size_t channel) noexcept;
+    Conversion convert(std::size_t channel, double microvolts) noexcept;
+    void change_filter() noexcept;
     Measurement evaluate_channel(std::size_t channel, Instant now) noexcept;
     void put_channel(std::size_t channel, std::uint32_t field_value_bits, std::int16_t process_value) noexcept;
     void judge_temperature(std::size_t channel, const Conversion& conversion, Instant now) noexcept;
-    void evaluate_average(const std::array<Measurement, channel_count>& channels) noexcept;
+    void evaluate_average() noexcept;
     void evaluate_cold_junction() noexcept;
     void evaluate_unit(Instant now) noexcept;
     void judge_unit(UnitFault fault, bool enabled, const FaultCondition& condition, Instant now) noexcept;
@@ -80,6 +96,9 @@ class Scanner {
 
     ObjectDictionary& objects_;
     std::array<GainRanging, channel_count> converters_{};
+    std::array<Kept<double>, channel_count> compensations_{};    ///< µV by °C of the cold junction
+    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< by µV
+    std::array<Measurement, channel_count> measurements_{};
     std::array<std::array<DelayedFault, channel_fault_count>, channel_count> faults_{};
     std::array<DelayedFault, unit_fault_count> unit_faults_{};
     double cold_junction_c_{0.0};
