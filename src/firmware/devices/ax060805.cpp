@@ -189,6 +189,9 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             publish();
             break;
         case filter_rate_index:
+            restart_filters(now);
+            publish();
+            break;
         case angle_type_index:
         case initial_pitch_index:
         case initial_roll_index:
@@ -198,6 +201,9 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             break;
         case input_filter_index:
         case input_cut_off_index:
+            take_input_filter();
+            publish();  // its delay
+            break;
         case calibrated_pitch_index:
         case calibrated_roll_index:
             take_settings();
@@ -249,6 +255,7 @@ void Device::restart(const Instant now) {
     received_.fill(false);
     results_.fill(undefined_signal());
     timed_out_ = false;
+    take_input_filter();
     take_settings();
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
@@ -422,12 +429,15 @@ void Device::tell_sensor_error(const ErrorId error, const bool present, const In
     }
 }
 
-static_assert(implements<req::INC_FILTER_002> && implements<req::INC_FILTER_004> &&
-              implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
-void Device::take_settings() noexcept {
+static_assert(implements<req::INC_FILTER_002> && implements<req::INC_FILTER_004>);
+void Device::take_input_filter() noexcept {
     const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
     const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
     settings_.filter_share = filtered ? low_pass_coefficient(cut_off, sample_period) : 1.0F;
+}
+
+static_assert(implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
+void Device::take_settings() noexcept {
     settings_.calibration = PitchRoll{objects_.get(field::o2400_calibrated_pitch_angle_data),
                                       objects_.get(field::o2401_calibrated_roll_angle_data)};
     settings_.installation =

@@ -77,6 +77,7 @@ class Device final : private Application {
     void tell_errors(Instant now) noexcept;
     void tell_sensor_error(ErrorId error, bool present, Instant now) noexcept;
 
+    void take_input_filter() noexcept;
     void take_settings() noexcept;
     void restart_filters(Instant now) noexcept;
     void restart_filter(std::size_t angle) noexcept;

@@ -50,6 +50,10 @@ std::string memory_table(const json& footprint) {
     return text + "</table></div>\n";
 }
 
+const char* met_or_open(const json& goal) {
+    return goal.at("holds").get<bool>() ? "shown" : "open";
+}
+
 std::string work_table(const json& work) {
     std::string text =
         "<div class=wrap><table><tr><th>Device<th>Work<th>Times<th>Instructions at most<th>Frame<th>Where\n";
@@ -72,13 +76,22 @@ std::string work_table(const json& work) {
         work.at("bit_rate").get<std::uint64_t>(), work.at("cycles_an_instruction").get<double>(),
         work.at("core_hz").get<std::uint64_t>() / 1000000U);
     for (const auto& [device, kinds] : work.at("devices").items()) {
-        const json& share = kinds.at("share");
-        text += fmt::format("<li class={}>{}: {:.1f} % of the core by <code>{}</code>\n",
-                            share.at("holds").get<bool>() ? "shown" : "open", escaped(device),
-                            100.0 * share.at("bus_load").get<double>(), escaped(share.at("what").get<std::string>()));
+        if (kinds.contains("share")) {
+            const json& share = kinds.at("share");
+            text += fmt::format("<li class={}>{}: {:.1f} % of the core by <code>{}</code>\n", met_or_open(share),
+                                escaped(device), 100.0 * share.at("bus_load").get<double>(),
+                                escaped(share.at("what").get<std::string>()));
+        }
+        if (kinds.contains("tick") && kinds.at("tick").contains("load")) {
+            const json& tick = kinds.at("tick");
+            text += fmt::format("<li class={}>{}: {:.1f} % of the core by the dearest tick, one every {} ms\n",
+                                met_or_open(tick), escaped(device), 100.0 * tick.at("load").get<double>(),
+                                tick.at("period_us").get<double>() / 1000.0);
+        }
     }
     return text +
-           "</ul><p>Commands (NMT resets, LSS back to waiting, store and restore) are listed apart: nothing is claimed "
+           "</ul><p>Each may take half of the core. Commands (NMT resets, LSS back to waiting, store and restore) are "
+           "listed apart: nothing is claimed "
            "of a "
            "bus full of them.</p>\n";
 }

@@ -30,12 +30,13 @@ std::array<Dearest, 5> dearest{Dearest{"power_on"}, Dearest{"frame"}, Dearest{"t
                                Dearest{"share"}};
 
 /// Frames that command more than a service: NMT reset node and reset communication, LSS switch state global (to
-/// waiting, it resets the communication); SDO writes of 1010h and 1011h.
+/// waiting, it resets the communication) and store configuration; SDO writes of 1010h and 1011h.
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
+    const bool stores = text.rfind("7E5#17", 0) == 0;
     const bool downloads = text.size() == 20 && text[0] == '6' && text[4] == '2';
     const std::string index = downloads ? text.substr(6, 4) : std::string{};
-    return resets || index == "1010" || index == "1110";
+    return resets || stores || index == "1010" || index == "1110";
 }
 
 /// Least bits that a frame takes on the bus: 44 and its data, no stuff bits, three between frames (ISO 11898-1).
