@@ -168,7 +168,9 @@ bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& object
     BlockSignal table{};
     if (objects.get(field::o3300_logic_block_enable[number])) {
         const std::size_t function =
-            select_function([&](const std::size_t one) noexcept { return read(number, one, objects, sources); });
+            select_function([this, number, &objects, &sources](const std::size_t one) noexcept {
+                return read(number, one, objects, sources);
+            });
         selected = objects.get(logic_fields[number - 1U].tables[static_cast<std::uint8_t>(function + 1U)]);
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
