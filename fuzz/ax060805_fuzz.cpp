@@ -7,11 +7,7 @@
 #include "support/record_mutator.hpp"
 #include "support/replays_as.hpp"
 
-namespace {
-
 using namespace canproof;
-
-}  // namespace
 
 CANPROOF_FUZZ_REPLAYS_AS("ax060805")
 CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)

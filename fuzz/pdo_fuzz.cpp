@@ -41,7 +41,26 @@ struct Pdo {
 
 class Slave {
   public:
-    Slave() { device_.power_on(5, now); }
+    /// As new: power-on with an empty memory, at time 0.
+    void restart() {
+        queue_ = TransmitQueue{};
+        std::fill(memory_.bytes().begin(), memory_.bytes().end(), std::uint8_t{0xFF});
+        now = Instant{};
+        sent_.clear();
+        emcy_ids_ = {0x085};
+        image_seen_.clear();
+        device_.power_on(5, now);
+        drain();
+    }
+    /// Any object has another value than at the last call.
+    bool has_changed() {
+        const ByteView image = device_.objects().image().view();
+        const bool same = std::equal(image.data(), image.data() + image.size(), image_seen_.begin(), image_seen_.end());
+        if (!same) {
+            image_seen_.assign(image.data(), image.data() + image.size());
+        }
+        return !same;
+    }
 
     Pdo rpdo(unsigned number) { return pdo(0x1400 + number, 0x1600 + number); }
     Pdo tpdo(unsigned number) { return pdo(0x1800 + number, 0x1A00 + number); }
@@ -90,7 +109,7 @@ class Slave {
         now = end;
     }
     /// What has been sent since the last call.
-    std::vector<Frame> drain() {
+    const std::vector<Frame>& drain() {
         while (!queue_.empty()) {
             sent_.push_back(queue_.pop());
         }
@@ -124,7 +143,8 @@ class Slave {
     TransmitQueue queue_;
     host::GenericDevice device_{test::slave_part(), memory_, queue_};
     std::vector<Frame> sent_;
-    std::set<std::uint32_t> emcy_ids_{0x085};
+    std::set<std::uint32_t> emcy_ids_;
+    Bytes image_seen_;
 };
 
 /// 2200h takes -100 … 100, 2202h numbers from -10 to 10, a BOOLEAN 0 and 1.
@@ -168,13 +188,13 @@ void check_parameters(Slave& slave) {
     }
 }
 
-/// What the node was before a step; its frames belong to this or to what it is after it.
-struct Before {
+/// What the node may send by its dictionary. Frames of a step belong to what it was before that or to what it is after.
+struct Settings {
     std::vector<Pdo> tpdos;
     bool operational;
     std::uint32_t sync_id;
 
-    explicit Before(Slave& slave)
+    explicit Settings(Slave& slave)
         : operational{slave.is_operational()}, sync_id{static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF} {
         for (unsigned number = 0; number < pdo_count; ++number) {
             tpdos.push_back(slave.tpdo(number));
@@ -191,8 +211,7 @@ struct Before {
 };
 
 /// SDO, EMCY, error control, SYNC; besides, only the valid TPDOs of an operational node.
-void check_frames(Slave& slave, const Before& before) {
-    const Before after{slave};
+void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     const bool operational = before.operational || after.operational;
     for (const Frame& frame : slave.drain()) {
         require(!frame.extended && !frame.remote && frame.length <= 8);
@@ -304,15 +323,24 @@ CANPROOF_FUZZ_CLAIMS(req::CO_PDO_001, req::CO_PDO_011, req::CO_PDO_016, req::CO_
 CANPROOF_FUZZ_RECORDS(record_size)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Slave slave;
-    slave.drain();
+    static Slave slave;
+    slave.restart();
+    slave.has_changed();
+    Settings settings{slave};
     for (; size >= record_size; data += record_size, size -= record_size) {
         slave.forget();
-        const Before before{slave};
         step(slave, data);
         require(slave.is_idle());
-        check_frames(slave, before);
-        check_parameters(slave);
+        if (slave.has_changed()) {
+            const Settings after{slave};
+            check_frames(slave, settings, after);
+            check_parameters(slave);
+            settings = after;
+        } else {
+            settings.operational = settings.operational || slave.is_operational();
+            check_frames(slave, settings, settings);
+            settings.operational = slave.is_operational();
+        }
     }
     return 0;
 }

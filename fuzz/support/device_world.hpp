@@ -256,6 +256,7 @@ class DeviceWorld {
         unit_ = Unit{};
         device_ = new (storage_->bytes.data()) Device{memory_, queue_, typename Unit::FactoryData{}};
         known_.reset();
+        known_for_.clear();
         device_->power_on(inputs_, now_);
         drain(nullptr);
         run_until(now_);
@@ -306,12 +307,21 @@ class DeviceWorld {
             }
         }
     }
+    /// Whether the values are others than those in `seen`, which takes them then.
+    bool differs_from(Image& seen) const {
+        const ByteView image = device_->objects().image();
+        if (std::equal(image.data(), image.data() + image.size(), seen.begin(), seen.end())) {
+            return false;
+        }
+        seen.assign(image.data(), image.data() + image.size());
+        return true;
+    }
     /// Every value is within its limits; those of 1003h:0 are for writes alone.
-    void check_values() const {
-        if (!Unit::has_values(*device_)) {
+    void check_values() {
+        const ObjectDictionary& objects = device_->objects();
+        if (!Unit::has_values(*device_) || !differs_from(checked_)) {
             return;
         }
-        const ObjectDictionary& objects = device_->objects();
         for_each_entry(objects, [&](const EntryRef& entry) {
             require(entry.is(0x1003, 0) || Unit::shows_beyond_limits(objects, entry) ||
                         objects.check_value(entry, objects.value(entry)) == AbortCode::none,
@@ -325,7 +335,11 @@ class DeviceWorld {
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;
-        known_ = own_identifiers(device_->objects(), device_->node_id(), Unit::answers_remote);
+        const std::uint8_t node_id = device_->node_id();
+        const bool moved = std::exchange(known_node_, node_id) != node_id;
+        if (differs_from(known_for_) || moved) {
+            known_ = own_identifiers(device_->objects(), node_id, Unit::answers_remote);
+        }
         int answers = 0;
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
@@ -373,6 +387,9 @@ class DeviceWorld {
     std::unique_ptr<Storage> storage_;
     Device* device_{nullptr};
     Identifiers known_;
+    Image known_for_;  ///< the values and the node-ID that gave these identifiers
+    std::uint8_t known_node_{0};
+    Image checked_;  ///< the values that were last held against their limits
     unsigned unasked_{0};
     std::vector<Frame> sent_;
     Digest digest_;
