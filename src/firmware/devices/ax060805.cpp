@@ -37,6 +37,7 @@ constexpr std::uint32_t function_index_step = 0x0010U;
 constexpr std::uint32_t supply_index = 0x5020U;
 constexpr std::uint32_t processor_temperature_index = 0x5030U;
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
+constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
 
 constexpr ErrorId temperature_error = ErrorId::first_of_device;
 constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U);
@@ -177,6 +178,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             drive_slew_rate();
             break;
         case received_index:
+            forget_overdue();
             received_[entry.row->subindex - 1U] = true;  // the functions take it with the next sample
             break;
         case auto_null_index:
@@ -254,7 +256,7 @@ void Device::restart(const Instant now) {
     span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
     results_.fill(undefined_signal());
-    timed_out_ = false;
+    overdue_ = 0U;
     take_input_filter();
     take_settings();
     for (std::size_t function = 0U; function < function_count; ++function) {
@@ -271,14 +273,18 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001>);
 void Device::booted(const Instant now) {
-    if (objects_.get(field::o5555_start_in_operational_mode)) {
+    // An error that outlasts a reset of communication does not begin anew, so that tell_errors() would let it start.
+    const bool failed = node_.has_error(temperature_error) || node_.has_error(accelerometer_error);
+    const bool keeps_out =
+        failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);
+    if (objects_.get(field::o5555_start_in_operational_mode) && !keeps_out) {
         node_.start_at(now);
     }
     tell_errors(now);
 }
 
 void Device::communication_failed(const bool, const Instant) {
-    // nothing here depends on it: an RPDO that timed out is asked for in run_functions()
+    // nothing here depends on it: RPDOs that are late are asked for in forget_overdue()
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
@@ -295,6 +301,7 @@ static_assert(implements<req::INC_FILTER_001> && implements<req::INC_AVG_004> &&
 void Device::measure_due(const Instant now) noexcept {
     const bool samples = next_sample_ <= now;
     const bool filters = next_filter_ <= now;
+    const bool had_failed = !inclination_.is_measuring();
     if (!samples && !filters) {
         return;
     }
@@ -307,6 +314,9 @@ void Device::measure_due(const Instant now) noexcept {
         next_filter_ = ((next_filter_ + rate) > now) ? (next_filter_ + rate) : (now + rate);
     }
     pass_filters(samples, filters);
+    if (had_failed && inclination_.is_measuring()) {
+        restart_filters(now);
+    }
     publish();
     if (samples) {
         run_functions();
@@ -382,7 +392,9 @@ void Device::publish_diagnostics() noexcept {
     const std::uint8_t worst = merit::rows[0U].state;
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
-    objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
+    if (!std::isnan(inputs_.sensor_temperature)) {
+        objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
+    }
     show_if_valid(supply_index, inputs_.supply_voltage);
     show_if_valid(processor_temperature_index, inputs_.processor_temperature);
 }
@@ -397,13 +409,19 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
     }
 }
 
-static_assert(implements<req::INC_BIN_008> && implements<req::INC_BIN_009> && implements<req::INC_RPDO_002>);
-void Device::run_functions() noexcept {
-    const bool timed_out = node_.has_error(ErrorId::rpdo_timeout);
-    if (timed_out && !timed_out_) {
+static_assert(implements<req::INC_RPDO_002>);
+/// Once for each RPDO that becomes late: what is written afterwards counts.
+void Device::forget_overdue() noexcept {
+    const std::uint32_t overdue = node_.overdue_rpdos();
+    if ((overdue & ~overdue_) != 0U) {
         received_.fill(false);
     }
-    timed_out_ = timed_out;
+    overdue_ = overdue;
+}
+
+static_assert(implements<req::INC_BIN_008> && implements<req::INC_BIN_009>);
+void Device::run_functions() noexcept {
+    forget_overdue();
     for (std::size_t function = 0U; function < function_count; ++function) {
         FunctionBlock& block = functions_[function];
         for (std::size_t input = 0U; input < block.inputs.size(); ++input) {

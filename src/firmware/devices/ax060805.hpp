@@ -74,6 +74,7 @@ class Device final : private Application {
     void publish_angles() noexcept;
     void publish_diagnostics() noexcept;
     void run_functions() noexcept;
+    void forget_overdue() noexcept;
     void tell_errors(Instant now) noexcept;
     void tell_sensor_error(ErrorId error, bool present, Instant now) noexcept;
 
@@ -115,7 +116,7 @@ class Device final : private Application {
     std::array<FunctionBlock, function_count> functions_{};
     std::array<Signal, function_count> results_{};
     std::array<bool, received_count> received_{};
-    bool timed_out_{false};
+    std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was late when that was last looked at
     Instant next_sample_{never};
     Instant next_filter_{never};
 };

@@ -124,7 +124,7 @@ TEST_F(Angles, TiltRollGoesOnInGimbalLock) {
 }
 
 TEST_F(Angles, WithoutGravityTheyKeepTheirLastValue) {
-    verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5>();
+    verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
     const Row before = angles_of(30.0, 0.0);
     EXPECT_EQ(angles_at(0.0, 0.0, 0.0), before);
     EXPECT_EQ(read(0x4020), 1U);

@@ -118,6 +118,32 @@ TEST_F(Filters, StartsAnewAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
 }
 
+TEST_F(Filters, AveragesForgetWhatWasBeforeAnAccelerometerError) {
+    verifies<req::INC_AVG_007>();
+    switch_filter_off();
+    set_filter(1, 1, 100);
+    set_filter(2, 2, 100);
+    pass(500);
+    inputs.accelerometer_fault = true;
+    set_inputs();
+    pass(20);
+    inputs.accelerometer_fault = false;
+    turn(30.0, 0.0);
+    pass(5);
+    EXPECT_EQ(read(0x4020), 0U);
+    EXPECT_EQ(pitch(), 3000);
+    turn(60.0, 0.0);
+    pass(10);
+    EXPECT_EQ(pitch(), 4500);  // 30 and 60, 10 ms after the restart
+    inputs.accelerometer_fault = true;
+    set_inputs();
+    pass(5);
+    inputs.accelerometer_fault = false;
+    turn(0.0, 40.0);
+    pass(5);
+    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter as well
+}
+
 TEST_F(Filters, MovingAverageOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();

@@ -347,6 +347,36 @@ TEST_F(Functions, AReceivedValueIsUndefinedAgainAfterATimeout) {
     EXPECT_EQ(taken_from(20, 1.0F), 2);
 }
 
+TEST_F(Functions, EachRpdoThatIsLateCountsForItself) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1601, 1, 0x25000210, 4);
+    write(0x1601, 0, 1, 1);
+    write(0x1401, 5, 300, 2);
+    write(0x1401, 1, 0x4000037F, 4);
+    write(0x1029, 1, 1, 1);  // stays operational
+    send("000#0100");
+    send("27F#E80300000000");
+    pass(100);  // RPDO1 is late and stays so
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    send("37F#D007");  // RPDO2 brings 2.0
+    EXPECT_EQ(taken_from(21, 1.0F), 2);
+    pass(300);
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+}
+
+TEST_F(Functions, AValueWrittenAfterTheTimeoutCounts) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1029, 1, 1, 1);
+    send("000#0100");
+    pass(2);  // late at 102 ms, between the samples at 100 and 105 ms
+    send("27F#E80300000000");
+    pass(101);
+    write(0x2500, 1, 4000, 2);
+    EXPECT_EQ(taken_from(20, 1.0F), 4);
+}
+
 TEST_F(Functions, AFailedSensorHasNoSignals) {
     verifies<req::INC_SIG_002, req::INC_FV_007>();
     inputs.accelerometer_fault = true;

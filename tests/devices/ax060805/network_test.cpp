@@ -1,5 +1,7 @@
 // The AX060805 on its network: PDOs, LSS, storing, identity, heartbeat, self-start, slew rate (3.9, 3.10, 4.1, 4.2,
 // 4.3.1), node 127.
+#include <cmath>
+
 #include "generated/ax060805/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
@@ -406,6 +408,30 @@ TEST_F(Network, SelfStartYieldsToASensorError) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
+TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
+    verifies<req::INC_START_001, req::INC_ERR_011>();
+    write(0x5555, 0, 1, 1);
+    store_all();
+    inputs.accelerometer_fault = true;
+    power_on();
+    send("000#8200");
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    write(0x1029, 2, 1, 1);  // errors leave the state alone
+    store_all();
+    send("000#8200");
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+    write(0x1029, 2, 0, 1);
+    store_all();
+    inputs.accelerometer_fault = false;
+    set_inputs();
+    pass(5);
+    send("000#8200");
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
 TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002, req::INC_FV_006, req::INC_OD_5020, req::INC_OD_5030,
              req::INC_OD_4060, req::INC_S_SUPPLY, req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
@@ -422,8 +448,11 @@ TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
     EXPECT_EQ(value(0x4060), -13);
     inputs.supply_voltage = 70.5F;  // no measurement: the object ends at 70 V
     inputs.processor_temperature = 150.5F;
+    inputs.sensor_temperature = NAN;
     set_inputs();
     pass(5);
+    EXPECT_EQ(value(0x4060), -13);
+    EXPECT_EQ(read(0x4020), 1U);
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     inputs.supply_voltage = 70.0F;
@@ -441,6 +470,7 @@ TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
     power_on();  // nothing was measured yet
     EXPECT_EQ(real(0x5020), 0.0F);
     EXPECT_EQ(real(0x5030), 0.0F);
+    EXPECT_EQ(value(0x4060), 0);
 }
 
 }  // namespace canproof::test
