@@ -144,6 +144,8 @@ TEST(MathBlock, OrItIsFedBackWithANegativeGain) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     // function 1: 0.2 - 0.5 = -0.3, as chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
+    // with a gain of 1 it is 0: 0 + 0 + 0.9
+    EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
 }
 
 TEST(MathBlock, AnErrorCountsAsZero) {

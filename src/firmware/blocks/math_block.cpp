@@ -22,6 +22,10 @@ constexpr bool is_same(const double a, const double b) noexcept {
     return (a <= b) && (a >= b);
 }
 
+constexpr bool is_same(const MathFunction& a, const MathFunction& b) noexcept {
+    return is_same(a.value, b.value) && is_same(a.with_sign, b.with_sign);
+}
+
 Operation operation_of(const std::uint8_t number) noexcept {
     namespace table = generated::ax130751::t_aor_t21;
     return cell_or(table::find(number), &table::Row::operation, Operation::plus);
@@ -132,13 +136,17 @@ double apply_operator(const std::uint8_t number, const double a, const double b)
     }
 }
 
-static_assert(implements<req::AOR_MATH_009>);
+static_assert(implements<req::AOR_MATH_005> && implements<req::AOR_MATH_009>);
 double MathBlock::input_value(const MathInput& input) const noexcept {
-    const bool own = (input.own_function != 0U) && (input.own_function <= math_functions);
-    return (own ? results_[input.own_function - 1U] : math_fraction(input)) * input.gain;
+    if ((input.own_function == 0U) || (input.own_function > math_functions)) {
+        return math_fraction(input) * input.gain;
+    }
+    const MathFunction& fed_back = results_[input.own_function - 1U];
+    const bool is_inverted = input.gain < 0.0;  // only then a negative difference counts with its sign (1.7)
+    return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
 }
 
-static_assert(implements<req::AOR_MATH_002> && implements<req::AOR_MATH_005> && implements<req::AOR_MATH_007>);
+static_assert(implements<req::AOR_MATH_002> && implements<req::AOR_MATH_007>);
 MathResult MathBlock::advance(const MathConfig& config) noexcept {
     // Function n works on the chain so far and on input n + 1; the chain begins with input 1.
     const MathInput& first = config.inputs[0U];
@@ -146,7 +154,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
     double chain = chained ? input_value(first) : 0.0;
     bool negative_gain = first.gain < 0.0;
     MathResult result{};
-    const std::array<double, math_functions> before{results_};
+    const std::array<MathFunction, math_functions> before{results_};
     for (std::size_t function = 0U; function < math_functions; ++function) {
         const MathInput& second = config.inputs[function + 1U];
         const std::uint8_t number = config.operators[function];
@@ -155,12 +163,12 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
             const double raw = held_finite(apply_operator(number, chain, input_value(second)));
             const bool signed_result = negative_gain || (second.gain < 0.0);
             const bool held_at_0 = (operation_of(number) == Operation::minus) && (raw < 0.0) && (!signed_result);
-            results_[function] = raw;
             chain = held_at_0 ? 0.0 : raw;
+            results_[function] = MathFunction{chain, raw};
             negative_gain = false;
             result = MathResult{chain, true};
         } else {
-            results_[function] = 0.0;
+            results_[function] = MathFunction{};
         }
         // Without input 2 there is no function 1, and nothing for the others to work on.
         chained = chained && (done || (function != 0U));

@@ -35,6 +35,12 @@ struct MathResult {
     bool done{false};  ///< false: no function had both of its inputs
 };
 
+/// What one function gave.
+struct MathFunction {
+    double value{0.0};
+    double with_sign{0.0};  ///< the same, but a negative difference is not 0
+};
+
 class MathBlock {
   public:
     /// The result of the last function that was done, as a fraction: 1 is full scale, more and less are possible.
@@ -47,7 +53,8 @@ class MathBlock {
     double input_value(const MathInput& input) const noexcept;
 
     bool settled_{true};
-    std::array<double, math_functions> results_{};  ///< of this cycle, or of the one before where not yet calculated
+    /// Of this cycle, or of the one before where not yet calculated.
+    std::array<MathFunction, math_functions> results_{};
 };
 
 /// The output between the block's two scalings.

@@ -140,6 +140,7 @@ static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003> && i
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
+    lss_stored_ = kept_;
     bit_rate_ = kept_.bit_rate;
     node_.power_on(kept_, now);
     set_inputs(inputs, now);
@@ -344,10 +345,20 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
+/// What LSS has not changed stays as 5B50h and 5B51h keep it.
+static_assert(implements<req::AOR_NODE_005>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
-    const LssError error = lss_store_.store(configuration);
+    LssConfiguration wanted{configuration};
+    if (std::uint32_t{configuration.node_id} == lss_stored_.node_id) {
+        wanted.node_id = kept_.node_id;
+    }
+    if (configuration.bit_rate == lss_stored_.bit_rate) {
+        wanted.bit_rate = kept_.bit_rate;
+    }
+    const LssError error = lss_store_.store(wanted);
     if (error == LssError::none) {
-        kept_ = configuration;
+        kept_ = wanted;
+        lss_stored_ = configuration;
         show_configuration();
     }
     return error;

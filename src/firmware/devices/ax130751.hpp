@@ -74,7 +74,8 @@ class Device final : private Application {
     FactoryData factory_;
     Inputs inputs_{};
     Outputs outputs_{};
-    LssConfiguration kept_{};  ///< for the next power-on
+    LssConfiguration kept_{};        ///< for the next power-on
+    LssConfiguration lss_stored_{};  ///< what LSS last stored, which knows nothing of 5B50h and 5B51h
     std::uint32_t bit_rate_{0U};
 
     // In the order in which a cycle runs through them.

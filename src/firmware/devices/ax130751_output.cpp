@@ -146,6 +146,9 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
     conditions.enable = signals.enable.is_available()
                             ? enable_action(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
                             : EnableAction::run;
+    if (digital && (!signals.control.is_available()) && (conditions.enable == EnableAction::run)) {
+        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+    }
     return choose_drive(conditions);
 }
 

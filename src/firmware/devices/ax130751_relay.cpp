@@ -23,9 +23,16 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
         case Drive::blink:
             return SwitchDrive::blink;
         case Drive::off:
+        case Drive::none:
         default:
             return SwitchDrive::off;
     }
+}
+
+/// Polarity 0 is a relay that the unit does not have: nothing drives it.
+bool is_implemented(const std::uint8_t value) noexcept {
+    using Drive = own::t_aor_t10::Drive;
+    return cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::drive, Drive::none) != Drive::none;
 }
 
 UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
@@ -79,7 +86,8 @@ void RelayOutput::reset(Outputs& outputs) noexcept {
 static_assert(implements<req::AOR_RELAY_016>);
 bool RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const RelayPolarity wanted = polarity();
-    const OutputDrive drive = drive_of(wanted, cycle.shutdown);
+    const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));
+    const OutputDrive drive = drive_of(wanted, cycle.shutdown || absent);
     const RelayDemand demand{control_.on(), unlatch_.on(),
                              override_state(objects_.get(field::o2293_relay_override_state[1U]))};
     const bool before = shown_;
@@ -109,6 +117,9 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
     conditions.enable = enable.is_available()
                             ? enable_action(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
                             : EnableAction::run;
+    if ((!control.is_available()) && (conditions.enable == EnableAction::run)) {
+        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+    }
     return choose_drive(conditions);
 }
 

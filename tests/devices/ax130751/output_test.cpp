@@ -386,6 +386,22 @@ TEST_F(Ax130751Output, WithoutAControlItIsOff) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
+TEST_F(Ax130751Output, WithoutAControlAnInverseDigitalOutputIsOffToo) {
+    verifies<req::AOR_OUT_008>();
+    make(1020);
+    set8(0x2241, 1, 1);
+    set8(0x6220, 1, 0);
+    pass(1);
+    EXPECT_TRUE(is_on(1)) << "inverse of OFF";
+    set8(0x2340, 1, not_used);
+    pass(1);
+    EXPECT_FALSE(is_on(1));
+    set16(0x2300, 1, 1);
+    connect(0x2360, 1);
+    extra(1, 100);
+    EXPECT_TRUE(is_on(1)) << "an override needs no control";
+}
+
 TEST_F(Ax130751Output, AnInputInErrorTakes7341hOrKeeps) {
     verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004>();
     make(10);

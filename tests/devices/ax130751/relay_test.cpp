@@ -311,9 +311,24 @@ TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
     set8(0x2260, 1, not_used);
     pass(1);
     EXPECT_FALSE(relay_on());
-    set8(0x2242, 1, 2);
+    for (const int polarity : {2, 4}) {
+        set8(0x2242, 1, polarity);
+        pass(1);
+        EXPECT_FALSE(relay_on()) << "polarity " << polarity << ": OFF, not the inverse of OFF";
+    }
+    set8(0x2260, 1, canopen);
+    EXPECT_TRUE(control(1));  // the inverse latch rests ON
+}
+
+TEST_F(Ax130751Relay, ARelayThatIsNotImplementedIsNeverDriven) {
+    verifies<req::AOR_RELAY_002, req::AOR_T10>();
+    connect(0x2290, 2);
+    set8(0x2293, 1, 1);
+    extra(2, 100);
+    EXPECT_TRUE(relay_on()) << "overridden";
+    set8(0x2242, 1, 0);
     pass(1);
-    EXPECT_TRUE(relay_on()) << "inverse of OFF";
+    EXPECT_FALSE(relay_on());
 }
 
 }  // namespace canproof::test

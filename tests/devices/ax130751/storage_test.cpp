@@ -141,6 +141,29 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoHoldFromTheNextPowerOn) {
     EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
 }
 
+TEST_F(Ax130751Storage, LssKeepsWhatSdoHasSetAndItHasNot) {
+    verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"})) << "the node-ID by SDO waits for power-on";
+    EXPECT_EQ(read(0x5B51, 0), 0x30U);
+    EXPECT_EQ(read(0x5B50, 0), 3U);
+    EXPECT_EQ(power_on(), (Frames{"730#00"}));
+    EXPECT_EQ(device->bit_rate(), 250000U);
+    node = 0x30;
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s
+    give_node_id(0x31);
+    EXPECT_EQ(read(0x5B51, 0), 0x31U);
+    EXPECT_EQ(read(0x5B50, 0), 2U);
+    EXPECT_EQ(power_on(), (Frames{"731#00"}));
+    EXPECT_EQ(device->bit_rate(), 500000U);
+    EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
+    give_node_id(0x33);
+    EXPECT_EQ(read(0x5B51, 0), 0x33U) << "what LSS has set itself it stores";
+}
+
 TEST_F(Ax130751Storage, RestoringTouchesNeitherNodeIdNorBitRate) {
     verifies<req::AOR_NODE_004, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     give_node_id(0x20);

@@ -213,7 +213,7 @@ TEST(Ax130751Tables, T10RelayPolarity) {
     namespace t = own::t_aor_t10;
     using D = t::Drive;
     // before/now: OFF/OFF, OFF/ON, ON/OFF, ON/ON
-    const std::array<std::array<D, 4>, 6> drives{{{D::off, D::off, D::off, D::off},
+    const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
                                                   {D::off, D::on, D::off, D::on},
                                                   {D::on, D::off, D::on, D::off},
                                                   {D::keep, D::change, D::keep, D::keep},
