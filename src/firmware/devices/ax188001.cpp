@@ -138,8 +138,9 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
     advance_when_due(now);
-    if (nmt_command(frame, node_.node_id()).has_value()) {
-        start_others_at_ = never;  // there is a master
+    const std::uint8_t addressed = frame.data[1];
+    if (nmt_command(frame, addressed).has_value()) {
+        start_others_at_ = never;  // there is a master, whichever node it speaks to
     }
     node_.receive(frame, now);
     advance_when_due(now);  // a self-start that followed a reset

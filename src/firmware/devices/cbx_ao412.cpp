@@ -14,6 +14,8 @@ namespace own = generated::cbx_ao412;
 namespace field = generated::cbx_ao412::field;
 using own::IndicatorState;
 
+constexpr std::uint32_t hardware_version_index = 0x1009U;
+constexpr std::uint32_t software_version_index = 0x100AU;
 constexpr std::uint32_t output_index = 0x6411U;
 constexpr std::uint32_t offset_index = 0x2404U;
 constexpr std::uint32_t gain_index = 0x2405U;
@@ -179,12 +181,23 @@ void Device::after_write(const EntryRef& entry, const Instant) {
 static_assert(implements<req::AO4_AOUT_009>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
+        put_version(hardware_version_index, factory_.hardware_version);
+        put_version(software_version_index, factory_.software_version);
+        objects_.set(field::o1f52_1_application_software_date, factory_.software_date);
+        objects_.set(field::o1f52_2_application_software_time, factory_.software_time);
         objects_.set(field::o1018_3_revision_number, factory_.revision);
         objects_.set(field::o1018_4_serial_number, factory_.serial_number);
     }
     for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
         objects_.set(field::o2404_calibration_offset_value[number], factory_.offset[number - 1U]);
         objects_.set(field::o2405_calibration_gain_value[number], factory_.gain[number - 1U]);
+    }
+}
+
+void Device::put_version(const std::uint16_t index, const VersionText& text) noexcept {
+    const auto entry = objects_.find(index, 0U);
+    if (entry.ok() && (text[0] != 0U)) {
+        objects_.put(entry.value(), ByteView{text});
     }
 }
 

@@ -17,8 +17,15 @@ using Outputs = generated::cbx_ao412::Outputs;
 
 constexpr std::uint32_t output_count = 4U;
 
+/// Version strings of a unit, in ASCII, zeros behind.
+using VersionText = std::array<std::uint8_t, 8U>;
+
 /// What belongs to one unit and left the factory with it. 7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2.
 struct FactoryData {
+    VersionText hardware_version{};            ///< 1009h; empty: as the register has it
+    VersionText software_version{};            ///< 100Ah; empty: as the register has it
+    std::uint32_t software_date{11285U};       ///< 1F52h:1, days since 1984-01-01
+    std::uint32_t software_time{0U};           ///< 1F52h:2, ms since midnight
     std::uint32_t revision{0x00020004U};       ///< 1018h:3, major and minor revision
     std::uint32_t serial_number{0xC1C20105U};  ///< 1018h:4, lot letters with bit 7 set, then BCD
     std::array<std::int16_t, output_count> offset{};
@@ -59,6 +66,7 @@ class Device final : private Application {
     void booted(Instant now) override;
     void communication_failed(bool failed, Instant now) override;
 
+    void put_version(std::uint16_t index, const VersionText& text) noexcept;
     void watch_internal_fault(Instant now) noexcept;
     void set_failed(bool communication, bool internal) noexcept;
     void command_outputs() noexcept;

@@ -140,10 +140,8 @@ LinePlot channel_error_plot() {
     LinePlot plot{"AX188001: field value less hot junction (1 °C promised)", "hot junction / °C", "error / °C", {}, {}};
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
-        // Where a step of the converter, 0.6 to 2.4 uV, is worth less than a degree.
-        const double low = type == SensorType::b                            ? 250.0
-                           : type == SensorType::r || type == SensorType::s ? -50.0
-                                                                            : std::fmax(curve.lowest_c, -200.0);
+        // Where half a step of the converter, 0.3 uV here, is worth less than a degree.
+        const double low = type == SensorType::b ? 50.0 : curve.lowest_c;
         Bench bench{type};
         Curve drawn{name, {}};
         constexpr int steps = 300;

@@ -49,8 +49,8 @@ TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
     verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
     for (const auto& type : its90_types()) {
         ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
-        const bool noble = type.letter == 'R' || type.letter == 'S';
-        const double from = type.letter == 'B' ? 250.0 : noble ? 0.0 : -100.0;
+        // Type B rises by 0.34 uV/K at 50 degC: half a step of 0.596 uV is 0.9 degC.
+        const double from = type.letter == 'B' ? 50.0 : static_cast<double>(type.lowest());
         for (double celsius = from; celsius <= static_cast<double>(type.highest()); celsius += 61.7) {
             heat(1, celsius, type.letter);
             settle();
@@ -59,6 +59,18 @@ TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
             ASSERT_NEAR(process_value(1), expected, 16) << type.letter << " at " << celsius;
         }
     }
+}
+
+TEST_F(Values, TypeEBeyondTheConverterIsTakenForOpen) {
+    verifies<req::TCS_IN_012, req::TCS_IN_006>();
+    EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
+    inputs.cold_junction = -40.0F;  // E: -2.255 mV
+    heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
+    settle();
+    EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);
+    heat(1, 1000.0, 'E');  // 76.373 mV, at the terminals 78.628: more than 78.125
+    settle();
+    EXPECT_EQ(process_value(1), -512);
 }
 
 TEST_F(Values, TypeJIsReadToAHundredthAtItsHighestGain) {

@@ -127,6 +127,23 @@ TEST_F(Dictionary, Strings) {
     EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04"
 }
 
+TEST_F(Dictionary, AUnitHasVersionsAndDateOfItsOwn) {
+    verifies<req::AO4_OD_1009, req::AO4_OD_100A, req::AO4_OD_1018, req::AO4_OD_1F52>();
+    factory.hardware_version = {'1', '.', '1', '0'};
+    factory.software_version = {'2', '.', '0', '6', ' ', 'b', 'e', 't'};
+    factory.revision = 0x00020006;
+    factory.software_date = 11286;    // 2C16h
+    factory.software_time = 3600000;  // 36EE80h
+    power_on();
+    EXPECT_EQ(send("603#4009100000000000"), (Frames{"583#43091000312E3130"}));  // "1.10"
+    EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#410A100008000000"}));
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#00322E3036206265"}));
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#1D74000000000000"}));
+    EXPECT_EQ(send("603#4018100300000000"), (Frames{"583#4318100306000200"}));
+    EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01162C0000"}));
+    EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0280EE3600"}));
+}
+
 TEST_F(Dictionary, LimitsOfTheManual) {
     verifies<req::AO4_OD_1016, req::AO4_OD_1029, req::AO4_OD_1601, req::AO4_OD_1F51, req::AO4_OD_6443>();
     write("603#23161001FFFF7F00");
