@@ -262,12 +262,34 @@ void Device::booted(const Instant now) {
         }
     }
     tell_faults(now);
+    obey_lasting_faults(now);
+}
+
+/// 1029h outranks the self-start: a fault that outlasts a reset of the communication holds the node as when it was
+/// told.
+static_assert(implements<req::TCS_START_005>);
+void Device::obey_lasting_faults(const Instant now) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (std::size_t i = 0U; i < channel_fault_count; ++i) {
+            if (scanner_.told(channel, static_cast<ChannelFault>(i))) {
+                node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::tc_input), now);
+            }
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        if (scanner_.told(static_cast<UnitFault>(i))) {
+            node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::fault_detection), now);
+        }
+    }
 }
 
 static_assert(implements<req::TCS_START_004>);
 void Device::start_others_when_due(const Instant now) noexcept {
-    if (start_others_at_ <= now) {
+    const bool due = start_others_at_ <= now;
+    if (due) {
         start_others_at_ = never;
+    }
+    if (due && (node_.state() == NmtState::operational)) {
         constexpr std::uint32_t all_nodes = 0U;
         Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);
         command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);

@@ -55,6 +55,7 @@ class Device final : private Application {
 
     void advance_when_due(Instant now) noexcept;
     void scan_when_due(Instant now) noexcept;
+    void obey_lasting_faults(Instant now) noexcept;
     void start_others_when_due(Instant now) noexcept;
     void tell_faults(Instant now) noexcept;
     void tell(ErrorId error, bool present, std::uint8_t reaction, Instant now) noexcept;

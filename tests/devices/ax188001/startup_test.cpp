@@ -90,6 +90,25 @@ TEST_F(Ax188001Startup, AMasterCancelsTheCommand) {
     EXPECT_NE(std::find(frames.begin(), frames.end(), "500:000#0100"), frames.end());
 }
 
+TEST_F(Ax188001Startup, AFaultHoldsTheNodeAndItsCommandBack) {
+    verifies<req::TCS_START_005>();
+    write(0x5051, 1, 2, 0);
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    start_with(2);
+    inputs.cpu_temperature = 120.0F;
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // 1029h:3 is 0
+    EXPECT_EQ(pass(5000), Frames{});
+    EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(pass(5000), Frames{});
+    EXPECT_EQ(write(0x1029, 3, 1, 1), 0U);
+    EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
+    send("000#827F");
+    EXPECT_EQ(device->state(), NmtState::operational);
+    EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"}));
+}
+
 TEST_F(Ax188001Startup, DelayOfTheCommand) {
     verifies<req::TCS_START_004, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
