@@ -53,7 +53,7 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
         need(options.replay_build, "replay", "release");
     }
     if (options.coverage) {
-        need(options.coverage_build, "coverage", "coverage");
+        need(options.coverage_build, "coverage", "fuzz-coverage");
     }
 }
 

@@ -18,7 +18,7 @@ struct CampaignOptions {
     std::string out{"build/exhibits/fuzz"};  ///< index.html, report.json, and exhibit.json for the evidence pack
     std::string build{"build/fuzz"};         ///< libFuzzer programs under sanitizers
     std::string replay_build{"build/release"};
-    std::string coverage_build{"build/coverage"};
+    std::string coverage_build{"build/fuzz-coverage"};
     std::string fuzz{"fuzz"};         ///< seeds, dictionaries, options
     std::string land{"fuzz/corpus"};  ///< findings go there as regression tests; empty: nowhere
     unsigned jobs{0};                 ///< 0: all cores
