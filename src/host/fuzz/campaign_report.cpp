@@ -175,12 +175,19 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
     if (!finished) {
         open.push_back(fmt::format("not finished: stopped during “{}”", state.phase));
     }
+    std::size_t looked_at_again = 0;
+    for (const auto& target : state.targets) {
+        looked_at_again += target.inputs_second_pass;
+    }
     std::string says =
         fmt::format("{} targets, {} minutes on {} job(s), {} executions, {} finding(s)", state.targets.size(),
                     state.minutes, state.jobs, with_commas(state.executions()), state.findings.size());
     if (state.coverage.measured) {
         says += fmt::format("; {:.1f} % of the firmware's lines reached by fuzzing alone",
                             percent(state.coverage.hit(), state.coverage.lines()));
+    }
+    if (looked_at_again != 0) {
+        says += fmt::format("; {} inputs once more under valgrind", with_commas(looked_at_again));
     }
     return {{"title", "Fuzzing campaign"},
             {"state", open.empty() ? "holds" : "open"},

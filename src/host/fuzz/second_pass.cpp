@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "host/fuzz/campaign_display.hpp"
 #include "host/fuzz/campaign_files.hpp"
@@ -13,11 +14,11 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t chunk_size = 25;
+constexpr std::size_t chunk_size = 10;
+constexpr double chunk_limit = 600.0;     ///< seconds; a program that hangs ends
 constexpr std::size_t most_findings = 5;  ///< of one target, looked for one by one
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
-constexpr double least_seconds = 30.0;
 
 using Inputs = std::vector<std::filesystem::path>;
 
@@ -38,8 +39,9 @@ Task under_valgrind(const CampaignContext& context, Chunk& chunk, const std::fil
         task.command.push_back(input.string());
     }
     task.log = log;
+    task.limit_seconds = chunk_limit;
     task.ended = [&chunk](const TaskEnd& end) {
-        chunk.done = !end.interrupted;
+        chunk.done = !end.interrupted && !end.timed_out;
         chunk.status = end.status;
     };
     return task;
@@ -84,24 +86,34 @@ bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     return true;
 }
 
+/// Chunks `from` to `to` until `ends` says so.
+void look_at(const CampaignContext& context, std::vector<Chunk>& chunks, std::size_t from, std::size_t to,
+             const std::function<bool()>& ends) {
+    std::vector<Task> tasks;
+    for (std::size_t i = from; i < to; ++i) {
+        const auto log = context.files.log(fmt::format("valgrind-{}-{}", chunks[i].target->name, i));
+        tasks.push_back(under_valgrind(context, chunks[i], log));
+    }
+    run_tasks(std::move(tasks), context.options.jobs, ends, [&] { context.display.draw(context.state); });
+}
+
 }  // namespace
 
 bool look_again_with_valgrind(const CampaignContext& context) {
     using Clock = std::chrono::steady_clock;
-    const auto limit =
-        std::chrono::duration<double>(std::max(least_seconds, context.state.minutes * 60.0 * share_of_fuzzing));
-    const auto start = Clock::now();
+    const auto limit = std::chrono::duration<double>(context.state.minutes * 60.0 * share_of_fuzzing);
     for (TargetRecord& record : context.state.targets) {
         record.inputs_second_pass = 0;
     }
     std::vector<Chunk> chunks = chunks_of(context);
-    std::vector<Task> tasks;
-    for (std::size_t i = 0; i < chunks.size(); ++i) {
-        const auto log = context.files.log(fmt::format("valgrind-{}-{}", chunks[i].target->name, i));
-        tasks.push_back(under_valgrind(context, chunks[i], log));
-    }
-    const auto ends = [&] { return context.interrupted() || Clock::now() - start > limit; };
-    run_tasks(std::move(tasks), context.options.jobs, ends, [&] { context.display.draw(context.state); });
+    // Some inputs of every target, however long it takes; of the others as many as there is time for.
+    const auto first_of = [&](const Chunk& chunk) { return chunk.target == chunks.front().target; };
+    const auto second_round = chunks.empty() ? chunks.end() : std::find_if(chunks.begin() + 1, chunks.end(), first_of);
+    const auto sure = static_cast<std::size_t>(second_round - chunks.begin());
+    const auto start = Clock::now();
+    look_at(context, chunks, 0, sure, context.interrupted);
+    look_at(context, chunks, sure, chunks.size(),
+            [&] { return context.interrupted() || Clock::now() - start > limit; });
     for (const Chunk& chunk : chunks) {
         context.record(chunk.target->name).inputs_second_pass += chunk.done ? chunk.inputs.size() : 0;
         if (context.interrupted() || (chunk.done && chunk.status != 0 && !name_inputs(context, chunk))) {

@@ -103,6 +103,21 @@ TEST_F(Campaign, CountsAndMinimisesAndReports) {
     EXPECT_NE(text_of(folder / "out" / "index.html").find("No finding."), std::string::npos);
 }
 
+TEST_F(Campaign, LeavesAnExhibitForTheEvidence) {
+    const auto exhibit = [&] { return read_json(folder / "out" / "exhibit.json"); };
+    add_target("a", "");
+    add_target("b", "");
+    run();
+    EXPECT_EQ(exhibit()["state"], "holds");
+    EXPECT_EQ(exhibit()["page"], "index.html");
+    EXPECT_EQ(exhibit()["says"].get<std::string>().find("2 targets, "), 0U) << exhibit()["says"];
+    EXPECT_NE(exhibit()["says"].dump().find("600 executions, 0 finding(s)"), std::string::npos) << exhibit()["says"];
+    add_target("b", R"(printf BUGs > "${prefix}crash-2")");
+    run();
+    EXPECT_EQ(exhibit()["state"], "open");
+    EXPECT_EQ(exhibit()["open"][0], "b: requirement violated at fuzz/pdo_fuzz.cpp:7");
+}
+
 TEST_F(Campaign, ABugIsOneFindingHoweverOftenItCame) {
     add_target("a", R"(printf longerBUGinput > "${prefix}crash-1"; printf BUGs > "${prefix}crash-2")");
     EXPECT_EQ(run(), 1);
@@ -176,6 +191,9 @@ TEST_F(Campaign, ATargetThatEndsEarlyIsNoSuccess) {
     add_target("a", "exit 3");
     EXPECT_EQ(run(), 2);
     EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
+    const auto exhibit = read_json(folder / "out" / "exhibit.json");
+    EXPECT_EQ(exhibit["state"], "open");
+    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
 }
 
 TEST_F(Campaign, WhatIsMissingIsSaidWithItsRemedy) {
