@@ -197,7 +197,7 @@ void Device::put_factory_values(const ParameterGroup group) {
 void Device::put_version(const std::uint16_t index, const VersionText& text) noexcept {
     const auto entry = objects_.find(index, 0U);
     if (entry.ok() && (text[0] != 0U)) {
-        objects_.put(entry.value(), ByteView{text});
+        static_cast<void>(objects_.put(entry.value(), ByteView{text}));
     }
 }
 

@@ -215,7 +215,7 @@ TEST_F(Campaign, WhatIsMissingIsSaidWithItsRemedy) {
     options.second_pass = false;
     options.coverage = true;
     options.coverage_build = (folder / "no-build").string();
-    EXPECT_NE(complaint().find("cmake --preset coverage"), std::string::npos);
+    EXPECT_NE(complaint().find("cmake --preset fuzz-coverage"), std::string::npos);
 }
 
 TEST_F(Campaign, OptionsOfATargetComeFromItsFile) {
