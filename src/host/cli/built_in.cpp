@@ -23,30 +23,23 @@ bool same(const std::string& number, const std::string& name) {
     });
 }
 
-/// The devices' own files alone, by their names: what a device is called, and with what numbers.
-const Register& device_files() {
-    static const Register content = [] {
-        SpecFiles files;
-        for (const auto& [path, text] : embedded_spec()) {
-            if (std::filesystem::path{path}.filename() == "device.toml") {
-                files.emplace(path, text);
-            }
-        }
-        return read_sound_register(files).value();
-    }();
-    return content;
-}
-
-/// One device without the rest of the register; nothing when it needs the rest.
-std::optional<Register> register_of(const std::string& device) {
-    const std::string folder = "spec/devices/" + device + "/";
+/// The register of those files alone whose paths are wanted; nothing when they need others.
+template <typename Wanted>
+std::optional<Register> register_of(const Wanted& is_wanted) {
     SpecFiles files;
     for (const auto& [path, text] : embedded_spec()) {
-        if (path.rfind(folder, 0) == 0) {
+        if (is_wanted(path)) {
             files.emplace(path, text);
         }
     }
     return read_sound_register(files);
+}
+
+/// What each device is called, and with what numbers.
+const Register& device_files() {
+    static const Register content =
+        register_of([](const std::filesystem::path& path) { return path.filename() == "device.toml"; }).value();
+    return content;
 }
 
 /// Most programs run one device of the four: only that is read.
@@ -54,7 +47,8 @@ const Part& device_part(const std::string& name) {
     static std::map<std::string, std::optional<Register>> read;
     const auto [known, unread] = read.try_emplace(name);
     if (unread) {
-        known->second = register_of(name);
+        const std::string folder = "spec/devices/" + name + "/";
+        known->second = register_of([&folder](const std::string& path) { return path.rfind(folder, 0) == 0; });
     }
     return *(known->second ? *known->second : built_in_register()).part(name);
 }

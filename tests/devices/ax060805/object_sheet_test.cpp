@@ -1,9 +1,8 @@
 // Every object of the AX060805 as chapter 4 of its manual has it, where the register's decisions leave it: type,
 // access, mapping, default at node 127 and limits of each entry, read by hand from the object's page.
-#include "support/object_sheet.hpp"
-
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
+#include "support/axiomatic_sheet.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -12,10 +11,9 @@ namespace {
 
 using namespace sheet;
 
-class InclinometerObjectSheet : public ObjectSheet {
+class InclinometerObjectSheet : public AxiomaticSheet {
   protected:
-    InclinometerObjectSheet()
-        : ObjectSheet{generated::ax060805::tables, generated::ax060805::image_size, LimitAbort::high_low, 127} {}
+    InclinometerObjectSheet() : AxiomaticSheet{generated::ax060805::tables, generated::ax060805::image_size} {}
 };
 
 // "-0xFFFFFFFF to 0xFFFFFFFF"
@@ -46,58 +44,36 @@ TEST_F(InclinometerObjectSheet, CommunicationObjects) {
 // 4.2.4: four entries; the count takes nothing but 0
 TEST_F(InclinometerObjectSheet, ErrorList) {
     verifies<req::INC_OD_1003>();
-    check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
-    for (int sub = 1; sub <= 4; ++sub) {
-        check_entry({0x1003, 4, u32, Access::ro, {}, none, none}, sub, 0);
-    }
-    EXPECT_EQ(objects_.find(0x1003, 5).error(), AbortCode::subindex_missing);
+    check_error_list(4);
 }
 
 // 4.2.10: off, or 10 to 65535 ms
 TEST_F(InclinometerObjectSheet, ProducerHeartbeat) {
     verifies<req::INC_OD_1017>();
-    check({{0x1017, 0, u16, Access::rw, {0}, none, none}});
-    for (int value = 1; value <= 9; ++value) {
-        EXPECT_EQ(writing(0x1017, 0, value), AbortCode::value_too_low);
-    }
-    EXPECT_EQ(writing(0x1017, 0, 10), AbortCode::none);
+    check_producer_heartbeat();
 }
 
 // 4.2.14 and 4.2.15: identifiers at node 127 = 7Fh
 TEST_F(InclinometerObjectSheet, PdoCommunicationParameters) {
     verifies<req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800, req::INC_OD_1801,
              req::INC_OD_1802, req::INC_OD_1803>();
-    struct Pdo {
-        std::uint16_t index;
-        std::int64_t cob_id;
-        std::int64_t type;
-        std::int64_t timer;
-    };
-    const std::vector<Pdo> pdos{
-        {0x1400, 0x4000027F, 255, 0}, {0x1401, 0xC000037F, 255, 0},   {0x1402, 0xC000047F, 255, 0},
-        {0x1403, 0xC000057F, 255, 0}, {0x1800, 0x400001FF, 254, 250}, {0x1801, 0x400002FF, 254, 0},
-        {0x1802, 0x400003FF, 254, 0}, {0x1803, 0xC00004FF, 254, 0},
-    };
-    for (const Pdo& pdo : pdos) {
-        check_count(pdo.index, 5);
-        check_entry({pdo.index, 5, u32, Access::rw, {}, none, none}, 1, pdo.cob_id);
-        check_entry({pdo.index, 5, u8, Access::ro, {}, none, none}, 2, pdo.type);
-        check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 3, 0);
-        check_entry({pdo.index, 5, u8, Access::rw, {}, none, none}, 4, 0);
-        check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 5, pdo.timer);
-    }
+    check_communication({
+        {0x1400, 0x4000027F, 255, 0},
+        {0x1401, 0xC000037F, 255, 0},
+        {0x1402, 0xC000047F, 255, 0},
+        {0x1403, 0xC000057F, 255, 0},
+        {0x1800, 0x400001FF, 254, 250},
+        {0x1801, 0x400002FF, 254, 0},
+        {0x1802, 0x400003FF, 254, 0},
+        {0x1803, 0xC00004FF, 254, 0},
+    });
 }
 
 // 4.2.14 and 4.2.15: mappings
 TEST_F(InclinometerObjectSheet, PdoMappings) {
     verifies<req::INC_OD_1600, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603, req::INC_OD_1A00, req::INC_OD_1A01,
              req::INC_OD_1A02, req::INC_OD_1A03>();
-    struct Mapping {
-        std::uint16_t index;
-        std::int64_t count;
-        std::vector<std::int64_t> entries;
-    };
-    const std::vector<Mapping> mappings{
+    check_mappings({
         {0x1600, 3, {0x25000110, 0x25000210, 0x25000310, 0}},
         {0x1601, 0, {0, 0, 0, 0}},
         {0x1602, 0, {0, 0, 0, 0}},
@@ -106,15 +82,7 @@ TEST_F(InclinometerObjectSheet, PdoMappings) {
         {0x1A01, 4, {0x40000110, 0x40000210, 0x40000310, 0x40600010}},
         {0x1A02, 2, {0x50200020, 0x50300020, 0, 0}},
         {0x1A03, 0, {0, 0, 0, 0}},
-    };
-    for (const Mapping& mapping : mappings) {
-        check_entry({mapping.index, 0, u8, Access::rw, {}, 0, 4}, 0, mapping.count);
-        for (int sub = 1; sub <= 4; ++sub) {
-            check_entry({mapping.index, 4, u32, Access::rw, {}, none, none}, sub,
-                        mapping.entries[static_cast<std::size_t>(sub - 1)]);
-        }
-        EXPECT_EQ(objects_.find(mapping.index, 5).error(), AbortCode::subindex_missing);
-    }
+    });
 }
 
 // 4.3.1 to 4.3.12

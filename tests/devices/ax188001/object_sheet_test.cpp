@@ -1,9 +1,8 @@
 // Every object of the AX188001 as chapters 3.2 to 3.4 of its manual have it: type, access, mapping, default at node 127
 // and limits of each entry, read by hand from the object's page.
-#include "support/object_sheet.hpp"
-
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
+#include "support/axiomatic_sheet.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -12,10 +11,9 @@ namespace {
 
 using namespace sheet;
 
-class Ax188001ObjectSheet : public ObjectSheet {
+class Ax188001ObjectSheet : public AxiomaticSheet {
   protected:
-    Ax188001ObjectSheet()
-        : ObjectSheet{generated::ax188001::tables, generated::ax188001::image_size, LimitAbort::high_low, 127} {}
+    Ax188001ObjectSheet() : AxiomaticSheet{generated::ax188001::tables, generated::ax188001::image_size} {}
 };
 
 }  // namespace
@@ -42,46 +40,29 @@ TEST_F(Ax188001ObjectSheet, CommunicationObjects) {
 // 3.2.4: nine entries; the count takes nothing but 0
 TEST_F(Ax188001ObjectSheet, ErrorList) {
     verifies<req::TCS_OD_1003>();
-    check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
-    for (int sub = 1; sub <= 9; ++sub) {
-        check_entry({0x1003, 9, u32, Access::ro, {}, none, none}, sub, 0);
-    }
-    EXPECT_EQ(objects_.find(0x1003, 10).error(), AbortCode::subindex_missing);
+    check_error_list(9);
 }
 
 // 3.2.10: off, or 10 to 65535 ms
 TEST_F(Ax188001ObjectSheet, ProducerHeartbeat) {
     verifies<req::TCS_OD_1017>();
-    check({{0x1017, 0, u16, Access::rw, {0}, none, none}});
-    for (int value = 1; value <= 9; ++value) {
-        EXPECT_EQ(writing(0x1017, 0, value), AbortCode::value_too_low);
-    }
-    EXPECT_EQ(writing(0x1017, 0, 10), AbortCode::none);
+    check_producer_heartbeat();
 }
 
 // 3.2.14 and 3.2.15: identifiers at node 127 = 7Fh
 TEST_F(Ax188001ObjectSheet, PdoCommunicationParameters) {
     verifies<req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801,
              req::TCS_OD_1802, req::TCS_OD_1803>();
-    struct Pdo {
-        std::uint16_t index;
-        std::int64_t cob_id;
-        std::int64_t type;
-        std::int64_t timer;
-    };
-    const std::vector<Pdo> pdos{
-        {0x1400, 0xC000027F, 255, 0}, {0x1401, 0xC000037F, 255, 0},    {0x1402, 0xC000047F, 255, 0},
-        {0x1403, 0xC000057F, 255, 0}, {0x1800, 0x400001FF, 254, 1000}, {0x1801, 0xC00002FF, 254, 0},
-        {0x1802, 0xC00003FF, 254, 0}, {0x1803, 0xC00004FF, 254, 0},
-    };
-    for (const Pdo& pdo : pdos) {
-        check_count(pdo.index, 5);
-        check_entry({pdo.index, 5, u32, Access::rw, {}, none, none}, 1, pdo.cob_id);
-        check_entry({pdo.index, 5, u8, Access::ro, {}, none, none}, 2, pdo.type);
-        check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 3, 0);
-        check_entry({pdo.index, 5, u8, Access::rw, {}, none, none}, 4, 0);
-        check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 5, pdo.timer);
-    }
+    check_communication({
+        {0x1400, 0xC000027F, 255, 0},
+        {0x1401, 0xC000037F, 255, 0},
+        {0x1402, 0xC000047F, 255, 0},
+        {0x1403, 0xC000057F, 255, 0},
+        {0x1800, 0x400001FF, 254, 1000},
+        {0x1801, 0xC00002FF, 254, 0},
+        {0x1802, 0xC00003FF, 254, 0},
+        {0x1803, 0xC00004FF, 254, 0},
+    });
 }
 
 // 3.2.14: no RPDO can be mapped
@@ -100,22 +81,10 @@ TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyForever) {
 // 3.2.15
 TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdos) {
     verifies<req::TCS_OD_1A00, req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
-    struct Mapping {
-        std::uint16_t index;
-        std::int64_t count;
-        std::vector<std::int64_t> entries;
-    };
-    for (const Mapping& mapping : {Mapping{0x1A00, 2, {0x71300110, 0x71300210, 0, 0}},
-                                   {0x1A01, 2, {0x21300010, 0x31300010, 0, 0}},
-                                   {0x1A02, 0, {0, 0, 0, 0}},
-                                   {0x1A03, 0, {0, 0, 0, 0}}}) {
-        check_entry({mapping.index, 0, u8, Access::rw, {}, 0, 4}, 0, mapping.count);
-        for (int sub = 1; sub <= 4; ++sub) {
-            check_entry({mapping.index, 4, u32, Access::rw, {}, none, none}, sub,
-                        mapping.entries[static_cast<std::size_t>(sub - 1)]);
-        }
-        EXPECT_EQ(objects_.find(mapping.index, 5).error(), AbortCode::subindex_missing);
-    }
+    check_mappings({{0x1A00, 2, {0x71300110, 0x71300210, 0, 0}},
+                    {0x1A01, 2, {0x21300010, 0x31300010, 0, 0}},
+                    {0x1A02, 0, {0, 0, 0, 0}},
+                    {0x1A03, 0, {0, 0, 0, 0}}});
 }
 
 // 3.3.1 to 3.3.7

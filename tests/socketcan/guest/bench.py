@@ -116,6 +116,13 @@ class Ear:
         return frames
 
 
+def boot_up(ear, nodes):
+    """Boot-up messages; the devices share a process, their order is no matter."""
+    missing = {f"70{node}#00" for node in nodes}
+    while missing:
+        missing.discard(ear.wait(r"70\d#00")[0])
+
+
 class Run:
     """canproof run …, its notices readable as they come; log: the frames, as candump writes them."""
 

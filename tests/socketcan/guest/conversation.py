@@ -5,7 +5,7 @@ import subprocess
 import time
 
 import warm_python
-from bench import Ear, Run, check, sh, until
+from bench import Ear, Run, boot_up, check, sh, until
 
 FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
@@ -13,13 +13,6 @@ NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
 # 1000h: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. In a frame the lowest byte comes first.
 DEVICE_TYPES = {3: "91010800", 4: "94011CE0", 5: "94010200", 6: "9A010310"}
 DUMP = "/tmp/candump.log"
-
-
-def boot_up(ear, nodes=tuple(FOUR)):
-    """Boot-up messages; the devices share a process, their order is no matter."""
-    missing = {f"70{node}#00" for node in nodes}
-    while missing:
-        missing.discard(ear.wait(r"70\d#00")[0])
 
 
 def ask_with_cansend(ear):
@@ -87,7 +80,7 @@ def check_short(kind, program):
     """What a build with sanitizers is put through: they speak up, and end it with another status, when something is wrong."""
     with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
         with check(f"{kind}four devices of one process boot up and answer"):
-            boot_up(ear)
+            boot_up(ear, FOUR)
             ask_with_cansend(ear)
         with check(f"{kind}SIGTERM ends it with nothing left to say"):
             said = run.stop()
@@ -100,7 +93,7 @@ def check_all(program):
         until("candump listens", lambda: "vcan0" in open("/proc/net/can/rcvlist_all").read())
         with Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
             with check("four devices of one process boot up"):
-                boot_up(ear)
+                boot_up(ear, FOUR)
             with check("cansend asks each for its type, guards and starts one"):
                 ask_with_cansend(ear)
             with check("python-can reads and writes objects, hears a heartbeat every 10 ms"):

@@ -3,15 +3,9 @@ import re
 import subprocess
 import time
 
-from bench import Ear, Run, check, sh, until
+from bench import Ear, Run, boot_up, check, sh, until
 
 DEVICES = ["cbx-ao412@3", "ax188001@5", "ax060805@6"]
-
-
-def boot(ear, nodes):
-    missing = {f"70{node}#00" for node in nodes}
-    while missing:
-        missing.discard(ear.wait(r"70\d#00")[0])
 
 
 def wait_all(ear, patterns):
@@ -60,7 +54,7 @@ def down_and_up(run):
 
 def check_faults(kind, program):
     with Ear("vcan0") as ear, Run(program, *DEVICES, "--bus", "socketcan:vcan0") as run:
-        boot(ear, [3, 5, 6])
+        boot_up(ear, [3, 5, 6])
         with check(f"{kind}error frames become each device's own errors, and bus-off ends with its recovery"):
             error_frames(ear)
         with check(f"{kind}interface taken down, deleted and made again: each is told and overcome"):
@@ -84,7 +78,7 @@ def matches():
 def filters(program):
     """The kernel wakes a node's socket for what the node may react to and for nothing else."""
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "ax188001@5", "--bus", "socketcan:vcan0"):
-        boot(ear, [3, 5])
+        boot_up(ear, [3, 5])
         # The kernel hands a frame to one socket after the other: this one may have it before the program's.
         until("both boot-ups counted", lambda: matches().get("703") == [1] and matches().get("705") == [1])
         before = matches()

@@ -1,0 +1,77 @@
+// What the object pages of the three Axiomatic manuals have alike: shipped with node-ID 127, four PDOs a direction, the
+// list of errors, the heartbeat. The figures of each stand in its own test.
+#pragma once
+
+#include "support/object_sheet.hpp"
+
+namespace canproof::test {
+
+namespace sheet {
+
+/// One of 1400h…1403h or 1800h…1803h; the COB-ID is that of node 127.
+struct PdoCommunication {
+    std::uint16_t index;
+    std::int64_t cob_id;
+    std::int64_t type;
+    std::int64_t timer;
+};
+
+/// One of 1600h…1603h or 1A00h…1A03h: how many of its four entries are in use, and all of them.
+struct PdoMapping {
+    std::uint16_t index;
+    std::int64_t count;
+    std::vector<std::int64_t> entries;
+};
+
+}  // namespace sheet
+
+class AxiomaticSheet : public ObjectSheet {
+  protected:
+    AxiomaticSheet(const DictionaryTables& tables, std::size_t image_size)
+        : ObjectSheet{tables, image_size, LimitAbort::high_low, 127} {}
+
+    /// 1003h: so many entries; the count takes nothing but 0.
+    void check_error_list(int entries) const {
+        using namespace sheet;
+        check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
+        for (int sub = 1; sub <= entries; ++sub) {
+            check_entry({0x1003, entries, u32, Access::ro, {}, none, none}, sub, 0);
+        }
+        EXPECT_EQ(objects_.find(0x1003, static_cast<std::uint8_t>(entries + 1)).error(), AbortCode::subindex_missing);
+    }
+    /// 1017h: off, or 10 to 65535 ms.
+    void check_producer_heartbeat() {
+        using namespace sheet;
+        check({{0x1017, 0, u16, Access::rw, {0}, none, none}});
+        for (int value = 1; value <= 9; ++value) {
+            EXPECT_EQ(writing(0x1017, 0, value), AbortCode::value_too_low) << value;
+        }
+        EXPECT_EQ(writing(0x1017, 0, 10), AbortCode::none);
+    }
+    /// The transmission type is fixed, inhibit time and compatibility entry are 0.
+    void check_communication(const std::vector<sheet::PdoCommunication>& pdos) const {
+        using namespace sheet;
+        for (const PdoCommunication& pdo : pdos) {
+            check_count(pdo.index, 5);
+            check_entry({pdo.index, 5, u32, Access::rw, {}, none, none}, 1, pdo.cob_id);
+            check_entry({pdo.index, 5, u8, Access::ro, {}, none, none}, 2, pdo.type);
+            check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 3, 0);
+            check_entry({pdo.index, 5, u8, Access::rw, {}, none, none}, 4, 0);
+            check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 5, pdo.timer);
+        }
+    }
+    /// Mappings that a master may change.
+    void check_mappings(const std::vector<sheet::PdoMapping>& mappings) const {
+        using namespace sheet;
+        for (const PdoMapping& mapping : mappings) {
+            check_entry({mapping.index, 0, u8, Access::rw, {}, 0, 4}, 0, mapping.count);
+            for (int sub = 1; sub <= 4; ++sub) {
+                check_entry({mapping.index, 4, u32, Access::rw, {}, none, none}, sub,
+                            mapping.entries.at(static_cast<std::size_t>(sub - 1)));
+            }
+            EXPECT_EQ(objects_.find(mapping.index, 5).error(), AbortCode::subindex_missing);
+        }
+    }
+};
+
+}  // namespace canproof::test
