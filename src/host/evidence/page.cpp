@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/plot/markup.hpp"
 
 namespace canproof::host {
@@ -20,14 +22,14 @@ h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem}h2{font-size:1.3rem;ma
 p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
 th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
-td{overflow-wrap:anywhere}.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td{overflow-wrap:anywhere}.n{font-variant-numeric:tabular-nums;white-space:nowrap}td.n,th.n{text-align:right}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
 figure{margin:1rem 0}figure img{width:100%;height:auto;background:#fff;border-radius:.3rem}
 .wrap{overflow-x:auto}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
-@media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
+@media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
 @page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
 @media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,[role=status],script{display:none}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
@@ -45,6 +47,34 @@ field.addEventListener('input',show);
 const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=asked;show();
 }
 )";
+
+bool is_number(const std::string& cell) {
+    const bool digits_alone = cell.find_first_not_of("0123456789.") == std::string::npos;
+    return digits_alone && std::count(cell.begin(), cell.end(), '.') <= 1 && cell.find_first_of("0123456789") == 0;
+}
+
+/// 1279050 as 1,279,050; four digits stay together.
+std::string grouped(std::string number) {
+    constexpr std::size_t group = 3;
+    const std::size_t whole = std::min(number.find('.'), number.size());
+    for (std::size_t at = whole > group + 1 ? whole - group : 0; at > 0; at = at > group ? at - group : 0) {
+        number.insert(at, ",");
+    }
+    return number;
+}
+
+/// Whether every cell of the column that says something is a number; the numbers of sections ("2.1.1") are none.
+bool holds_numbers(const std::vector<std::vector<std::string>>& rows, const std::size_t column) {
+    bool any = false;
+    for (const auto& row : rows) {
+        const bool says_nothing = column >= row.size() || row[column].empty();
+        if (!says_nothing && !is_number(row[column])) {
+            return false;
+        }
+        any = any || !says_nothing;
+    }
+    return any;
+}
 
 }  // namespace
 
@@ -74,15 +104,20 @@ std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<st
             "<input type=search aria-label=\"Search the table\" placeholder=\"Search\"> <small role=status></small>";
     }
     text += "<table><thead><tr>";
+    std::vector<bool> numbers;
     for (const auto& column : head) {
-        text += column.share == 0 ? "<th scope=col>" : fmt::format("<th scope=col style=\"width:{}%\">", column.share);
+        numbers.push_back(holds_numbers(rows, numbers.size()));
+        text += numbers.back() ? "<th scope=col class=n" : "<th scope=col";
+        text += column.share == 0 ? ">" : fmt::format(" style=\"width:{}%\">", column.share);
         text += column.title;
     }
     text += "</thead><tbody>\n";
     for (const auto& row : rows) {
         text += "<tr>";
         for (std::size_t i = 0; i < row.size(); ++i) {
-            text += row[i].empty() ? "<td>" : fmt::format("<td data-h=\"{}\">{}", head[i].title, row[i]);
+            text += row[i].empty() ? "<td>"
+                                   : fmt::format("<td{} data-h=\"{}\">{}", numbers[i] ? " class=n" : "", head[i].title,
+                                                 numbers[i] ? grouped(row[i]) : row[i]);
         }
         text += "\n";
     }

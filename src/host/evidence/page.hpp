@@ -22,8 +22,9 @@ struct HtmlColumn {
 
 enum class Search { no, yes };
 
-/// A table; on a phone each row becomes a list. Cells are markup. With a search field above it, rows that do not hold
-/// all of its words are hidden; all rows show where there are no scripts.
+/// A table; on a phone each row becomes a list. Cells are markup; a column of numbers stands right, in groups of three.
+/// With a search field above it, rows that do not hold all of its words are hidden; all rows show where there are no
+/// scripts.
 std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
                        Search search = Search::no);
 

@@ -218,14 +218,20 @@ TEST_F(Pack, WhatAWholePackWouldHoldIsToldWithTheCommandThatLeavesIt) {
 
 TEST_F(Pack, AnExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
-    exhibit.files = {{"scale/scale.csv", "devices,seconds\r\n\"1,000\",0.5\r\n"}, {"scale/scale.svg", "<svg/>"}};
+    exhibit.files = {{"scale/scale.csv", "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"},
+                     {"scale/scale.svg", "<svg/>"}};
     exhibit.figures = {{"devices in real time", "1,000"}};
     exhibit.open = {"nothing beyond 2,000 was tried"};
     exhibit.data = {"scale/scale.csv"};
     input_.exhibits = {exhibit};
     const PackFiles files = make();
     const std::string page = files.at("scale.html");
-    EXPECT_THAT(page, HasSubstr("<td data-h=\"devices\">1,000<td data-h=\"seconds\">0.5"));
+    // A column of numbers stands right and in groups of three; one with anything else, here sections, does not.
+    EXPECT_THAT(page, HasSubstr("<th scope=col class=n>devices<th scope=col class=n>seconds<th scope=col>case"));
+    EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000,000<td class=n data-h=\"seconds\">0.5"
+                                "<td data-h=\"case\">2.1.1"));
+    EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">20<td><td data-h=\"case\">3.4"));
+    EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1000<td class=n data-h=\"seconds\">12,345.25"));
     EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\""));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));
