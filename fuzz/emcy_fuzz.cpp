@@ -28,7 +28,7 @@ class Both {
   public:
     /// Both as new.
     void restart() {
-        now_ = Instant{};
+        now_ = start_ = fuzz::begin_input();
         device_.node().set_can_state(CanState::error_active, now_);
         device_.node().set_overrun(false, now_);
         device_.power_on(5, now_);
@@ -66,7 +66,7 @@ class Both {
             const Frame frame = queue_.pop();
             if (frame.id == 0x085) {
                 require(frame.length == 8, "an emergency message has eight bytes");
-                sent_.emplace_back(now_.us / 1000U, frame.data);
+                sent_.emplace_back(elapsed(start_, now_).us / 1000U, frame.data);
             }
         }
     }
@@ -87,6 +87,7 @@ class Both {
     host::GenericDevice device_{test::slave_part(), memory_, queue_};
     naive::Node model_;
     naive::Sent sent_;
+    Instant start_{};
     Instant now_{};
 };
 

@@ -28,7 +28,7 @@ class Both {
   public:
     /// Both as new.
     void restart() {
-        now_ = Instant{};
+        now_ = start_ = fuzz::begin_input();
         said_.clear();
         model_ = naive::Node{};
         device_.power_on(naive::node_id, now_);
@@ -73,7 +73,7 @@ class Both {
             require(!frame.extended && !frame.remote && frame.length <= max_frame_length, "a frame");
             if (frame.id == 0x705) {
                 require(frame.length == 1, "error control has one byte");
-                said_.emplace_back(now_.us / 1000U, frame.data[0]);
+                said_.emplace_back(elapsed(start_, now_).us / 1000U, frame.data[0]);
             } else {
                 const bool pdo = (frame.id & 0x7FU) == naive::node_id && frame.id >= 0x185 && frame.id <= 0x485;
                 require(frame.id == 0x085 || frame.id == 0x585 || pdo, "an identifier of the node", frame.id);
@@ -93,6 +93,7 @@ class Both {
     host::GenericDevice device_{test::slave_part(), memory_, queue_};
     naive::Node model_;
     naive::Said said_;
+    Instant start_{};
     Instant now_{};
 };
 

@@ -161,7 +161,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     host::Memory memory{64};
     TransmitQueue queue;
     host::GenericDevice device{part(), memory, queue};
-    Instant now{};
+    Instant now = fuzz::begin_input();
     Watch watch;
     device.power_on(LssConfiguration{255, 125000}, now);
     require(queue.empty());

@@ -41,11 +41,11 @@ struct Pdo {
 
 class Slave {
   public:
-    /// As new: power-on with an empty memory, at time 0.
+    /// As new: power-on with an empty memory.
     void restart() {
         queue_ = TransmitQueue{};
         std::fill(memory_.bytes().begin(), memory_.bytes().end(), std::uint8_t{0xFF});
-        now = Instant{};
+        now = fuzz::begin_input();
         sent_.clear();
         emcy_ids_ = {0x085};
         image_seen_.clear();

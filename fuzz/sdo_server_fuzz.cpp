@@ -48,7 +48,7 @@ class Both {
   public:
     /// Both as new.
     void restart() {
-        ours_.restart();
+        ours_.restart(fuzz::begin_input());
         naive_.restart();
         obedient_ = 0;
         now_ms_ = 0;

@@ -10,9 +10,17 @@ namespace canproof::fuzz {
 struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
+    Instant start{};  ///< when the input began
 };
 
 inline FrameProbe frame_probe;
+
+/// The time at which an input begins: 300 ms before 32 bits of microseconds are full, so that whatever keeps a time in
+/// fewer bits than Instant does is late or early within any input.
+inline Instant begin_input() {
+    frame_probe.start = Instant{(std::uint64_t{1} << 32U) - 300'000U};
+    return frame_probe.start;
+}
 
 /// Gives one frame to a device under the eyes of the probe.
 template <typename Device>

@@ -195,10 +195,10 @@ class Ours {
         restart();
     }
 
-    /// As new: power-on with an empty memory.
-    void restart() {
+    /// As new: power-on at `start` with an empty memory.
+    void restart(Instant start = {}) {
         queue = TransmitQueue{};
-        now = Instant{};
+        now = start;
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
         device.empty(pair_domain, 0);
         device.power_on(pair_node_id, now);
