@@ -1,8 +1,9 @@
-#!/bin/bash -eu
+#!/bin/bash
 # Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite ask for it: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, into
 # $OUT, each with its seeds, dictionary and options. $WORK takes the build. TARGETS="sdo_server pdo" narrows the targets.
+set -eu
 cd "$(dirname "$(readlink -f "$0")")"
-[ -e CMakeLists.txt ] || cd "${SRC:-../..}/canproof" 2>/dev/null || cd ../..
+cd -P "${SRC:-/nowhere}/canproof" 2>/dev/null || cd ../..  # physical: CMake does not like a way through a link
 
 targets=()
 for source in fuzz/*_fuzz.cpp; do
