@@ -1,5 +1,6 @@
 // The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
+#include "support/shows_rule.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"
 
@@ -79,6 +80,58 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
     emcy.set(channel_2, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
+}
+
+TEST_F(ActiveList, WhatWaitsIsKeptApartByItsError) {
+    verifies<req::CO_EMCY_006>();
+    emcy.enable(false, Instant{});
+    emcy.set(channel_1, true, Instant{});
+    emcy.set(channel_1, false, Instant{});
+    emcy.set(channel_2, true, Instant{});
+    emcy.set(channel_1, true, Instant{});  // takes back the end of its own, the one before the last
+    EXPECT_TRUE(sent().empty());
+    emcy.enable(true, Instant{});
+    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));
+}
+
+TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
+    verifies<req::CO_EMCY_006>();
+    for (int round = 0; round < 2; ++round) {
+        emcy.enable(false, Instant{});
+        emcy.set(channel_1, true, Instant{});
+        emcy.set(channel_1, false, Instant{});
+        emcy.enable(true, Instant{});
+        EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#0000000000000000"})) << round;
+    }
+}
+
+TEST_F(ActiveList, AnErrorReportedTwiceWhileItWaitsIsSentOnce) {
+    verifies<req::CO_EMCY_006>();
+    emcy.enable(false, Instant{});
+    emcy.report(channel_1, Instant{});
+    emcy.report(channel_1, Instant{});
+    emcy.enable(true, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
+}
+
+TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {
+    shows_rule("a device is silent about errors that it does not know");
+    errors[static_cast<std::size_t>(channel_1)] = ErrorRow{0x0000, 0x81, true, true, 0x0001};
+    emcy.set(channel_1, true, Instant{});
+    EXPECT_FALSE(emcy.is_active(channel_1));
+    emcy.report(channel_1, Instant{});
+    EXPECT_TRUE(sent().empty());
+    EXPECT_TRUE(listed().empty());
+    EXPECT_EQ(objects.read(0x1001, 0), 0U);
+}
+
+TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
+    verifies<req::CO_EMCY_001>();
+    emcy.take_register_change();
+    emcy.set(channel_1, true, Instant{});
+    emcy.set(channel_2, true, Instant{});  // 81h again
+    EXPECT_TRUE(emcy.take_register_change());
+    EXPECT_FALSE(emcy.take_register_change());
 }
 
 }  // namespace canproof::test

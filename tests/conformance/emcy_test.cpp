@@ -96,6 +96,28 @@ TEST_F(Errors, WritingZeroEmptiesTheList) {
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
 }
 
+TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
+    verifies<req::AO4_ERR_004>();
+    for (int i = 0; i < 10; ++i) {
+        overrun(true);
+        overrun(false);
+    }
+    EXPECT_EQ(listed(10), "10810000");
+    write("603#2F03100000000000");
+    for (int sub = 0; sub <= 10; ++sub) {
+        EXPECT_EQ(listed(sub), "00000000") << sub;
+    }
+}
+
+TEST_F(Errors, ItsOwnIdentifierWrittenAgainLosesNothing) {
+    verifies<req::CO_EMCY_003>();
+    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    write("603#2314100083000000");
+    EXPECT_EQ(pass(10), (Frames{"10:083#2081110200000000"}));
+}
+
 TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
     verifies<req::CO_EMCY_002>();
     write("603#2314100083000080");
@@ -132,6 +154,14 @@ TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
 }
 
+TEST_F(Errors, WhatTheControllerSaysInStoppedIsAnnouncedAfterItToo) {
+    verifies<req::CO_EMCY_004>();
+    send("000#0203");
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_TRUE(pass(10).empty());
+    EXPECT_EQ(send("000#8003"), (Frames{"083#2081110100000000"}));
+}
+
 TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     verifies<req::CO_EMCY_005>();
     write("603#2314100083000000");  // its own identifier changes nothing
@@ -155,6 +185,15 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
               (Frames{"083#2081110100000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
     EXPECT_TRUE(pass(1000).empty());
+}
+
+TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
+    verifies<req::AO4_ERR_008>();
+    EXPECT_TRUE(can_state(4).empty());
+    EXPECT_TRUE(send("603#4001100000000000").empty());
+    EXPECT_TRUE(can_state(255).empty());
+    EXPECT_TRUE(send("603#4001100000000000").empty());
+    EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
 TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {

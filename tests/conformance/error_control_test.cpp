@@ -3,11 +3,15 @@
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "support/bench.hpp"
+#include "support/slave_bench.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
 
 using ErrorControlService = CbxTest;
+
+/// Node 5, whose 1016h has four entries without a range.
+class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
 TEST_F(ErrorControlService, HeartbeatTellsTheStateEachPeriod) {
     verifies<req::CO_HB_001>();
@@ -63,6 +67,38 @@ TEST_F(ErrorControlService, ARunningLifeGuardingGoesOnWithANewTimeAndEndsWithNon
     EXPECT_TRUE(pass(2000).empty());
 }
 
+TEST_F(ErrorControlService, AHeartbeatThatComesALittleLateMovesNoOther) {
+    verifies<req::CO_HB_001>();
+    write("603#2B17100064000000");  // 100 ms
+    now = now + milliseconds(130);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"703#7F"}));
+    EXPECT_EQ(pass(170), (Frames{"70:703#7F", "170:703#7F"}));  // at 200 and 300 ms
+}
+
+TEST_F(ErrorControlService, ALifeTimeFactorCountsFromItsWriteToo) {
+    verifies<req::CO_GUARD_002>();
+    write("603#2B0C100064000000");  // 100 ms …
+    write("603#2F0D100003000000");  // … times 3
+    send("703#R1");
+    EXPECT_TRUE(pass(200).empty());
+    write("603#2F0D100005000000");  // times 5, from now on
+    EXPECT_TRUE(pass(499).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
+}
+
+TEST_F(ErrorControlService, OtherWritesFeedNoLifeGuarding) {
+    verifies<req::CO_GUARD_002, req::CO_GUARD_003>();
+    write("603#2B0C100064000000");  // 100 ms …
+    write("603#2F0D100003000000");  // … times 3
+    send("703#R1");
+    EXPECT_TRUE(pass(200).empty());
+    write("603#230E100003070000");  // 703h, as it was
+    write("603#2B17100000000000");  // no heartbeat, as before
+    EXPECT_TRUE(pass(99).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
+}
+
 TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
     verifies<req::CO_HB_002, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms
@@ -74,6 +110,17 @@ TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
     pass(150);
     send("731#05");
     EXPECT_TRUE(pass(199).empty());
+}
+
+TEST_F(ErrorControlService, TheLowestAndTheHighestNodeAreWatched) {
+    verifies<req::CO_HB_002, req::CO_HB_003>();
+    write("603#23161001C8000100");  // node 1, 200 ms
+    send("701#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+    send("701#05");
+    write("603#23161001C8007F00");  // node 127
+    send("77F#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second in 1003h
 }
 
 TEST_F(ErrorControlService, OtherNodesAndOtherLengthsAreNoHeartbeat) {
@@ -93,6 +140,31 @@ TEST_F(ErrorControlService, IncompleteEntriesWatchNobody) {
         send("700#05");
         EXPECT_TRUE(pass(1000).empty()) << entry;
     }
+}
+
+TEST_F(SlaveErrorControl, OneProducerInTwoEntriesIsRefusedWhenBothAreActive) {
+    verifies<req::CO_HB_002, req::CO_HB_003>();
+    EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));  // node 31h, 200 ms
+    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry anew
+    EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
+    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it watches nobody
+    EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
+}
+
+TEST_F(SlaveErrorControl, AnEntryWithANodeThatCannotExistWatchesNobody) {
+    verifies<req::CO_HB_003>();
+    EXPECT_EQ(send("605#23161001C8008000"), (Frames{"585#6016100100000000"}));  // node 128
+    EXPECT_TRUE(send("780#05").empty());
+    EXPECT_TRUE(pass(1000).empty());
+}
+
+TEST_F(ErrorControlService, AResetEndsTheMonitoringUntilTheNextHeartbeat) {
+    verifies<req::CO_HB_002, req::CO_NMT_006>();
+    write("603#23161001C8003100");
+    send("731#05");
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
+    send("731#05");  // 1016h is 0 again
+    EXPECT_TRUE(pass(1000).empty());
 }
 
 TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
@@ -142,7 +214,7 @@ TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
     verifies<req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
-                              "00080000", "03070020", "03070080"}) {
+                              "00080000", "03070020", "03070080", "85010020", "85010080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
     }
     for (const char* value : {"01070000", "7F070000", "85010000"}) {

@@ -782,6 +782,7 @@ TEST_F(Lss, IdentifyRemoteSlavePassesOverOtherSlaves) {
     const std::vector<std::pair<std::size_t, const char*>> misfits{
         {0, "7E5#465E000000000000"},   // another vendor
         {1, "7E5#4702030200000000"},   // another product
+        {1, "7E5#47FFFFFFFF000000"},   // which need not be a lower number
         {2, "7E5#4803000100000000"},   // revisions from 00010003h
         {3, "7E5#4901000100000000"},   // revisions to 00010001h
         {4, "7E5#4A22112620000000"},   // serial numbers from 20261122h

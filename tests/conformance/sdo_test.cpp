@@ -136,6 +136,19 @@ TEST_F(Sdo, AStalledTransferIsAbortedAfterOneSecond) {
     EXPECT_TRUE(pass(5000).empty());
 }
 
+TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
+    verifies<req::CO_SDO_002, req::CO_SDO_006>();
+    send("603#4008100000000000");
+    inputs.can_state = 1;
+    EXPECT_TRUE(set_inputs().empty());
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));
+    inputs.can_state = 3;
+    set_inputs();
+    inputs.can_state = 0;
+    set_inputs();
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is none any more
+}
+
 TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014>();
     send("603#4008100000000000");
@@ -149,6 +162,15 @@ TEST_F(Sdo, ARefusedWriteChangesNothing) {
     verifies<req::CO_SDO_011>();
     EXPECT_EQ(send("603#2F43640103000000"), (Frames{"583#8043640130000906"}));
     EXPECT_EQ(send("603#4043640100000000"), (Frames{"583#4F43640101000000"}));
+}
+
+TEST_F(Sdo, ATransferGoesOnWhenTheNodeIsStarted) {
+    verifies<req::CO_SDO_002, req::CO_SDO_017>();
+    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
+    send("000#0103");
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));
+    send("000#8003");
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
 TEST_F(Sdo, ServedInPreOperationalAndOperationalOnly) {

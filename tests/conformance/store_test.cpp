@@ -36,12 +36,24 @@ class Store : public CbxTest {
     }
     std::string save() { return send("603#2310100173617665").at(0); }
 
+    // Of the header, little-endian numbers.
+    static constexpr std::size_t magic_at = 0;
+    static constexpr std::size_t layout_at = 4;
+    static constexpr std::size_t sequence_at = 8;
+
     static constexpr const char* saved = "583#6010100100000000";
     static constexpr const char* hardware_error = "583#8010100100000606";
 
-    /// Gives the bank of `size` bytes at `at` another sequence number, and the CRC-32 that goes with it.
-    void set_sequence(std::size_t at, std::size_t size, std::uint32_t sequence) {
-        put(at + 8, sequence);
+    /// Where the second bank begins, which is the size of one: each begins with "COPS".
+    std::size_t bank_size() {
+        const std::array<std::uint8_t, 4> magic{'C', 'O', 'P', 'S'};
+        const auto& bytes = memory.bytes();
+        return static_cast<std::size_t>(std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end()) -
+                                        bytes.begin());
+    }
+    /// Gives the header of the bank of `size` bytes at `at` another number, and the CRC-32 that goes with it.
+    void set_header(std::size_t at, std::size_t size, std::size_t offset, std::uint32_t number) {
+        put(at + offset, number);
         std::uint32_t crc = 0xFFFFFFFF;
         for (std::size_t i = at; i < at + size - 4; ++i) {
             crc ^= memory.bytes()[i];
@@ -255,12 +267,9 @@ TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
     write("603#2310100173617665");
     write("603#2310100173617665");
     // As after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
-    auto& bytes = memory.bytes();
-    const std::array<std::uint8_t, 4> magic{'C', 'O', 'P', 'S'};
-    const auto second = std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end());
-    const auto size = static_cast<std::size_t>(second - bytes.begin());
-    set_sequence(0, size, 0xFFFFFFFE);
-    set_sequence(size, size, 0xFFFFFFFF);
+    const std::size_t size = bank_size();
+    set_header(0, size, sequence_at, 0xFFFFFFFE);
+    set_header(size, size, sequence_at, 0xFFFFFFFF);
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     set_values("3412");
     write("603#2310100173617665");
@@ -277,6 +286,22 @@ TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
     EXPECT_EQ(send("603#4003100100000000"), (Frames{"583#4303100110610000"}));
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
+}
+
+TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
+    verifies<req::AO4_STORE_005>();
+    set_values("3412");
+    write("603#2310100173617665");
+    write("603#2310100173617665");
+    const std::size_t size = bank_size();
+    const auto stored = memory.bytes();
+    for (const std::size_t offset : {magic_at, layout_at}) {
+        memory.bytes() = stored;
+        set_header(0, size, offset, 0x12345678);
+        set_header(size, size, offset, 0x12345678);
+        EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << offset;
+        EXPECT_EQ(values(), "0000 0000 0000 ") << offset;
+    }
 }
 
 TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {

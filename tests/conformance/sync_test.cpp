@@ -53,6 +53,14 @@ TEST_F(SyncService, WrongLengthIsAnErrorUntilARightOneComes) {
     EXPECT_EQ(output1(), "1100");
 }
 
+TEST_F(SyncService, AStoppedNodeDoesNotJudgeIt) {
+    verifies<req::CO_T_SERVICES, req::CO_SYNC_002>();
+    send("000#0203");
+    EXPECT_TRUE(send("080#01").empty());
+    EXPECT_TRUE(send("000#8003").empty());
+    EXPECT_EQ(send("080#01"), (Frames{"083#4082110100000000"}));
+}
+
 TEST_F(SyncService, IsProducedEachPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us

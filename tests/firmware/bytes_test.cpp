@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/base/slots.hpp"
 #include "support/shows_rule.hpp"
 
 namespace canproof::test {
@@ -44,6 +45,54 @@ TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));
     first_four.copy(0U, ByteView{source.data() + 3, 1U});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{4, 2, 3, 4, 0, 0}}));
+}
+
+TEST(Bytes, PartsEndWithTheirWhole) {
+    shows_rule("views of bytes cannot overrun");
+    std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
+    const ByteView four{room.data(), 4U};
+    MutableBytes open_four{room.data(), 4U};
+    EXPECT_EQ(four.part(1U, 2U).size(), 2U);
+    EXPECT_EQ(four.part(3U, 2U).size(), 1U);
+    EXPECT_EQ(four.part(3U, 2U)[0], 4U);
+    EXPECT_EQ(four.part(4U, 2U).size(), 0U);
+    EXPECT_EQ(four.part(6U, 2U).size(), 0U);
+    EXPECT_EQ(open_four.part(1U, 2U).size(), 2U);
+    EXPECT_EQ(open_four.part(1U, 3U).size(), 3U);
+    EXPECT_EQ(open_four.part(1U, 4U).size(), 3U);
+    EXPECT_EQ(open_four.part(6U, 2U).size(), 0U);
+}
+
+TEST(Bytes, NumbersReadFromBeyondTheEndHaveZerosThere) {
+    shows_rule("views of bytes cannot overrun");
+    const std::array<std::uint8_t, 8> room{{0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88}};
+    const ByteView four{room.data(), 4U};
+    EXPECT_EQ(get_le<4U>(four, 0U), 0x44332211U);
+    EXPECT_EQ(get_le<4U>(four, 2U), 0x4433U);
+    EXPECT_EQ(get_le<2U>(four, 3U), 0x44U);
+    EXPECT_EQ(get_le<2U>(four, 4U), 0U);
+    EXPECT_EQ(get_le<2U>(four, 6U), 0U);
+}
+
+TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
+    shows_rule("views of bytes cannot overrun");
+    std::array<std::uint8_t, 8> room{{9, 9, 9, 9, 9, 9, 9, 9}};
+    MutableBytes six{room.data(), 6U};
+    six.set_le(0U, 3U, 0x44332211U);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
+    six.put_le<2U>(7U, 0xFFFFU);  // begins behind the end
+    EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
+}
+
+TEST(Slots, PartsEndWithTheirWhole) {
+    shows_rule("views of bytes cannot overrun");
+    std::array<int, 6> room{{1, 2, 3, 4, 5, 6}};
+    const Slots<int> four{room.data(), 4U};
+    EXPECT_EQ(four.part(1U, 2U).size(), 2U);
+    EXPECT_EQ(four.part(1U, 3U).size(), 3U);
+    EXPECT_EQ(four.part(3U, 3U).size(), 1U);
+    EXPECT_EQ(four.part(3U, 3U)[0U], 4);
+    EXPECT_EQ(four.part(5U, 1U).size(), 0U);
 }
 
 }  // namespace canproof::test

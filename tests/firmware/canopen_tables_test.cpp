@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "firmware/canopen/object_dictionary.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/enumerations.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -30,6 +31,17 @@ TEST(CanopenTables, RestrictedIdentifiers) {
         EXPECT_EQ(row->restricted, restricted) << id;
     }
     EXPECT_EQ(t::find(0x800), nullptr);
+}
+
+// CiA 301, 7.4.1: communication from 1000h, the maker's from 2000h, those of a device profile from 6000h
+TEST(CanopenTables, AreasOfTheDictionary) {
+    verifies<req::CO_NMT_006>();
+    EXPECT_EQ(parameter_group(0x1000), ParameterGroup::communication);
+    EXPECT_EQ(parameter_group(0x1FFF), ParameterGroup::communication);
+    EXPECT_EQ(parameter_group(0x2000), ParameterGroup::manufacturer);
+    EXPECT_EQ(parameter_group(0x5FFF), ParameterGroup::manufacturer);
+    EXPECT_EQ(parameter_group(0x6000), ParameterGroup::application);
+    EXPECT_EQ(parameter_group(0x9FFF), ParameterGroup::application);
 }
 
 // CiA 301, 7.3.2.3: no service before boot-up, no one of these in stopped, PDOs in operational only

@@ -35,6 +35,9 @@ struct Dictionary {
 TEST(DictionaryCheck, TakesASoundDictionary) {
     test::shows_rule("a dictionary that is compiled is sound");
     EXPECT_TRUE(Dictionary{}.sound());
+    Dictionary neighbours;
+    neighbours.objects[1].index = 0x1001U;
+    EXPECT_TRUE(neighbours.sound());
 }
 
 TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
@@ -51,6 +54,15 @@ TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
     Dictionary empty;
     empty.objects[0].count = 0U;
     EXPECT_FALSE(empty.sound());
+    Dictionary empty_at_its_end;
+    empty_at_its_end.objects = {{{0x1000U, 0U, 3U, ObjectKind::array}, {0x2001U, 3U, 0U, ObjectKind::var}}};
+    empty_at_its_end.entries[1].subindex = 1U;
+    empty_at_its_end.entries[2].subindex = 2U;
+    EXPECT_FALSE(empty_at_its_end.sound());
+    Dictionary overlapping;
+    overlapping.objects[1].first_entry = 0U;
+    overlapping.entries[1].subindex = 1U;
+    EXPECT_FALSE(overlapping.sound());
 }
 
 TEST(DictionaryCheck, SubindicesAscend) {
@@ -85,6 +97,14 @@ TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
     Dictionary later;  // 2001h was displaced by another at its slot: the search goes on to the next
     later.objects[1].index = 0x2000U;
     EXPECT_TRUE(later.sound());
+    Dictionary behind_a_gap;  // where the search has ended
+    behind_a_gap.slots = {{0U, no_object, 1U, no_object}};
+    EXPECT_FALSE(behind_a_gap.sound());
+    Dictionary round;  // both belong to slot 3: the second goes on at slot 0
+    round.objects[0].index = 0x1003U;
+    round.objects[1].index = 0x2003U;
+    round.slots = {{1U, no_object, no_object, 0U}};
+    EXPECT_TRUE(round.sound());
     Dictionary full;
     full.slots = {{0U, 0U, 0U, 0U}};
     EXPECT_FALSE(full.sound());

@@ -1,6 +1,7 @@
 // Low-pass, moving average and repeating filter of the AX060805 (3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "firmware/blocks/angle_filter.hpp"
@@ -164,6 +165,20 @@ TEST(AngleFilter, WindowOf128FollowsARampWithinARunsWidth) {
         if (sample >= 127) {
             // mean of the samples from n - 127 to n
             ASSERT_NEAR(filter.output(), 0.01F * (static_cast<float>(sample) - 63.5F), 0.02F) << sample;
+        }
+    }
+}
+
+TEST(AngleFilter, ALongWindowTurnsForEverToo) {
+    verifies<req::INC_AVG_002, req::INC_AVG_006>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
+    const int step = 7;  // more than 64 turns, 23,040 degrees, for the first time with sample 3292, within a run
+    for (int sample = 0; sample < 8000; ++sample) {
+        filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
+        if (sample >= 999) {
+            // The mean of the samples from n - 999 to n, a run's share of which may lie 8 samples beside.
+            const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
+            ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }
     }
 }

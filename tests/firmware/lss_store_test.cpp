@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/base/crc32.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/devices/memory.hpp"
 #include "support/faulty_memory.hpp"
@@ -61,6 +62,34 @@ TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
         EXPECT_EQ(LssStore{memory}.store({4, 100000}), LssError::none);
         EXPECT_EQ(LssStore{memory}.load(shipped).node_id, 4) << cut;
     }
+}
+
+TEST(LssStore, APowerCutSparesTheSlotInUseWhicheverItIs) {
+    verifies<req::CO_LSS_016>();
+    for (const int before : {1, 2, 3, 4}) {
+        host::Memory memory{64};
+        for (int node_id = 1; node_id <= before; ++node_id) {
+            LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 10000});
+        }
+        memory.cut_power_after(10);
+        LssStore{memory}.store({100, 50000});
+        memory.restore_power();
+        expect(LssStore{memory}.load(shipped), before, 10000);
+    }
+}
+
+TEST(LssStore, ASlotThatBeginsOtherwiseDoesNotCount) {
+    verifies<req::CO_LSS_017>();
+    host::Memory memory{64};
+    LssStore{memory}.store({1, 10000});
+    auto& bytes = memory.bytes();
+    bytes[64 - 40] ^= 1;
+    Crc32 crc{};  // of its first 16 bytes, in the last four: right for what stands there
+    crc.add(ByteView{bytes.data() + 64 - 40, 16});
+    for (std::size_t i = 0; i < 4; ++i) {
+        bytes[64 - 40 + 16 + i] = static_cast<std::uint8_t>(crc.value() >> (8 * i));
+    }
+    expect(LssStore{memory}.load(shipped), 127, 125000);
 }
 
 TEST(LssStore, ADamagedSlotDoesNotCount) {

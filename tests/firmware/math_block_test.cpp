@@ -140,6 +140,14 @@ TEST(MathBlock, UnlessAnInputHasANegativeGain) {
     EXPECT_EQ(run({percent(20, -1), percent(30), percent(50), unused}, {plus, minus, plus}), 0.0);
 }
 
+TEST(MathBlock, AGainOfZeroIsNotNegative) {
+    verifies<req::AOR_MATH_005>();
+    // 0 - 0.5 is held at 0; 0 + 0.9
+    EXPECT_EQ(run({percent(20, 0), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9);
+    // -0.2 - 0.5 = -0.7; -0.7 - 0 is held at 0; 0 + 0.9
+    EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
+}
+
 TEST(MathBlock, OrItIsFedBackWithANegativeGain) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     // function 1: 0.2 - 0.5 = -0.3, as chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3

@@ -104,6 +104,7 @@ TEST(Tilt, GimbalLockIsTheConeAboutTheVertical) {
     EXPECT_FALSE(in_gimbal_lock({0.0F, 0.0F, 1.0F}, 1.0F));
     EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is of angle, not of g
     EXPECT_FALSE(in_gimbal_lock({-0.5F, 0.0089F, 0.0F}, 1.0F));  // 0.5 sin 1° = 0.00873
+    EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of nothing holds nothing
 }
 
 TEST(Tilt, RollIsUndoneBeforePitch) {

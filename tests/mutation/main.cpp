@@ -1,8 +1,9 @@
 // A test program that can alter the cells of its tables: what `canproof mutate` drives. Besides GoogleTest's own
 // arguments:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
-//   --serve   reads `number TAB filter` lines; for each, a forked copy of this process alters the cell and runs the
-//             tests of the filter; answers `number TAB killed TAB Suite.Test` or `number TAB survived`
+//   --serve   reads `number TAB seconds TAB filter` lines; for each, a forked copy of this process alters the cell and
+//             runs the tests of the filter; answers `number TAB killed TAB Suite.Test` or `number TAB survived`. A copy
+//             that takes more processor time than that runs without end: killed
 // With CANPROOF_ALTER=number in the environment the cell is altered before anything is computed from it.
 #include <gtest/gtest.h>
 #include <sys/time.h>
@@ -23,8 +24,14 @@ namespace {
 
 using host::generated_alterations;
 
-// A test that the alteration sends into an endless loop ends after this processor time, as killed.
-constexpr time_t most_seconds = 10;
+// All tests take a third of it.
+constexpr time_t most_seconds_started = 60;
+
+/// Ends this process after that much processor time: an alteration may send it into an endless loop.
+void limit_to(const time_t seconds) {
+    const itimerval limit{{0, 0}, {seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+}
 
 void alter(std::size_t number) {
     const auto all = generated_alterations();
@@ -40,6 +47,7 @@ void alter(std::size_t number) {
 __attribute__((constructor(101))) void alter_as_environment_says() {
     if (const char* number = std::getenv("CANPROOF_ALTER")) {
         alter(std::strtoul(number, nullptr, 10));
+        limit_to(most_seconds_started);
     }
 }
 
@@ -69,21 +77,34 @@ class FirstFailure : public testing::EmptyTestEventListener {
     std::string name_;
 };
 
-[[noreturn]] void run_altered(std::size_t number, const std::string& filter, int out) {
-    alter(number);
-    const itimerval limit{{0, 0}, {most_seconds, 0}};
-    setitimer(ITIMER_PROF, &limit, nullptr);
+/// A line of `--serve`.
+struct Wanted {
+    std::size_t number;
+    time_t seconds;
+    std::string filter;
+};
+
+Wanted wanted_by(const std::string& line) {
+    char* rest = nullptr;
+    const std::size_t number = std::strtoul(line.c_str(), &rest, 10);
+    const auto seconds = static_cast<time_t>(std::strtoul(rest, &rest, 10));
+    return {number, seconds, *rest == '\t' ? rest + 1 : "*"};
+}
+
+[[noreturn]] void run_altered(const Wanted& wanted, int out) {
+    alter(wanted.number);
+    limit_to(wanted.seconds);
     static_cast<void>(std::freopen("/dev/null", "w", stdout));
     static_cast<void>(std::freopen("/dev/null", "w", stderr));
     auto& listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
     listeners.Append(new FirstFailure{out});
-    testing::GTEST_FLAG(filter) = filter;
+    testing::GTEST_FLAG(filter) = wanted.filter;
     std::_Exit(RUN_ALL_TESTS());
 }
 
 /// What the copy of this process wrote, the failed test, and whether it ended in peace.
-void answer(std::size_t number, const std::string& filter) {
+void answer(const Wanted& wanted) {
     int ends[2];
     if (pipe(ends) != 0) {
         std::perror("pipe");
@@ -92,7 +113,7 @@ void answer(std::size_t number, const std::string& filter) {
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        run_altered(number, filter, ends[1]);
+        run_altered(wanted, ends[1]);
     }
     close(ends[1]);
     std::string failed;
@@ -104,19 +125,18 @@ void answer(std::size_t number, const std::string& filter) {
     int status = 0;
     waitpid(child, &status, 0);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-        std::printf("%zu\tsurvived\n", number);
+        std::printf("%zu\tsurvived\n", wanted.number);
     } else if (WIFSIGNALED(status)) {
-        std::printf("%zu\tkilled\tsignal %d\n", number, WTERMSIG(status));
+        std::printf("%zu\tkilled\tsignal %d\n", wanted.number, WTERMSIG(status));
     } else {
-        std::printf("%zu\tkilled\t%s\n", number, failed.c_str());
+        std::printf("%zu\tkilled\t%s\n", wanted.number, failed.c_str());
     }
     std::fflush(stdout);
 }
 
 void serve() {
     for (std::string line; std::getline(std::cin, line);) {
-        const auto tab = line.find('\t');
-        answer(std::strtoul(line.c_str(), nullptr, 10), tab == std::string::npos ? "*" : line.substr(tab + 1));
+        answer(wanted_by(line));
     }
 }
 

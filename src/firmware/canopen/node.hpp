@@ -84,24 +84,6 @@ class Application : public LssApplication {
     ~Application() = default;
 };
 
-/// What stands in the way of communication.
-struct CommunicationFaults {
-    std::uint32_t silent_producers{0U};  ///< bit n: the producer of 1016h:n + 1
-    bool guarding{false};
-    bool rpdo_short{false};
-    bool rpdo_overdue{false};
-    bool bus_off{false};
-
-    /// A communication error of 1029h:1.
-    bool is_error() const noexcept { return (silent_producers != 0U) || guarding || rpdo_overdue || bus_off; }
-};
-
-inline bool operator==(const CommunicationFaults& one, const CommunicationFaults& other) noexcept {
-    return (one.silent_producers == other.silent_producers) && (one.guarding == other.guarding) &&
-           (one.rpdo_short == other.rpdo_short) && (one.rpdo_overdue == other.rpdo_overdue) &&
-           (one.bus_off == other.bus_off);
-}
-
 class Node final : private ObjectAccess {
   public:
     /// `errors` and what `pdos` names outlive the node.

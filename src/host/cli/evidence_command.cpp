@@ -77,7 +77,9 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     std::vector<Exhibit> all;
     for (const auto& folder : exhibit_folders(places.exhibits)) {
         all.push_back(read_exhibit(folder));
-        mark_stale(all.back(), newer_source(places.root, firmware_sources(), folder / "exhibit.json"));
+        // What notices a mutant are the tests.
+        const auto sources = all.back().key == "code-mutation" ? firmware_and_tests() : firmware_sources();
+        mark_stale(all.back(), newer_source(places.root, sources, folder / "exhibit.json"));
     }
     return all;
 }

@@ -4,17 +4,50 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <tuple>
 
 #include "host/bus/candump.hpp"
+#include "host/mutation/killer_log.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-/// Of processor time, unmutated; tests/mutation/main.cpp ends a mutant after ten.
+/// Of processor time, unmutated.
 constexpr double most_seconds = 1.5;
+/// Tests that take no longer together run before the others: most mutants need no more.
+constexpr double quick_seconds = 0.1;
+/// What the program told before its first test.
+const char* const startup = "startup";
+
+/// Tests, and how long a mutant may keep them: one that runs without end is killed soon.
+struct Stage {
+    std::string filter;
+    unsigned seconds{0U};
+};
+
+Stage stage(const std::string& filter, const std::map<std::string, double>& seconds) {
+    double all = 0.0;
+    std::istringstream names{filter};
+    for (std::string name; std::getline(names, name, ':');) {
+        const auto found = seconds.find(name);
+        all += found == seconds.end() ? 0.0 : found->second;
+    }
+    return {filter, 1U + static_cast<unsigned>(5.0 * all)};
+}
+
+/// What noticed the mutant: the first of these stages with a test that fails. Empty: it survives.
+std::string killer(TestServer& server, std::size_t mutant, const std::vector<Stage>& stages) {
+    std::string test;
+    for (auto one = stages.begin(); one != stages.end() && test.empty(); ++one) {
+        if (!one->filter.empty()) {
+            test = server.run(mutant, one->filter, one->seconds);
+        }
+    }
+    return test;
+}
 
 }  // namespace
 
@@ -35,6 +68,23 @@ std::vector<ToldTest> read_told(const std::filesystem::path& file) {
         }
     }
     return tests;
+}
+
+std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count) {
+    std::vector<bool> starting(count);
+    for (auto test = tests.begin(); test != tests.end();) {
+        if (test->name != startup) {
+            ++test;
+            continue;
+        }
+        for (const std::size_t mutant : test->mutants) {
+            if (mutant < count) {
+                starting[mutant] = true;
+            }
+        }
+        test = tests.erase(test);
+    }
+    return starting;
 }
 
 std::vector<std::string> filters_by_mutant(const std::vector<ToldTest>& tests, std::size_t count, double budget) {
@@ -65,15 +115,30 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     if (!run_unaltered(setup.program, setup.folder / "verdicts.xml", {"CANPROOF_TOLD=" + told.string()})) {
         throw InputError{fmt::format("{} fails without any mutant; mend that first", setup.program.string())};
     }
-    const auto filters = filters_by_mutant(read_told(told), count, most_seconds);
+    auto tests = read_told(told);
+    const std::vector<bool> starting = told_at_startup(tests, count);
+    std::map<std::string, double> seconds;
+    for (const ToldTest& test : tests) {
+        seconds[test.name] = test.seconds;
+    }
+    const auto quick = filters_by_mutant(tests, count, quick_seconds);
+    const auto most = filters_by_mutant(tests, count, most_seconds);
+    KillerLog log{setup.folder / "killers.tsv"};
     return judge_all(
         mutants, {setup.program}, setup.jobs,
         [&](const AlteredCell& mutant, const Servers& servers) {
-            const std::string& filter = filters.at(mutant.number);
-            MutationOutcome outcome{mutant, "", !filter.empty(), nullptr};
-            if (outcome.claimed) {
-                outcome.killed_by = servers.front()->run(mutant.number, filter);
+            const std::size_t number = mutant.number;
+            MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr};
+            if (!most.at(number).empty()) {
+                outcome.killed_by = killer(
+                    *servers.front(), number,
+                    {stage(log.filter(mutant), seconds), stage(quick[number], seconds), stage(most[number], seconds)});
             }
+            if (outcome.killed_by.empty() && starting.at(number) &&
+                fails_when_started_altered(setup.program, number, "*")) {
+                outcome.killed_by = "a test of a program started with it";
+            }
+            log.note(outcome);
             return outcome;
         },
         progress);

@@ -21,6 +21,10 @@ struct ToldTest {
 /// Lines `name TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 
+/// Takes what was told before any test out of the list: for each of `count` mutants whether it would compute something
+/// else when the program starts. It then shows in a program that starts with it.
+std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
+
 /// For each of `count` mutants the tests that can notice it as a filter of GoogleTest, quickest first, as many as take
 /// `budget` seconds and one at least; empty when none can.
 std::vector<std::string> filters_by_mutant(const std::vector<ToldTest>& tests, std::size_t count, double budget);

@@ -8,9 +8,7 @@
 
 namespace canproof::host {
 
-namespace {
-
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> tab_separated(const std::string& line) {
     std::vector<std::string> parts(1);
     for (const char c : line) {
         if (c == '\t') {
@@ -22,8 +20,6 @@ std::vector<std::string> split(const std::string& line) {
     return parts;
 }
 
-}  // namespace
-
 std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
     const auto ends = make_pipe();
     const pid_t process = start_process({program.string(), "--cells"}, {}, {-1, ends[1]});
@@ -31,7 +27,7 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
     std::FILE* from = fdopen(ends[0], "r");
     std::vector<AlteredCell> cells;
     for (std::string line; read_line(from, line);) {
-        const auto parts = split(line);
+        const auto parts = tab_separated(line);
         if (parts.size() == 4) {
             cells.push_back({cells.size(), parts[1], parts[2], parts[3]});
         }
@@ -59,12 +55,12 @@ TestServer::~TestServer() {
     wait_for_process(process_);
 }
 
-std::string TestServer::run(std::size_t number, const std::string& filter) {
-    std::fprintf(to_, "%zu\t%s\n", number, filter.c_str());
+std::string TestServer::run(std::size_t number, const std::string& filter, unsigned seconds) {
+    std::fprintf(to_, "%zu\t%u\t%s\n", number, seconds, filter.c_str());
     std::fflush(to_);
     std::string line;
     while (read_line(from_, line)) {
-        const auto parts = split(line);
+        const auto parts = tab_separated(line);
         if (parts.size() >= 2 && parts[0] == fmt::format("{}", number)) {
             return parts[1] == "survived" ? "" : parts.size() > 2 ? parts[2] : "died";
         }

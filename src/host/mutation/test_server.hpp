@@ -11,6 +11,8 @@
 
 namespace canproof::host {
 
+std::vector<std::string> tab_separated(const std::string& line);
+
 /// One line of `--cells`.
 struct AlteredCell {
     std::size_t number{0};
@@ -30,8 +32,8 @@ class TestServer {
     ~TestServer();
 
     /// Runs the tests of the filter with the cell altered. The test that failed, or how the process died; empty when
-    /// all passed. Throws InputError when the server has gone.
-    std::string run(std::size_t number, const std::string& filter);
+    /// all passed. It dies after so many seconds of processor time. Throws InputError when the server has gone.
+    std::string run(std::size_t number, const std::string& filter, unsigned seconds = 10U);
 
   private:
     pid_t process_{-1};

@@ -10,6 +10,7 @@
 #include "host/bus/candump.hpp"
 #include "host/mutation/code_exhibit.hpp"
 #include "host/mutation/code_mutation.hpp"
+#include "host/mutation/killer_log.hpp"
 #include "host/speccompiler/alter_value.hpp"
 #include "host/speccompiler/small_register.hpp"
 #include "host/speccompiler/writers.hpp"
@@ -204,10 +205,32 @@ TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
     EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
 }
 
+TEST(CodeMutation, WhatIsComputedBeforeAnyTestIsNoTest) {
+    std::vector<ToldTest> tests{{"startup", 0.0, {1, 9}}, {"S.One", 0.5, {0}}};
+    EXPECT_EQ(told_at_startup(tests, 3), (std::vector<bool>{false, true, false}));
+    ASSERT_EQ(tests.size(), 1U);
+    EXPECT_EQ(tests[0].name, "S.One");
+}
+
 TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
     const std::vector<ToldTest> tests{
         {"S.Slow", 5.0, {0, 1}}, {"S.Quick", 0.5, {0}}, {"S.Middling", 1.0, {0}}, {"S.Other", 1.0, {0}}};
     EXPECT_EQ(filters_by_mutant(tests, 3, 2.0), (std::vector<std::string>{"S.Quick:S.Middling", "S.Slow", ""}));
+}
+
+TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
+    const RecordFile file{
+        "src/a.cpp\tf, line 1\ta < b -> <=\tS.One\nsrc/a.cpp\tf, line 9\ta < b -> <=\tS.Two\n"
+        "src/a.cpp\tf, line 3\tx -> true\tsignal 27\nsrc/a.cpp\tf, line 4\ty -> true\t\n"};
+    {
+        KillerLog log{file.path()};
+        EXPECT_EQ(log.filter({0, "src/a.cpp", "f, line 2", "a < b -> <="}), "S.One:S.Two");
+        EXPECT_EQ(log.filter({1, "src/a.cpp", "g, line 2", "a < b -> <="}), "");
+        EXPECT_EQ(log.filter({2, "src/a.cpp", "f, line 3", "x -> true"}), "") << "no test can be asked first";
+        EXPECT_EQ(log.filter({3, "src/a.cpp", "f, line 4", "y -> true"}), "");
+        log.note({{3, "src/a.cpp", "f, line 4", "y -> true"}, "S.Three", true, nullptr});
+    }
+    EXPECT_EQ(KillerLog{file.path()}.filter({0, "src/a.cpp", "f, line 7", "y -> true"}), "S.Three");
 }
 
 TEST(CodeMutation, ExhibitSaysWhatSurvives) {

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Writes src/firmware anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
 
-A comparison becomes true, false, and the one with equality moved; any other condition true and false; && becomes || and
+A comparison becomes true, false, and the one with equality moved, unless it chooses between two values that are then the
+same, as in `a < b ? a : b`; any other condition true and false; && becomes || and
 back; + - * / % << >> & | ^, alone and before =, become another of them. What stands in a constant expression stays: a
 mutant there would not be one of the running program.
 
@@ -11,6 +12,7 @@ Writes OUTPUT_FOLDER/src/firmware/… and OUTPUT_FOLDER/mutants.cpp, the list fo
 import collections
 import json
 import os
+import re
 import sys
 from concurrent.futures import ProcessPoolExecutor
 
@@ -22,6 +24,8 @@ EQUALITIES = {"==", "!="}
 ARITHMETIC = {"+": ("plus", "-"), "-": ("minus", "+"), "*": ("times", "/"), "/": ("over", "*"), "%": ("modulo", "*"),
               "<<": ("left", ">>"), ">>": ("right", "<<"), "&": ("bit_and", "|"), "|": ("bit_or", "&"), "^": ("bit_xor", "|")}
 FUNCTIONS = {K.FUNCTION_DECL, K.CXX_METHOD, K.CONSTRUCTOR, K.DESTRUCTOR, K.FUNCTION_TEMPLATE, K.CONVERSION_FUNCTION}
+FLOATS = {"FLOAT", "DOUBLE"}
+ZERO = re.compile(r"(?:[\w:]+\{)?0[Uu]?\}?")
 WRAPPERS = {K.PAREN_EXPR, K.UNEXPOSED_EXPR}
 SPACE = "::canproof::mutants::"
 
@@ -170,6 +174,8 @@ class Rewriter:
             return
         if kind in (K.VAR_DECL,) and self.source(cursor).startswith(("constexpr ", "static constexpr ")):
             return
+        if kind == K.DECL_REF_EXPR:
+            return  # below it are arguments of a template only: constants
         operation = self.operator_of(cursor)
         if operation:
             sign = operation[0]
@@ -223,9 +229,35 @@ class Rewriter:
         self.split(cursor, lambda child: child.kind.is_expression() and len(signs) == 2
                    and signs[0] < child.extent.start.offset < signs[1])
 
+    def when_equal(self, cursor, operands):
+        """What an expression is when both operands are equal: one of them, 0, or unknown."""
+        core = self.core(cursor)
+        if self.source(core) in operands:
+            return "operand"
+        operation = self.operator_of(core)
+        if operation and operation[0] == "-" and {self.source(self.core(part)) for part in operation[2:]} == operands:
+            return "0"
+        return "0" if ZERO.fullmatch(self.source(core)) else None
+
+    def moves_nothing(self, condition, values):
+        """Whether a comparison chooses between values that are the same where its operands are: `a < b ? a : b`."""
+        core = self.core(condition)
+        operation = self.operator_of(core)
+        if not operation or operation[0] not in COMPARISONS:
+            return False
+        sides = operation[2:]
+        if any(side.type.get_canonical().kind.name in FLOATS for side in sides):
+            return False  # a zero has a sign
+        equal = {self.when_equal(value, {self.source(self.core(side)) for side in sides}) for value in values}
+        return len(equal) == 1 and None not in equal
+
     def choice(self, cursor):
         parts = list(cursor.get_children())
-        self.condition(parts[0])
+        if self.moves_nothing(parts[0], parts[1:]):
+            comparison = self.core(parts[0])
+            self.forced(comparison, lambda: self.children(comparison))
+        else:
+            self.condition(parts[0])
         for part in parts[1:]:
             self.visit(part)
 

@@ -12,8 +12,11 @@ bool less(unsigned a, unsigned b) noexcept;
 bool both(bool a, bool b) noexcept;
 bool neither(bool a, bool b) noexcept;
 unsigned chosen_by(unsigned a, unsigned b) noexcept;
+unsigned lesser(unsigned a, unsigned b) noexcept;
+unsigned distance(unsigned a, unsigned b) noexcept;
 unsigned sum(unsigned a, unsigned b) noexcept;
 unsigned added(unsigned a, unsigned b) noexcept;
+unsigned of_a_template(unsigned a) noexcept;
 unsigned of_a_constant() noexcept;
 }  // namespace canproof
 
@@ -52,9 +55,15 @@ const std::vector<Expected> expected{
     {"b -> false", of(neither), [](unsigned a, unsigned) { return ~a & 1U; }},
     {"a == b -> true", chosen_by, [](unsigned, unsigned) { return 1U; }},
     {"a == b -> false", chosen_by, [](unsigned, unsigned) { return 2U; }},
+    {"a < b -> true", lesser, [](unsigned a, unsigned) { return a; }},
+    {"a < b -> false", lesser, [](unsigned, unsigned b) { return b; }},
+    {"a > b -> true", distance, [](unsigned a, unsigned b) { return a - b; }},
+    {"a > b -> false", distance, [](unsigned, unsigned) { return 0U; }},
+    {"a - b -> +", distance, [](unsigned a, unsigned b) { return a > b ? a + b : 0U; }},
     {"a + b -> -", sum, [](unsigned a, unsigned b) { return a - b; }},
     {"total += b -> -=", added, [](unsigned a, unsigned b) { return a - b; }},
     {"a * 2U -> /", [](unsigned, unsigned) { return of_a_constant(); }, [](unsigned, unsigned) { return 8U; }},
+    {"a + N -> -", [](unsigned a, unsigned) { return of_a_template(a); }, [](unsigned a, unsigned) { return a - 4U; }},
 };
 
 unsigned faults(std::size_t number, const host::Alteration* mutant, const Function& run, const Function& meant) {

@@ -1,9 +1,12 @@
-// With CANPROOF_TOLD=FILE in the environment each test leaves a line there: its name, its seconds, and the mutants that
-// would have computed something else in it. No other test can notice them.
+// With CANPROOF_TOLD=FILE in the environment each test leaves a line there: its name, its seconds of processor time,
+// and the mutants that would have computed something else in it. No other test can notice them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <string>
 #include <vector>
 
 #include "host/mutation/alteration.hpp"
@@ -16,14 +19,28 @@ class Teller : public testing::EmptyTestEventListener {
   public:
     explicit Teller(const char* file) : out_{std::fopen(file, "w")}, told_(host::generated_alterations().count + 2U) {}
 
+    /// What told until now ran before any test: tables that the program computes when it starts.
+    void OnTestProgramStart(const testing::UnitTest& /*all*/) override {
+        if (mutants::told != nullptr) {
+            std::copy_n(mutants::told, told_.size(), told_.begin());
+            mutants::told = nullptr;
+            write("startup", 0.0);
+        }
+    }
     void OnTestStart(const testing::TestInfo& /*test*/) override {
         told_.assign(told_.size(), 0U);
         mutants::told = told_.data();
+        began_ = std::clock();
     }
     void OnTestEnd(const testing::TestInfo& test) override {
         mutants::told = nullptr;
-        std::fprintf(out_, "%s.%s\t%.3f", test.test_suite_name(), test.name(),
-                     static_cast<double>(test.result()->elapsed_time()) / 1000.0);
+        write(std::string{test.test_suite_name()} + "." + test.name(),
+              static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC);
+    }
+
+  private:
+    void write(const std::string& name, const double seconds) {
+        std::fprintf(out_, "%s\t%.3f", name.c_str(), seconds);
         for (std::size_t mutant = 1; mutant < told_.size(); ++mutant) {
             if (told_[mutant] != 0U) {
                 std::fprintf(out_, "\t%zu", mutant - 1U);
@@ -33,10 +50,17 @@ class Teller : public testing::EmptyTestEventListener {
         std::fflush(out_);
     }
 
-  private:
     std::FILE* out_;
     std::vector<unsigned char> told_;
+    std::clock_t began_{0};
 };
+
+/// Before the constructors of this program's own objects: what these compute tells as well.
+__attribute__((constructor(101))) void listen_from_the_start() {
+    if (std::getenv("CANPROOF_TOLD") != nullptr) {
+        mutants::told = static_cast<unsigned char*>(std::calloc(host::generated_alterations().count + 2U, 1U));
+    }
+}
 
 struct Listening {
     Listening() {

@@ -13,6 +13,12 @@ bool neither(const bool a, const bool b) noexcept {
 unsigned chosen_by(const unsigned a, const unsigned b) noexcept {
     return (a == b) ? 1U : 2U;
 }
+unsigned lesser(const unsigned a, const unsigned b) noexcept {
+    return (a < b) ? a : b;
+}
+unsigned distance(const unsigned a, const unsigned b) noexcept {
+    return (a > b) ? (a - b) : 0U;
+}
 unsigned sum(const unsigned a, const unsigned b) noexcept {
     return a + b;
 }
@@ -25,6 +31,13 @@ constexpr unsigned twice(const unsigned a) noexcept {
     return a * 2U;
 }
 static_assert(twice(4U) == 8U);
+template <unsigned N>
+unsigned plus_constant(const unsigned a) noexcept {
+    return a + N;
+}
+unsigned of_a_template(const unsigned a) noexcept {
+    return plus_constant<2U * 2U>(a);
+}
 unsigned of_a_constant() noexcept {
     constexpr unsigned eight = twice(4U);
     return eight;

@@ -1,0 +1,38 @@
+// Points in time and sequence numbers (firmware/base).
+#include <gtest/gtest.h>
+
+#include "firmware/base/sequence_number.hpp"
+#include "firmware/base/time.hpp"
+#include "support/shows_rule.hpp"
+
+namespace canproof::test {
+
+TEST(Instants, AreOrderedByTheirMicroseconds) {
+    shows_rule("time neither wraps nor runs backwards");
+    const Instant early{1U};
+    const Instant late{2U};
+    EXPECT_TRUE(late > early);
+    EXPECT_FALSE(late > late);
+    EXPECT_FALSE(early > late);
+    EXPECT_TRUE(late >= early);
+    EXPECT_TRUE(late >= late);
+    EXPECT_FALSE(early >= late);
+}
+
+TEST(Instants, EndAtNever) {
+    shows_rule("time neither wraps nor runs backwards");
+    EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{4U}) < never);
+    EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{6U}) == never);
+    EXPECT_TRUE((never + Duration{1U}) == never);
+}
+
+TEST(SequenceNumbers, GoOnAfterTheHighest) {
+    shows_rule("of two copies the newer is used");
+    EXPECT_TRUE(is_newer(8U, 7U));
+    EXPECT_FALSE(is_newer(7U, 8U));
+    EXPECT_FALSE(is_newer(7U, 7U));
+    EXPECT_TRUE(is_newer(0U, 0xFFFFFFFFU));
+    EXPECT_FALSE(is_newer(0xFFFFFFFFU, 0U));
+}
+
+}  // namespace canproof::test
