@@ -1,6 +1,7 @@
 // NMT as CiA 301, 7.2.8 and 7.3.2 ask it of a slave; run on a CAN-CBX-AO412 as node 3.
 #include "generated/canopen/requirements.hpp"
 #include "support/bench.hpp"
+#include "support/shows_rule.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -63,6 +64,16 @@ TEST_F(Nmt, IgnoresWrongLengthRemoteFramesAndUnknownCommands) {
         EXPECT_TRUE(send(frame).empty()) << frame;
         EXPECT_EQ(state(), "pre-operational") << frame;
     }
+}
+
+TEST_F(Nmt, ACommandDuringBusOffIsNotHeard) {
+    shows_rule("a controller that is bus-off receives nothing");
+    inputs.can_state = 3;
+    set_inputs();
+    send("000#0203");
+    inputs.can_state = 0;
+    set_inputs();
+    EXPECT_EQ(state(), "pre-operational");
 }
 
 TEST_F(Nmt, ResetNodeBringsBackAllDefaultsAndResetCommunicationItsOwnAreaOnly) {

@@ -85,6 +85,25 @@ TEST_F(SyncService, OneThatComesLateIsNotMadeUpFor) {
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));
 }
 
+TEST_F(SyncService, OneThatComesALittleLateMovesNoOther) {
+    verifies<req::CO_SYNC_003>();
+    write("603#2306100088130000");  // 5000 us
+    write("603#2305100080000040");
+    now = now + milliseconds(7);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"080#"}));
+    EXPECT_EQ(pass(8), (Frames{"3:080#", "8:080#"}));  // at 10 and 15 ms
+}
+
+TEST_F(SyncService, TheProducerGoesOnWhenTheNodeIsStarted) {
+    verifies<req::CO_SYNC_003>();
+    write("603#2306100088130000");  // 5000 us
+    write("603#2305100080000040");
+    EXPECT_TRUE(pass(3).empty());
+    send("000#0103");
+    EXPECT_EQ(pass(2), (Frames{"2:080#"}));
+}
+
 TEST_F(SyncService, IsNotProducedWithoutAPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2305100080000040");  // a producer without a period

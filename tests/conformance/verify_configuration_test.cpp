@@ -56,6 +56,19 @@ TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
     }
 }
 
+TEST_F(VerifyConfiguration, AChangeOfAnyByteOfATextMakesItZero) {
+    verifies<req::CO_VERIFY_002>();
+    const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
+    for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
+        leave_date_and_time();
+        talk({change});  // "abc" to "x", "x" to "xy"
+        talk(zero);
+    }
+    leave_date_and_time();
+    talk({two_letters});
+    talk(kept);
+}
+
 TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
     verifies<req::CO_VERIFY_002>();
     leave_date_and_time();
@@ -64,6 +77,9 @@ TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
           {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h cannot be written
           {"605#2310100173617665", {"585#6010100100000000"}},    // save
           {"605#4000200100000000", {"585#4F00200100000000"}}});  // a read
+    talk(kept);
+    send("080#01");  // a SYNC of wrong length stands in 1003h; the list is no configuration
+    talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});
     talk(kept);
     send("000#0105");
     send("205#0708");  // RPDO1 sets 2000h:1 and 2000h:2

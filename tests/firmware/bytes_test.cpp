@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/base/slots.hpp"
+#include "firmware/canopen/pdo_mapping.hpp"
 #include "support/shows_rule.hpp"
 
 namespace canproof::test {
@@ -86,12 +87,12 @@ TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
 
 TEST(Slots, PartsEndWithTheirWhole) {
     shows_rule("views of bytes cannot overrun");
-    std::array<int, 6> room{{1, 2, 3, 4, 5, 6}};
-    const Slots<int> four{room.data(), 4U};
+    std::array<PdoLine, 6> room{};
+    const Slots<PdoLine> four{room.data(), 4U};
     EXPECT_EQ(four.part(1U, 2U).size(), 2U);
     EXPECT_EQ(four.part(1U, 3U).size(), 3U);
     EXPECT_EQ(four.part(3U, 3U).size(), 1U);
-    EXPECT_EQ(four.part(3U, 3U)[0U], 4);
+    EXPECT_EQ(&four.part(3U, 3U)[0U], &room[3]);
     EXPECT_EQ(four.part(5U, 1U).size(), 0U);
 }
 

@@ -26,6 +26,13 @@ TEST(Instants, EndAtNever) {
     EXPECT_TRUE((never + Duration{1U}) == never);
 }
 
+TEST(Instants, NoTimePassesBackwards) {
+    shows_rule("time neither wraps nor runs backwards");
+    EXPECT_EQ(elapsed(Instant{3U}, Instant{10U}).us, 7U);
+    EXPECT_EQ(elapsed(Instant{10U}, Instant{10U}).us, 0U);
+    EXPECT_EQ(elapsed(Instant{10U}, Instant{3U}).us, 0U);
+}
+
 TEST(SequenceNumbers, GoOnAfterTheHighest) {
     shows_rule("of two copies the newer is used");
     EXPECT_TRUE(is_newer(8U, 7U));

@@ -2,6 +2,7 @@
 
 #include "firmware/base/crc32.hpp"
 #include "generated/canopen/requirements.hpp"
+#include "support/shows_rule.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
@@ -15,6 +16,14 @@ Frame numbered(std::uint32_t id, std::uint8_t number) {
 }
 
 }  // namespace
+
+TEST(Frames, ARemoteOneHasALengthAndNoData) {
+    shows_rule("a remote frame carries no data");
+    Frame frame = data_frame(0x703, 8);
+    EXPECT_EQ(frame.payload().size(), 8U);
+    frame.remote = true;
+    EXPECT_EQ(frame.payload().size(), 0U);
+}
 
 TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
     verifies<req::CO_FRAME_002>();
