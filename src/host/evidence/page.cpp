@@ -26,7 +26,7 @@ td{overflow-wrap:anywhere}.n{font-variant-numeric:tabular-nums;white-space:nowra
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
-figure{margin:1rem 0}figure img{width:100%;height:auto;background:#fff;border-radius:.3rem}
+figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#fff;border-radius:.3rem}
 .wrap{overflow-x:auto}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
 @media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
@@ -53,16 +53,6 @@ bool is_number(const std::string& cell) {
     return digits_alone && std::count(cell.begin(), cell.end(), '.') <= 1 && cell.find_first_of("0123456789") == 0;
 }
 
-/// 1279050 as 1,279,050; four digits stay together.
-std::string grouped(std::string number) {
-    constexpr std::size_t group = 3;
-    const std::size_t whole = std::min(number.find('.'), number.size());
-    for (std::size_t at = whole > group + 1 ? whole - group : 0; at > 0; at = at > group ? at - group : 0) {
-        number.insert(at, ",");
-    }
-    return number;
-}
-
 /// Whether every cell of the column that says something is a number; the numbers of sections ("2.1.1") are none.
 bool holds_numbers(const std::vector<std::vector<std::string>>& rows, const std::size_t column) {
     bool any = false;
@@ -83,13 +73,13 @@ std::string html_page(const std::string& title, const std::string& own_page,
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width,initial-scale=1\">\n<title>{} · canproof</title><style>{}</style></head>\n<body>"
-        "<nav aria-label=\"Pages\">\n",
-        escaped(title), style);
+        "{}",
+        escaped(title), style, navigation.empty() ? "" : "<nav aria-label=\"Pages\">\n");
     for (const auto& entry : navigation) {
         text += fmt::format("<a href=\"{}\"{}>{}</a>\n", escaped(entry.page),
                             entry.page == own_page ? " aria-current=\"page\"" : "", escaped(entry.title));
     }
-    text += fmt::format("</nav>\n<main><h1>{}</h1>\n{}</main>\n", escaped(title), body);
+    text += fmt::format("{}<main><h1>{}</h1>\n{}</main>\n", navigation.empty() ? "" : "</nav>\n", escaped(title), body);
     if (body.find("type=search") != std::string::npos) {
         text += fmt::format("<script>{}</script>\n", search_script);
     }

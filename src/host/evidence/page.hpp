@@ -11,7 +11,7 @@ struct NavigationEntry {
     std::string title;
 };
 
-/// A whole HTML document. `body` is markup.
+/// A whole HTML document. `body` is markup; without pages to go to there is no navigation.
 std::string html_page(const std::string& title, const std::string& own_page,
                       const std::vector<NavigationEntry>& navigation, const std::string& body);
 

@@ -14,6 +14,7 @@
 #include "host/fuzz/campaign_display.hpp"
 #include "host/fuzz/campaign_files.hpp"
 #include "host/fuzz/campaign_report.hpp"
+#include "host/plot/markup.hpp"
 
 namespace canproof::host {
 
@@ -188,7 +189,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
     }
     const bool broken = std::any_of(state.targets.begin(), state.targets.end(),
                                     [](const TargetRecord& one) { return one.broken_slices > 0; });
-    display.say(fmt::format("no finding in {} executions{}", with_commas(state.executions()),
+    display.say(fmt::format("no finding in {} executions{}", grouped(state.executions()),
                             broken ? ", but not every target ran its time" : ""));
     return broken ? was_broken : 0;
 }

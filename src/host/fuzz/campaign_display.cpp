@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host/plot/markup.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr auto redraw = std::chrono::milliseconds{500};
 std::string row(const TargetRecord& target, const std::string& bad) {
     const double rate = target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
     return fmt::format("{:<14}{:>8.0f} s{:>14} executions{:>10.0f}/s{:>8} edges{:>20}", target.name, target.seconds,
-                       with_commas(target.executions), rate, with_commas(target.edges()), bad);
+                       grouped(target.executions), rate, grouped(target.edges()), bad);
 }
 
 std::size_t findings_of(const CampaignState& state, const std::string& target) {
@@ -23,14 +25,6 @@ std::size_t findings_of(const CampaignState& state, const std::string& target) {
 }
 
 }  // namespace
-
-std::string with_commas(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > 3; at -= 3) {
-        text.insert(at - 3, ",");
-    }
-    return text;
-}
 
 void CampaignDisplay::say(const std::string& text) {
     rows_ = 0;

@@ -31,7 +31,4 @@ class CampaignDisplay {
     std::chrono::steady_clock::time_point drawn_{};
 };
 
-/// `1,234,567`
-std::string with_commas(std::uint64_t number);
-
 }  // namespace canproof::host

@@ -12,14 +12,19 @@ namespace canproof::host {
 namespace {
 
 constexpr double width = 960.0;
-constexpr double height = 440.0;
 constexpr double left = 84.0;
 constexpr double right = 940.0;
 constexpr double top = 44.0;
 constexpr double bottom = 360.0;
+constexpr double legend_top = 416.0;
+constexpr double legend_row = 20.0;
+constexpr std::size_t legend_columns = 6;
 
 // Distinct in colour and in lightness, so that they can be told apart without colour as well.
 constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
+
+/// Curves beyond the colours are dashed, those beyond twice as many dotted.
+constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
 
 struct Range {
     double low{0.0};
@@ -53,6 +58,8 @@ class Canvas {
         : plot_{plot}, x_{Range::of(plot.curves, true)}, y_{Range::of(plot.curves, false)} {}
 
     std::string svg() {
+        const std::size_t rows = (plot_.curves.size() + legend_columns - 1) / legend_columns;
+        const double height = legend_top + legend_row * static_cast<double>(std::max<std::size_t>(rows, 1)) + 4.0;
         text_ = fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
             "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
@@ -102,7 +109,8 @@ class Canvas {
 
     /// A tick's number, without the last digits of a rounding error.
     static std::string number(double value, double step) {
-        return fmt::format("{:.6g}", std::fabs(value) < step / 1000.0 ? 0.0 : value);
+        const double told = std::fabs(value) < step / 1000.0 ? 0.0 : value;
+        return grouped(std::fabs(told) < 1e5 ? fmt::format("{:.6g}", told) : fmt::format("{:.0f}", told));
     }
 
     /// A gap where a value is no number.
@@ -118,11 +126,16 @@ class Canvas {
             path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", at_x(x), at_y(y));
             drawing = true;
         }
-        text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>\n", path, colour);
-        const double legend = left + static_cast<double>(i) * (right - left) / static_cast<double>(plot_.curves.size());
-        text_ += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"18\" height=\"4\" fill=\"{}\"/>\n", legend,
-                             bottom + 56.0, colour);
-        put(legend + 24.0, bottom + 62.0, curve.name, "");
+        const char* dash = dashes[(i / std::size(colours)) % std::size(dashes)];
+        text_ +=
+            fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>\n", path, colour, dash);
+        const std::size_t columns = std::min(plot_.curves.size(), legend_columns);
+        const double x = left + static_cast<double>(i % columns) * (right - left) / static_cast<double>(columns);
+        const double y = legend_top + static_cast<double>(i / columns) * legend_row;
+        text_ += fmt::format(
+            "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"3\"{}/>\n", x,
+            x + 18.0, y + 2.0, y + 2.0, colour, dash);
+        put(x + 24.0, y + 6.0, curve.name, "");
     }
 
     const LinePlot& plot_;

@@ -1,5 +1,7 @@
 #include "host/plot/markup.hpp"
 
+#include <algorithm>
+
 namespace canproof::host {
 
 std::string escaped(const std::string& text) {
@@ -23,6 +25,20 @@ std::string escaped(const std::string& text) {
         }
     }
     return out;
+}
+
+std::string grouped(std::string number) {
+    constexpr std::size_t group = 3;
+    const std::size_t first = number.find('-') == 0 ? 1 : 0;
+    for (std::size_t at = std::min(number.find('.'), number.size()); at > first + group;) {
+        at -= group;
+        number.insert(at, ",");
+    }
+    return number;
+}
+
+std::string grouped(const std::uint64_t number) {
+    return grouped(std::to_string(number));
 }
 
 }  // namespace canproof::host

@@ -231,7 +231,7 @@ TEST_F(Pack, AnExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000,000<td class=n data-h=\"seconds\">0.5"
                                 "<td data-h=\"case\">2.1.1"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">20<td><td data-h=\"case\">3.4"));
-    EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1000<td class=n data-h=\"seconds\">12,345.25"));
+    EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000<td class=n data-h=\"seconds\">12,345.25"));
     EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\""));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));

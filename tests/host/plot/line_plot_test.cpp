@@ -5,6 +5,9 @@
 
 #include <limits>
 #include <pugixml.hpp>
+#include <set>
+
+#include "host/plot/markup.hpp"
 
 namespace canproof::host::test {
 
@@ -57,6 +60,42 @@ TEST(LinePlot, AValueThatIsNoNumberIsAGap) {
     const LinePlot plot{"", "", "", {{"one", {{0.0, 0.0}, {2.0, no_number}, {4.0, 4.0}, {8.0, 8.0}}}}, {}};
     const auto document = parsed(write_svg(plot));
     EXPECT_STREQ(document.child("svg").child("path").attribute("d").value(), "M84.0 360.0M512.0 202.0L940.0 44.0");
+}
+
+TEST(LinePlot, ALegendOfManyCurvesHasRowsAndDashes) {
+    LinePlot plot{"", "", "", {}, {}};
+    for (int i = 0; i < 18; ++i) {
+        plot.curves.push_back({std::to_string(i), {{0.0, 0.0}, {1.0, 2.5e6}}});
+    }
+    const auto document = parsed(write_svg(plot));
+    std::vector<std::pair<double, double>> places;
+    std::set<std::string> looks;
+    bool has_grouped_tick = false;
+    for (const auto& node : document.child("svg").children()) {
+        const std::string word = node.child_value();
+        if (node.name() == std::string{"text"} && plot.curves.size() > places.size() &&
+            word == plot.curves[places.size()].name && node.attribute("text-anchor").empty()) {
+            places.emplace_back(node.attribute("x").as_double(), node.attribute("y").as_double());
+        }
+        if (node.name() == std::string{"path"}) {
+            looks.insert(node.attribute("stroke").value() + std::string{node.attribute("stroke-dasharray").value()});
+        }
+        has_grouped_tick = has_grouped_tick || word == "2,500,000";
+    }
+    ASSERT_EQ(places.size(), 18U);
+    EXPECT_EQ(places[6].first, places[0].first);  // six beside each other
+    EXPECT_LT(places[0].second, places[6].second);
+    EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
+    EXPECT_EQ(looks.size(), 18U);  // no two look alike
+    EXPECT_TRUE(has_grouped_tick);
+}
+
+TEST(Grouped, SeparatesThousands) {
+    EXPECT_EQ(grouped("999"), "999");
+    EXPECT_EQ(grouped("-999"), "-999");
+    EXPECT_EQ(grouped("1000"), "1,000");
+    EXPECT_EQ(grouped("-1234567.25"), "-1,234,567.25");
+    EXPECT_EQ(grouped(std::uint64_t{18446744073709551615U}), "18,446,744,073,709,551,615");
 }
 
 TEST(LinePlot, AFlatCurveAndNoneAreDrawn) {
