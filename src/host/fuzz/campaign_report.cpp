@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/evidence/page.hpp"
 #include "host/plot/line_plot.hpp"
 #include "host/plot/markup.hpp"
@@ -24,6 +26,13 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
         return {};
     }
     return last->edges.at(target);
+}
+
+/// Lines that two nights reached compare only when both had the same targets.
+bool same_targets(const CampaignState& state, const Night& last) {
+    return last.edges.size() == state.targets.size() &&
+           std::all_of(state.targets.begin(), state.targets.end(),
+                       [&](const TargetRecord& one) { return last.edges.count(one.name) != 0; });
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -66,7 +75,7 @@ std::string findings(const CampaignState& state) {
                         fmt::format("<code>{}</code>", escaped(one.regression))});
     }
     return "<h2>Findings</h2>" + html_table({{"Target"},
-                                             {"What"},
+                                             {"What", 30},
                                              {"Bytes"},
                                              {"Times"},
                                              {"Shown by"},
@@ -86,7 +95,7 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
                         std::to_string(one.inputs_kept), std::to_string(one.inputs_second_pass),
                         one.plateaued() ? "plateaued" : ""});
     }
-    std::string text = "<h2>Targets</h2>" + html_table({{"Target"},
+    std::string text = "<h2>Targets</h2>" + html_table({{"Target", 16},
                                                         {"Seconds"},
                                                         {"Executions"},
                                                         {"Executions per second"},
@@ -97,7 +106,7 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
                                                         {"Found"},
                                                         {"Kept"},
                                                         {"Seen by valgrind"},
-                                                        {""}},
+                                                        {"State", 10}},
                                                        rows);
     text += "<p>A target has plateaued when the second half of its time brought no new edge.</p>";
     LinePlot edges{"Edges over each target's own time", "time (s)", "edges", {}, {}};
@@ -122,7 +131,8 @@ std::string coverage(const CampaignState& state, const std::optional<Night>& las
     if (!all.measured) {
         return "<h2>Lines</h2><p>Not measured in this campaign.</p>";
     }
-    const auto before = last && last->lines_hit > 0 ? std::optional{last->lines_hit} : std::nullopt;
+    const auto before =
+        last && last->lines_hit > 0 && same_targets(state, *last) ? std::optional{last->lines_hit} : std::nullopt;
     std::string text = fmt::format(
         "<h2>Lines of src/firmware</h2><p>{} of {} ({:.1f} %), {} against the last night.</p>", grouped(all.hit()),
         grouped(all.lines()), percent(all.hit(), all.lines()), change(all.hit(), before));
