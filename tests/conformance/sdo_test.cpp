@@ -216,6 +216,15 @@ TEST_F(SlaveSdo, AnnouncedAsEmptyMeansEmpty) {
                 });
 }
 
+TEST_F(SlaveSdo, ASizeThatIsNotShownIsNotRead) {
+    verifies<req::CO_SDO_003, req::CO_SDO_010>();
+    talk(*this, {
+                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 hold no size
+                    {"605#0D78000000000000", {"585#2000000000000000"}},  // "x", last
+                    {"605#4000230000000000", {"585#4F00230078000000"}},
+                });
+}
+
 TEST_F(SlaveSdo, AStringMayBeShorterThanItsCapacityButNotLonger) {
     verifies<req::CO_SDO_010, req::CO_SDO_016>();
     talk(*this, {
