@@ -148,6 +148,15 @@ TEST_F(Tpdo, TheDeviceTellsOfItsOwnChanges) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
+TEST_F(Tpdo, WritesToOtherParametersLetTheEventTimerRun) {
+    verifies<req::CO_PDO_025>();
+    EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 100 ms
+    start();
+    EXPECT_TRUE(pass(60).empty());
+    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, as it is
+    EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
+}
+
 TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});  // 1001h

@@ -140,6 +140,15 @@ TEST(MathBlock, UnlessAnInputHasANegativeGain) {
     EXPECT_EQ(run({percent(20, -1), percent(30), percent(50), unused}, {plus, minus, plus}), 0.0);
 }
 
+TEST(MathBlock, ANegativeChainGoesOnWithItsSign) {
+    verifies<req::AOR_MATH_005>();
+    // -0.2 - 0.5 = -0.7; times 0.5, no difference, is -0.35; + 0.9
+    EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(50), percent(90)}, {minus, times, plus}), 0.9 - 0.35);
+    // -0.7 - -0.2 = -0.5, a difference with a negative gain; + 0.9
+    EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(20, -1), percent(90)}, {minus, minus, plus}),
+                     0.9 - 0.5);
+}
+
 TEST(MathBlock, AGainOfZeroIsNotNegative) {
     verifies<req::AOR_MATH_005>();
     // 0 - 0.5 is held at 0; 0 + 0.9

@@ -33,6 +33,13 @@ TEST_F(Ax130751Storage, ShipsAsNode127At125Kilobit) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
+TEST_F(Ax130751Storage, OtherObjectsOfTheDeviceChangeNoNodeId) {
+    verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
+    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // a type of output
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    EXPECT_EQ(read(0x5B51, 0), 127U);
+}
+
 // 3.1.2
 TEST_F(Ax130751Storage, LssGivesANodeIdThatHolds) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
