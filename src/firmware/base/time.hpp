@@ -44,9 +44,6 @@ constexpr bool operator<=(const Instant a, const Instant b) noexcept {
 constexpr bool operator>(const Instant a, const Instant b) noexcept {
     return a.us > b.us;
 }
-constexpr bool operator>=(const Instant a, const Instant b) noexcept {
-    return a.us >= b.us;
-}
 
 /// Saturates at `never`, so that a deadline cannot wrap into the past.
 constexpr Instant operator+(const Instant start, const Duration length) noexcept {

@@ -89,7 +89,8 @@ class Emcy {
         if (register_changed_) {
             return Instant{};
         }
-        return (enabled_ && (pending_count_ != 0U)) ? may_send_at_ : never;
+        const bool waits = enabled_ && (pending_count_ != 0U);
+        return waits ? may_send_at_ : never;
     }
     /// Whether 1001h has changed since the last call: it may be mapped into a TPDO.
     bool take_register_change() noexcept {

@@ -110,8 +110,8 @@ void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcep
         start_heartbeat(now);
     } else if ((entry.index == guard_time_index) || (entry.index == life_time_factor_index)) {
         // A running life guarding goes on with the new time; one that is off waits for the next request.
-        const bool running = life_deadline_ != never;
-        life_deadline_ = (running && (life_time_.us != 0U)) ? (now + life_time_) : never;
+        const bool goes_on = (life_deadline_ != never) && (life_time_.us != 0U);
+        life_deadline_ = goes_on ? (now + life_time_) : never;
     } else {
         // 100Eh: the next message takes the new identifier.
     }

@@ -24,35 +24,16 @@ const requests::Row* request_row(const std::uint8_t specifier) noexcept {
 
 static_assert(implements<req::CO_E_LSS_ANSWER>);
 std::uint8_t answer_specifier(const LssCommand command) noexcept {
-    switch (command) {
-        case LssCommand::select_serial_number:
-            return static_cast<std::uint8_t>(LssAnswer::selected);
-        case LssCommand::identify_serial_high:
-        case LssCommand::fastscan:
-            return static_cast<std::uint8_t>(LssAnswer::identified);
-        case LssCommand::identify_non_configured:
-            return static_cast<std::uint8_t>(LssAnswer::non_configured);
-        case LssCommand::switch_state_global:
-        case LssCommand::configure_node_id:
-        case LssCommand::configure_bit_timing:
-        case LssCommand::activate_bit_timing:
-        case LssCommand::store_configuration:
-        case LssCommand::select_vendor_id:
-        case LssCommand::select_product_code:
-        case LssCommand::select_revision_number:
-        case LssCommand::identify_vendor_id:
-        case LssCommand::identify_product_code:
-        case LssCommand::identify_revision_low:
-        case LssCommand::identify_revision_high:
-        case LssCommand::identify_serial_low:
-        case LssCommand::inquire_vendor_id:
-        case LssCommand::inquire_product_code:
-        case LssCommand::inquire_revision_number:
-        case LssCommand::inquire_serial_number:
-        case LssCommand::inquire_node_id:
-        default:
-            return static_cast<std::uint8_t>(command);
+    if (command == LssCommand::select_serial_number) {
+        return static_cast<std::uint8_t>(LssAnswer::selected);
     }
+    if ((command == LssCommand::identify_serial_high) || (command == LssCommand::fastscan)) {
+        return static_cast<std::uint8_t>(LssAnswer::identified);
+    }
+    if (command == LssCommand::identify_non_configured) {
+        return static_cast<std::uint8_t>(LssAnswer::non_configured);
+    }
+    return static_cast<std::uint8_t>(command);
 }
 
 /// Frame `step` of a sequence whose first `done` frames fitted: how many have fitted now.
@@ -134,9 +115,8 @@ bool Lss::is_served(const Served when, const NmtState nmt) const noexcept {
         case Served::configuration:
             return configuring;
         case Served::setting:
-            return configuring && (nmt != NmtState::operational);
         default:
-            return false;
+            return configuring && (nmt != NmtState::operational);
     }
 }
 
@@ -287,13 +267,13 @@ void Lss::activate(const Duration delay, const Instant now) noexcept {
 }
 
 void Lss::switch_bit_rate(const Instant now) noexcept {
-    if ((switching_ == Switching::before) && (due_ <= now)) {
+    if (switching_ == Switching::before) {
         active_.bit_rate = pending_.bit_rate;
         application_.set_bit_rate(active_.bit_rate, now);
         switching_ = Switching::after;
         due_ = now + delay_;
     }
-    if ((switching_ == Switching::after) && (due_ <= now)) {
+    if (due_ <= now) {
         switching_ = Switching::none;
         due_ = never;
     }

@@ -125,7 +125,6 @@ class Lss {
 
     /// The bit rate is being switched: no frame may be sent and none counts.
     bool is_silent() const noexcept { return switching_ != Switching::none; }
-    LssState state() const noexcept { return state_; }
 
   private:
     using Served = generated::canopen::t_co_t_lss::Served;

@@ -279,7 +279,8 @@ Instant Node::next_without_tpdos() const noexcept {
 
 void Node::start_at(const Instant at) noexcept {
     wake();
-    start_at_ = (communication_failed_ && (error_behaviour(communication_error_subindex) != no_change)) ? never : at;
+    const bool held = communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
+    start_at_ = held ? never : at;
 }
 
 void Node::set_overrun(const bool lost, const Instant now) noexcept {
@@ -313,7 +314,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
         sdo_.abandon();
     }
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
-    if (was_off && !is_off) {
+    if (was_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
     }
     emcy_.set(ErrorId::error_passive, state >= CanState::error_passive, now);

@@ -16,8 +16,8 @@ constexpr std::uint32_t store_index = 0x1010U;
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory
 constexpr std::size_t chunk_size = 64U;            // longest stored value, and the piece in which a bank is checked
 
-/// CiA 301 has application parameters at 3 and manufacturer ones at 4. A list that ends at 3 has the latter there: its
-/// device has no application parameters (AX060805, 4.2.7).
+/// CiA 301 has application parameters at 3 and manufacturer ones from 4 on (7.5.2.13). A list that ends at 3 has the
+/// latter there: its device has no application parameters (AX060805, 4.2.7).
 constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends_at_3) noexcept {
     switch (subindex) {
         case 1U:
@@ -26,10 +26,8 @@ constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends
             return group_bit(ParameterGroup::communication);
         case 3U:
             return group_bit(ends_at_3 ? ParameterGroup::manufacturer : ParameterGroup::application);
-        case 4U:
-            return group_bit(ParameterGroup::manufacturer);
         default:
-            return no_groups;
+            return group_bit(ParameterGroup::manufacturer);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "firmware/canopen/pdo_communication.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -67,9 +68,9 @@ AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direc
 static_assert(implements<req::CO_PDO_008> && implements<req::CO_T_TRANSMISSION_TYPE>);
 AbortCode check_type(const PdoDirection direction, const std::uint8_t type) noexcept {
     const auto* const row = transmission::find(type);
-    const bool refused =
-        (row == nullptr) || ((direction == PdoDirection::receive) ? (row->applied == PdoApplied::refused)
-                                                                  : (row->sent == PdoSent::refused));
+    const bool refused = (direction == PdoDirection::receive)
+                             ? (cell_or(row, &transmission::Row::applied, PdoApplied::refused) == PdoApplied::refused)
+                             : (cell_or(row, &transmission::Row::sent, PdoSent::refused) == PdoSent::refused);
     return refused ? AbortCode::value_range : AbortCode::none;
 }
 
@@ -131,10 +132,8 @@ PdoParameters read_pdo_parameters(const ObjectDictionary& objects, const PdoDire
     read.inhibit = hundreds_of_microseconds(objects.read(index, inhibit_subindex));
     read.event = milliseconds(objects.read(index, event_subindex));
     const auto* const row = transmission::find(read.type);
-    if (row != nullptr) {
-        read.applied = row->applied;
-        read.sent = row->sent;
-    }
+    read.applied = cell_or(row, &transmission::Row::applied, PdoApplied::refused);
+    read.sent = cell_or(row, &transmission::Row::sent, PdoSent::refused);
     return read;
 }
 

@@ -11,14 +11,14 @@ namespace {
 constexpr std::uint32_t max_bits = 64U;
 constexpr std::uint32_t last_dummy_index = 0x0007U;  // data types 0001h BOOLEAN … 0007h UNSIGNED32 stand for gaps
 
-/// Length of a dummy entry by data type 1…7; zero for a type that cannot be one.
-constexpr std::uint8_t dummy_bits(const std::uint16_t type_index) noexcept {
-    constexpr std::array<std::uint8_t, 8U> bits{0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
-    return (type_index <= last_dummy_index) ? bits[type_index] : std::uint8_t{0U};
-}
-
 constexpr bool is_dummy(const std::uint16_t index) noexcept {
     return index <= last_dummy_index;
+}
+
+/// Length of a dummy entry by data type 0…7; zero for 0, which is none.
+constexpr std::uint8_t dummy_bits(const std::uint16_t type_index) noexcept {
+    constexpr std::array<std::uint8_t, 8U> bits{0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
+    return bits[type_index];
 }
 
 constexpr std::uint16_t index_of(const std::uint32_t entry) noexcept {
@@ -70,7 +70,7 @@ AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint8_
     std::uint32_t bits{0U};
     for (std::uint32_t line = 1U; line <= count; ++line) {
         const std::uint8_t subindex = static_cast<std::uint8_t>(line);
-        if ((line > max_pdo_lines) || !objects.has(index, subindex)) {
+        if (!objects.has(index, subindex)) {
             return AbortCode::mapping_too_long;
         }
         const std::uint32_t entry = objects.read(index, subindex);

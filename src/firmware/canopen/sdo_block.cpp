@@ -46,8 +46,8 @@ std::uint8_t SdoBlockDownload::acknowledge() noexcept {
 
 static_assert(implements<req::CO_SDO_028>);
 AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_t crc) noexcept {
-    const std::size_t checked = size_ - ((size_ < sdo::segment_capacity) ? size_ : sdo::segment_capacity);
-    size_ -= (unused < size_) ? unused : size_;
+    const std::size_t checked = size_ - sdo::segment_capacity;
+    size_ -= unused;
     if (size_ > place_.size()) {
         return AbortCode::too_long;
     }

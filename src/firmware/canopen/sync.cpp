@@ -31,7 +31,8 @@ void Sync::restart(const Instant now) noexcept {
     identifier_ = cob_id::identifier(objects_.read(cob_id_index, 0U));
     length_ = (objects_.read(counter_overflow_index, 0U) == 0U) ? std::uint8_t{0U} : std::uint8_t{1U};
     const std::uint32_t period_us = objects_.read(period_index, 0U);
-    next_ = (allowed_ && is_producer() && (period_us != 0U)) ? (now + microseconds(period_us)) : never;
+    const bool produces = allowed_ && is_producer() && (period_us != 0U);
+    next_ = produces ? (now + microseconds(period_us)) : never;
 }
 
 static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);

@@ -25,7 +25,7 @@ class Sync {
     void allow(bool allowed, Instant now) noexcept;
     SyncEvent classify(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_SYNC_001> && implements<req::CO_SYNC_002>);
-        if ((frame.id != identifier_) || (identifier_ == 0U) || frame.extended || frame.remote) {
+        if ((frame.id != identifier_) || frame.extended || frame.remote) {
             return SyncEvent::none;
         }
         return (std::uint32_t{frame.length} == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
@@ -52,7 +52,7 @@ class Sync {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     Instant next_{never};
-    std::uint32_t identifier_{0U};  ///< of the SYNC; zero: no SYNC
+    std::uint32_t identifier_{0U};  ///< of the SYNC; zero, which is the NMT master's and never comes here: no SYNC
     std::uint8_t length_{0U};       ///< of a SYNC: one byte while 1019h is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};

@@ -83,9 +83,10 @@ void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t ind
     }
 }
 
+// The node passes SYNCs and remote frames on in operational only, so that neither asks whether the PDOs run.
 void TransmitPdos::sync(const std::uint8_t counter) noexcept {
     for (TransmitPdo& tpdo : tpdos_) {
-        if (running_ && tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
+        if (tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
             sync_one(tpdo, counter);
         }
     }
@@ -118,7 +119,7 @@ void TransmitPdos::sync_one(TransmitPdo& tpdo, const std::uint8_t counter) noexc
 
 static_assert(implements<req::CO_PDO_016>);
 void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
-    for (std::size_t number = 0U; (number < tpdos_.size()) && running_ && !request.extended; ++number) {
+    for (std::size_t number = 0U; (number < tpdos_.size()) && !request.extended; ++number) {
         TransmitPdo& tpdo = tpdos_[number];
         if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
             continue;

@@ -26,8 +26,6 @@ constexpr std::uint32_t angle_type_index = 0x2100U;
 constexpr std::uint32_t initial_pitch_index = 0x2200U;
 constexpr std::uint32_t initial_roll_index = 0x2210U;
 constexpr std::uint32_t auto_null_index = 0x2300U;
-constexpr std::uint32_t calibrated_pitch_index = 0x2400U;
-constexpr std::uint32_t calibrated_roll_index = 0x2401U;
 constexpr std::uint32_t received_index = 0x2500U;
 constexpr std::uint32_t function_operation_index = 0x300AU;
 constexpr std::uint32_t function_scaling_index = 0x300BU;
@@ -205,12 +203,6 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case input_cut_off_index:
             take_input_filter();
             publish();  // its delay
-            break;
-        case calibrated_pitch_index:
-        case calibrated_roll_index:
-            take_settings();
-            pass_filters(true, false);
-            publish();
             break;
         case function_operation_index:
         case function_scaling_index:
