@@ -32,6 +32,21 @@ TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 0x11, 0x22, 0, 0}}));
 }
 
+TEST(Bytes, NumbersBehindTheEndAreZeroAndStayUnwritten) {
+    shows_rule("views of bytes cannot overrun");
+    std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
+    MutableBytes first_four{room.data(), 4U};
+    EXPECT_EQ(get_le<2U>(first_four.view(), 2U), 0x0403U);
+    EXPECT_EQ(get_le<2U>(first_four.view(), 3U), 0x04U);
+    EXPECT_EQ(get_le<2U>(first_four.view(), 5U), 0U);
+    first_four.put_le<2U>(5U, 0xFFFFU);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{1, 2, 3, 4, 5, 6, 7, 8}}));
+    first_four.put_le<2U>(3U, 0xAABBU);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{1, 2, 3, 0xBB, 5, 6, 7, 8}}));
+    first_four.put_le<2U>(0U, 0xAABBU);
+    EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
+}
+
 TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
     shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 4> source{{1, 2, 3, 4}};

@@ -114,6 +114,10 @@ TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
         has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(three), 1U}));
     std::array<std::uint16_t, 2> two{{0U, 1U}};
     EXPECT_FALSE(has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(two), 1U}));
+    const Dictionary tight;  // each is found, at 1000h & 1 and 2001h & 1, but what is absent is searched for ever
+    EXPECT_FALSE(is_sound(DictionaryTables{
+        table_view(tight.objects), table_view(tight.entries), table_view(tight.limits), table_view(tight.allowed),
+        table_view(tight.constants), table_view(tight.defaults), 0U, table_view(two), tight.factor}));
 }
 
 }  // namespace

@@ -37,6 +37,15 @@ TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, AnEmptyQueueGivesAnEmptyFrame) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    EXPECT_EQ(queue.pop().length, 0U);
+    EXPECT_TRUE(queue.empty());
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // and stays as it was
+    EXPECT_EQ(queue.pop().data[0], 1);
+}
+
 TEST(TransmitQueueOrder, FrontShowsWhatPopGives) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;

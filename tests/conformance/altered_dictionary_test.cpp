@@ -1,0 +1,225 @@
+// Dictionaries that none of the four devices has: objects left out, shipped values that could not be written, entries
+// of other types. The services answer as CiA 301 says; node 5.
+#include <gtest/gtest.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "support/altered_slave.hpp"
+#include "support/shows_rule.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// One end of a range.
+constexpr Limit no_end{LimitKind::none, 0, 0};
+
+constexpr Limit end_at(const std::uint32_t bits) {
+    return {LimitKind::value, bits, 0};
+}
+
+class AlteredDictionary : public testing::Test, public AlteredSlaveBench {};
+
+}  // namespace
+
+TEST_F(AlteredDictionary, WithoutErrorBehaviourACommunicationErrorEndsOperational) {
+    verifies<req::CO_HB_002>();
+    renumber(0x1029, 0x102A);
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
+    send("000#0105");
+    send("710#05");
+    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: pre-operational
+    // where there is no 1029h.
+    EXPECT_EQ(pass(100), Frames{"100:085#3081110100000000"});
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);
+}
+
+TEST_F(AlteredDictionary, WithoutAnErrorListEmergenciesAreSentAllTheSame) {
+    verifies<req::CO_EMCY_001>();
+    renumber(0x1003, 0x1004);
+    power_on();
+    EXPECT_EQ(send("080#01"), Frames{"085#4082110000000000"});
+    EXPECT_EQ(send("080#"), Frames{"085#0000000000000000"});
+    EXPECT_EQ(send("605#4003100000000000"), Frames{"585#8003100000000206"});
+}
+
+TEST_F(AlteredDictionary, ALongestErrorListHolds254Errors) {
+    verifies<req::CO_EMCY_001>();
+    extend(0x1003, 254);
+    power_on();
+    for (int i = 0; i < 255; ++i) {
+        send("080#01");  // a SYNC of wrong length
+        send("080#");
+    }
+    EXPECT_EQ(send("605#4003100000000000"), Frames{"585#4F031000FE000000"});
+    EXPECT_EQ(send("605#400310FE00000000"), Frames{"585#430310FE40820000"});
+    EXPECT_EQ(send("080#01"), Frames{"085#408211FE00000000"});
+}
+
+TEST_F(AlteredDictionary, AFifthHeartbeatConsumerWatchesNobody) {
+    verifies<req::CO_HB_002>();
+    entry(0x1016, 4).subindex = 5;
+    power_on();
+    EXPECT_EQ(send("605#2316100564001000"), Frames{"585#6016100500000000"});
+    send("710#05");
+    EXPECT_TRUE(pass(1000).empty());
+    EXPECT_EQ(send("605#2316100364001000"), Frames{"585#6016100300000000"});
+    send("710#05");
+    EXPECT_EQ(pass(1000), Frames{"100:085#3081110100000000"});
+}
+
+TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverItsLimits) {
+    verifies<req::CO_PDO_024>();
+    entry(0x1802, 6).limit = no_limit;
+    power_on();
+    EXPECT_EQ(send("605#2F021806F1000000"), Frames{"585#8002180630000906"});
+    EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
+}
+
+TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
+    verifies<req::CO_PDO_011>();
+    entry(0x1602, 0).limit = no_limit;
+    power_on();
+    for (int line = 1; line <= 8; ++line) {  // RPDO3 is not valid: 2000h:1, 8 bits, eight times
+        send("605#230216" + std::string{"0"} + std::to_string(line) + "08010020");
+    }
+    EXPECT_EQ(send("605#2F02160009000000"), Frames{"585#8002160042000406"});
+    EXPECT_EQ(send("605#2F02160008000000"), Frames{"585#6002160000000000"});
+}
+
+TEST_F(AlteredDictionary, APdoBeyondTheEighthIsAPlainObject) {
+    verifies<req::CO_PDO_001, req::CO_SDO_016>();
+    renumber(0x1403, 0x1408);
+    power_on();
+    EXPECT_EQ(send("605#2308140105050000"), Frames{"585#6008140100000000"});
+    EXPECT_EQ(send("605#4008140100000000"), Frames{"585#4308140105050000"});
+    send("000#0105");
+    EXPECT_TRUE(send("505#0102").empty());
+    send("205#0102");
+    EXPECT_EQ(send("605#4000200200000000"), Frames{"585#4F00200202000000"});
+}
+
+TEST_F(AlteredDictionary, AnAbsentObjectInAShippedMappingIsAGapOfZeros) {
+    verifies<req::CO_PDO_028, req::CO_PDO_015>();
+    ship(0x1A00, 0, 3);
+    ship(0x1A00, 2, 0x29990008);  // there is no 2999h
+    ship(0x1A00, 3, 0x20010208);
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#000000"});
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#110000", "585#6001200100000000"}));
+    EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#110022", "585#6001200200000000"}));
+}
+
+TEST_F(AlteredDictionary, AnEmptyLineOfAShippedMappingTakesNoBits) {
+    verifies<req::CO_PDO_028>();
+    ship(0x1A00, 0, 3);
+    ship(0x1A00, 2, 0);
+    ship(0x1A00, 3, 0x20010208);
+    power_on();
+    send("000#0105");
+    send("605#2F01200111000000");
+    EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#1122", "585#6001200200000000"}));
+}
+
+TEST_F(AlteredDictionary, AShippedMappingLongerThanAFrameIsNotUsed) {
+    verifies<req::CO_PDO_011>();
+    for (const std::uint16_t mapping : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
+        ship(mapping, 1, 0x22060040);  // 2206h, 64 bits, twice
+        ship(mapping, 2, 0x22060040);
+    }
+    power_on();
+    EXPECT_TRUE(send("000#0105").empty());
+    EXPECT_TRUE(send("205#0102030405060708").empty());
+    EXPECT_EQ(device->objects().read(0x2206, 0), 0U);
+}
+
+TEST_F(AlteredDictionary, AShippedCountBeyondTheMappingObjectTakesTheLinesThatAreThere) {
+    verifies<req::CO_PDO_001>();
+    ship(0x1600, 0, 9);
+    for (std::uint8_t line = 1; line <= 8; ++line) {
+        ship(0x1600, line, 0x20000008U + line * 0x100U);
+    }
+    power_on();
+    send("000#0105");
+    send("205#1122334455667788");
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200111000000"});
+    EXPECT_EQ(send("605#4000200800000000"), Frames{"585#4F00200888000000"});
+}
+
+TEST_F(AlteredDictionary, AMappingObjectHas64LinesAtMost) {
+    shows_rule("work is bounded");
+    EXPECT_EQ(pdo_lines(description.rows.tables()), 8U);
+    entry(0x1A03, 8).subindex = 64;
+    EXPECT_EQ(pdo_lines(description.rows.tables()), 64U);
+    entry(0x1A03, 64).subindex = 65;
+    EXPECT_EQ(pdo_lines(description.rows.tables()), 64U);
+}
+
+TEST_F(AlteredDictionary, ARealMayHaveOneLimitOnly) {
+    verifies<req::CO_SDO_011, req::CO_SDO_016>();
+    const std::uint32_t one_and_a_half = 0x3FC00000;
+    entry(0x2207, 0).type = DataType::real32;
+    limit(0x2207, 0, {no_end, end_at(one_and_a_half)});
+    power_on();
+    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#6007220000000000"});  // -2
+    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#8007220031000906"});  // 2
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#43072200000000C0"});
+    limit(0x2207, 0, {end_at(one_and_a_half), no_end});
+    power_on();
+    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#6007220000000000"});  // 2
+    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#8007220032000906"});  // -2
+}
+
+TEST_F(AlteredDictionary, AnOctetStringMayBeShorterAndDoesNotEndAtAZero) {
+    verifies<req::CO_SDO_010, req::CO_SDO_002>();
+    entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, shipped as abc
+    power_on();
+    EXPECT_EQ(send("605#4000230000000000"), Frames{"585#4100230028000000"});
+    EXPECT_EQ(send("605#2F00230041000000"), Frames{"585#6000230000000000"});
+    EXPECT_EQ(send("605#4000230000000000"), Frames{"585#4100230028000000"});
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041000000000000"});
+}
+
+TEST_F(AlteredDictionary, AnExpeditedDownloadLongerThanTheMemoryOfADomainIsRefused) {
+    verifies<req::CO_SDO_010, req::CO_SDO_033>();
+    power_on();
+    device->lend(0x2400, 0, 2);
+    EXPECT_EQ(send("605#2B00240001020000"), Frames{"585#6000240000000000"});
+    EXPECT_EQ(send("605#2300240005060708"), Frames{"585#8000240012000706"});
+    EXPECT_EQ(send("605#4000240000000000"), Frames{"585#4B00240001020000"});
+}
+
+TEST_F(AlteredDictionary, AnEntryOfLssIsReadAndWrittenAsAnyOther) {
+    verifies<req::CO_SDO_016>();
+    entry(0x2207, 0).service = Service::lss;
+    power_on();
+    EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+}
+
+TEST_F(AlteredDictionary, AStoreSignatureInAPdoStoresNothing) {
+    verifies<req::CO_STORE_001>();
+    entry(0x2207, 0).service = Service::store;
+    ship(0x1600, 0, 1);
+    ship(0x1600, 1, 0x22070020);
+    power_on();
+    send("605#2F00200111000000");
+    send("000#0105");
+    EXPECT_TRUE(send("205#73617665").empty());  // "save"
+    power_on();
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
+}
+
+TEST_F(AlteredDictionary, ManufacturerParametersAreStoredByAnySubindexFromFourOn) {
+    verifies<req::CO_STORE_001>();
+    entry(0x1010, 4).subindex = 5;
+    entry(0x1010, 3).subindex = 4;  // so that 3 is not the last
+    power_on();
+    send("605#2F00200111000000");
+    EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});
+    power_on();
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200111000000"});
+}
+
+}  // namespace canproof::test

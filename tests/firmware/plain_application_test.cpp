@@ -1,0 +1,122 @@
+// What a device gets that asks for no more than it must: the answers of Application and LssApplication themselves, and
+// of a node and a dictionary used by hand.
+#include <gtest/gtest.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "support/altered_slave.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// A device that lends memory for a DOMAIN but does not say what to do with it, and stores nothing.
+class PlainApplication final : public Application {
+  public:
+    AbortCode check_access(const EntryRef&) override { return AbortCode::none; }
+    AbortCode before_write(const EntryRef&, ByteView) override { return AbortCode::none; }
+    void after_write(const EntryRef&, Instant) override {}
+    void put_factory_values(ParameterGroup) override {}
+    void restart(Instant) override {}
+    void booted(Instant) override {}
+    void communication_failed(bool, Instant) override {}
+    MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
+
+  private:
+    std::array<std::uint8_t, 4> memory_{};
+};
+
+/// The slave's dictionary and services under that application, as node 5.
+class PlainNode {
+  public:
+    PlainNode(NonVolatileMemory& memory, TransmitQueue& queue)
+        : image_(description_.rows.layout.image.size()),
+          objects_{tables_, MutableBytes{image_.data(), image_.size()}, LimitAbort::high_low},
+          node_{objects_, memory, queue, application_, errors_, description_.profile, pdos_.memory()} {}
+
+    void power_on(std::uint8_t node_id, Instant now) { node_.power_on(LssConfiguration{node_id, 125000}, now); }
+    void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
+    void advance(Instant now) { node_.advance(now); }
+    Instant next_deadline() const { return node_.next_deadline(); }
+
+  private:
+    host::GenericDescription description_{slave()};
+    DictionaryTables tables_{description_.rows.tables()};
+    std::vector<std::uint8_t> image_;
+    ObjectDictionary objects_;
+    PlainApplication application_;
+    ErrorTable errors_{host::standard_errors()};
+    SizedPdoMemory<4, 4, 8> pdos_{};
+    Node node_;
+};
+
+class Plain : public testing::Test, public FrameBench<PlainNode> {
+  protected:
+    Plain() : FrameBench{4096} {
+        device = std::make_unique<PlainNode>(memory, queue);
+        device->power_on(5, now);
+        sent();
+    }
+};
+
+class ByHand : public testing::Test, public AlteredSlaveBench {
+  protected:
+    ByHand() { power_on(); }
+};
+
+}  // namespace
+
+TEST_F(Plain, ADomainThatNobodyTakesIsRefusedAndHoldsNothing) {
+    verifies<req::CO_SDO_032, req::CO_SDO_033>();
+    EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
+    EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
+}
+
+TEST_F(Plain, WithoutAStoreLssAnswersThatItCannot) {
+    verifies<req::CO_LSS_016>();
+    send("7E5#0401000000000000");
+    EXPECT_EQ(send("7E5#1700000000000000"), Frames{"7E4#1701000000000000"});
+}
+
+TEST_F(Plain, ABitRateThatNobodySetsEndsItsSilenceAllTheSame) {
+    verifies<req::CO_LSS_014, req::CO_LSS_015>();
+    send("7E5#0401000000000000");
+    EXPECT_EQ(send("7E5#1300030000000000"), Frames{"7E4#1300000000000000"});  // 250 kbit/s
+    EXPECT_TRUE(send("7E5#150A000000000000").empty());                        // after 10 ms, and 10 ms more
+    EXPECT_TRUE(send("605#4000100000000000").empty());
+    EXPECT_TRUE(pass(20).empty());
+    EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
+}
+
+TEST_F(ByHand, AConstantIsNeverOverwritten) {
+    verifies<req::CO_SDO_009>();
+    ObjectDictionary& objects = device->objects();
+    const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash
+    ASSERT_TRUE(name.exists());
+    const std::array<std::uint8_t, 17> other{{'x'}};
+    EXPECT_FALSE(objects.put(name, ByteView{other}));
+    EXPECT_FALSE(objects.put_bits(name, 1));
+    EXPECT_EQ(objects.value(name)[0], 'C');
+    EXPECT_EQ(objects.value(name).size(), 17U);
+}
+
+TEST_F(ByHand, ASelfStartWaitsForCommunicationUnless1029hSaysNoChange) {
+    verifies<req::CO_NMT_002>();
+    Node& node = device->node();
+    const auto state_after_start = [this, &node] {
+        node.start_at(now + milliseconds(100));
+        pass(200);
+        return node.state();
+    };
+    EXPECT_EQ(state_after_start(), NmtState::operational);
+    send("000#8005");
+    node.set_can_state(CanState::bus_off, now);
+    EXPECT_EQ(state_after_start(), NmtState::pre_operational);
+    node.set_can_state(CanState::error_active, now);
+    sent();                                                                   // what bus-off left to tell
+    EXPECT_EQ(send("605#2F29100101000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 1: no change of state
+    node.set_can_state(CanState::bus_off, now);
+    EXPECT_EQ(state_after_start(), NmtState::operational);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,87 @@
+// The conformance slave with another dictionary: shapes that none of the devices has, but a data sheet may describe.
+#pragma once
+
+#include "support/frame_bench.hpp"
+#include "support/slave.hpp"
+
+namespace canproof::test {
+
+/// Alter `description`, then power_on(). Node 5, as the slave is.
+class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
+  public:
+    AlteredSlaveBench() : FrameBench{4096} {}
+
+    /// An entry that the slave has.
+    EntryRow& entry(std::uint16_t index, std::uint8_t subindex) {
+        const ObjectRow& wanted = object(index);
+        EntryRow* row = &description.rows.entries.at(wanted.first_entry);
+        while (row->subindex != subindex) {
+            ++row;
+        }
+        return *row;
+    }
+    /// Gives an object another index, which must lie between those of its neighbours.
+    void renumber(std::uint16_t index, std::uint16_t other) {
+        object(index).index = other;
+        fill_slots();
+    }
+    /// The default of a number.
+    void ship(std::uint16_t index, std::uint8_t subindex, std::uint64_t value) {
+        const EntryRow& row = entry(index, subindex);
+        std::vector<std::uint8_t>& image = description.rows.layout.image;
+        write_le(MutableBytes{image.data(), image.size()}, row.offset, row.size, value);
+    }
+    /// An array gets elements up to `last`, like the one that was its last.
+    void extend(std::uint16_t index, std::uint8_t last) {
+        ObjectRow& array = object(index);
+        std::vector<EntryRow>& rows = description.rows.entries;
+        while (rows[array.first_entry + array.count - 1U].subindex < last) {
+            EntryRow row = rows[array.first_entry + array.count - 1U];
+            row.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
+            ++row.subindex;
+            description.rows.layout.image.resize(row.offset + std::size_t{row.size});
+            rows.insert(rows.begin() + array.first_entry + array.count, row);
+            ++array.count;
+            for (ObjectRow& later : description.rows.objects) {
+                later.first_entry = static_cast<std::uint16_t>(later.first_entry + (later.index > index ? 1U : 0U));
+            }
+        }
+    }
+    /// Gives an entry these limits.
+    void limit(std::uint16_t index, std::uint8_t subindex, const LimitRow& limits) {
+        description.rows.limits.push_back(limits);
+        entry(index, subindex).limit = static_cast<std::uint16_t>(description.rows.limits.size() - 1U);
+    }
+
+    /// Switches a slave of this description on, on the same memory. Returns what it sends.
+    Frames power_on() {
+        queue = TransmitQueue{};
+        device = std::make_unique<host::GenericDevice>(description, memory, queue);
+        return switch_on([this] { device->power_on(5, now); });
+    }
+
+    host::GenericDescription description{slave()};
+
+  private:
+    ObjectRow& object(std::uint16_t index) {
+        ObjectRow* row = &description.rows.objects.front();
+        while (row->index != index) {
+            ++row;
+        }
+        return *row;
+    }
+    void fill_slots() {
+        std::vector<std::uint16_t>& slots = description.rows.slots;
+        std::fill(slots.begin(), slots.end(), static_cast<std::uint16_t>(no_object));
+        for (std::size_t at = 0; at < description.rows.objects.size(); ++at) {
+            std::size_t slot =
+                object_slot(description.rows.objects[at].index, description.rows.slot_factor, slots.size());
+            while (slots[slot] != no_object) {
+                slot = (slot + 1) % slots.size();
+            }
+            slots[slot] = static_cast<std::uint16_t>(at);
+        }
+    }
+};
+
+}  // namespace canproof::test
