@@ -138,6 +138,8 @@ void add_coverage(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("FILE", options.measured, "what tests/coverage measured")->capture_default_str();
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();
     command->add_option("--cobertura", options.cobertura, "XML file to write");
+    command->add_flag("--records", options.records_only,
+                      "nothing measured: does each record name something in the sources?");
     command->callback([&chosen] { chosen = [] { return check_coverage(options); }; });
 }
 

@@ -86,6 +86,7 @@ struct CoverageOptions {
     std::string root{"."};
     std::string measured{"build/coverage/coverage.json"};  ///< what `llvm-cov export` wrote
     std::string cobertura;                                 ///< file to write, none when empty
+    bool records_only{false};                              ///< nothing measured: records against the sources
 };
 
 struct PlotOptions {

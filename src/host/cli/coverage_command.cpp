@@ -36,11 +36,26 @@ void print_counts(const std::vector<FileCoverage>& files) {
     print_row("all", totals_of(files));
 }
 
+/// Without a measurement: whether each record still names something in the sources.
+int check_records(const std::filesystem::path& place, const std::filesystem::path& root) {
+    const std::vector<CoverageRecord> records = read_coverage_records(place);
+    const std::vector<CoverageRecord> stale = stale_records(records, root);
+    for (const auto& record : stale) {
+        fmt::print("{}:{}: `{}` is not in {} any more; remove the record or name what replaced it\n", place.string(),
+                   record.line, record.code, record.file);
+    }
+    fmt::print("{} record(s), {} stale\n", records.size(), stale.size());
+    return stale.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int check_coverage(const CoverageOptions& options) {
-    const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
     const auto place = std::filesystem::path{options.root} / "reports" / "coverage.toml";
+    if (options.records_only) {
+        return check_records(place, options.root);
+    }
+    const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
     const CoverageVerdict verdict = judge_coverage(files, read_coverage_records(place));
     print_counts(files);
     for (const auto& [gap, reason] : verdict.gaps) {
@@ -54,9 +69,11 @@ int check_coverage(const CoverageOptions& options) {
     if (!options.cobertura.empty()) {
         write_file(options.cobertura, write_cobertura(files));
     }
-    fmt::print("{} place(s) not reached, {} with a reason, {} open, {} record(s) unused\n", verdict.gaps.size(),
-               verdict.gaps.size() - verdict.open(), verdict.open(), verdict.unused.size());
-    return verdict.open() == 0 && verdict.unused.empty() ? 0 : 1;
+    fmt::print("{} place(s) not reached, {} with a reason, {} open, {} record(s) unused; MC/DC {:.2f} %, {}{:.0f} %\n",
+               verdict.gaps.size(), verdict.gaps.size() - verdict.open(), verdict.open(), verdict.unused.size(),
+               verdict.conditions.percent(), verdict.enough_conditions() ? "at least " : "less than ",
+               CoverageVerdict::least_conditions);
+    return verdict.holds() ? 0 : 1;
 }
 
 }  // namespace canproof::host

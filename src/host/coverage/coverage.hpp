@@ -73,13 +73,24 @@ struct JudgedGap {
 };
 
 struct CoverageVerdict {
+    /// MC/DC that is asked for, in percent: records explain no more than the rest.
+    static constexpr double least_conditions = 99.0;
+
     std::vector<JudgedGap> gaps;
     std::vector<CoverageRecord> unused;  ///< records that match nothing: the code has moved on
+    CoverageCount conditions;
 
     std::size_t open() const;
+    bool enough_conditions() const { return conditions.percent() >= least_conditions; }
+    /// No open gap, no unused record, and enough conditions.
+    bool holds() const { return open() == 0 && unused.empty() && enough_conditions(); }
 };
 
 CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std::vector<CoverageRecord>& records);
+
+/// The records whose text no longer stands in the sources that they name, below `root`; nothing needs to be measured.
+std::vector<CoverageRecord> stale_records(const std::vector<CoverageRecord>& records,
+                                          const std::filesystem::path& root);
 
 /// In the form of Cobertura, which build servers read.
 std::string write_cobertura(const std::vector<FileCoverage>& files);

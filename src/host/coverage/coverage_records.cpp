@@ -50,6 +50,7 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
             verdict.unused.push_back(records[i]);
         }
     }
+    verdict.conditions = totals_of(files).conditions;
     return verdict;
 }
 

@@ -241,6 +241,20 @@ class FileReader {
     FileCoverage made_;
 };
 
+/// Without template arguments: instantiations count together.
+std::string without_arguments(const std::string& name) {
+    std::string plain;
+    int depth = 0;
+    for (const char letter : name) {
+        depth += letter == '<' ? 1 : 0;
+        if (depth == 0) {
+            plain += letter;
+        }
+        depth -= letter == '>' ? 1 : 0;
+    }
+    return plain;
+}
+
 /// `canproof::Node::receive` of a mangled name; llvm-cov puts `file:` before names local to a file.
 std::string readable(std::string name) {
     name = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
@@ -252,9 +266,12 @@ std::string readable(std::string name) {
     for (auto at = plain.find(hidden); at != std::string::npos; at = plain.find(hidden)) {
         plain.erase(at, hidden.size());
     }
+    if (plain.find("operator") != std::string::npos) {
+        return plain.substr(0, plain.find('('));
+    }
+    plain = without_arguments(plain);
     plain = plain.substr(0, plain.find('('));
-    const auto last = plain.find_last_of(' ');
-    return last == std::string::npos || plain.find("operator") != std::string::npos ? plain : plain.substr(last + 1);
+    return plain.substr(plain.find_last_of(' ') + 1);  // behind the type of a template's result
 }
 
 using Functions = std::map<std::string, std::map<Region, std::pair<unsigned long long, std::string>>>;

@@ -103,7 +103,7 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
     const CoverageTotals totals = totals_of(coverage.files);
     const std::size_t open = coverage.verdict.open();
     Exhibit made = exhibit(
-        "coverage", "Structural coverage", open == 0 && coverage.verdict.unused.empty(),
+        "coverage", "Structural coverage", coverage.verdict.holds(),
         fmt::format("lines {:.1f} %, branches {:.1f} %, MC/DC {:.1f} %; {} places not reached, {} of them without a "
                     "reason",
                     totals.lines.percent(), totals.branches.percent(), totals.conditions.percent(),
@@ -111,6 +111,10 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
         "coverage.html");
     if (open != 0) {
         made.open.push_back(fmt::format("{} places in the firmware that no test reaches, without a reason", open));
+    }
+    if (!coverage.verdict.enough_conditions()) {
+        made.open.push_back(fmt::format("MC/DC {:.1f} %, less than the {:.0f} % that are asked for",
+                                        totals.conditions.percent(), CoverageVerdict::least_conditions));
     }
     for (const auto& record : coverage.verdict.unused) {
         made.open.push_back(

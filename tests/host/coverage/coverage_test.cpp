@@ -128,6 +128,44 @@ TEST_F(Coverage, ARecordGivesAGapItsReasonAndAnUnusedOneIsTold) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
+TEST_F(Coverage, HoldsWithNothingOpenNoUnusedRecordAndNinetyNinePercentOfTheConditions) {
+    CoverageVerdict verdict;
+    verdict.conditions = {99, 100};
+    EXPECT_TRUE(verdict.holds());
+    verdict.conditions = {98, 99};  // 98.99 %
+    EXPECT_FALSE(verdict.enough_conditions());
+    EXPECT_FALSE(verdict.holds());
+    verdict.conditions = {200, 200};
+    verdict.gaps.push_back({{"branch", "a.cpp", 1, "a", "never true"}, "cannot be"});
+    EXPECT_TRUE(verdict.holds());
+    verdict.gaps.push_back({{"branch", "a.cpp", 2, "b", "never true"}, ""});
+    EXPECT_FALSE(verdict.holds());
+    verdict.gaps.clear();
+    verdict.unused.push_back({"a.cpp", "branch", "a", "cannot be", 1});
+    EXPECT_FALSE(verdict.holds());
+    // The fixture's measurement: two conditions, none of them shown.
+    EXPECT_EQ(judge_coverage(read(), {}).conditions.total, 2U);
+    EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
+}
+
+TEST_F(Coverage, ARecordOfCodeThatIsGoneIsToldWithoutAMeasurement) {
+    const auto record = [](const std::string& file, const std::string& kind, const std::string& code) {
+        return CoverageRecord{file, kind, code, "reason", 1};
+    };
+    const std::string one = "src/firmware/base/one.cpp";
+    EXPECT_THAT(stale_records({record(one, "branch", "a && b"), record("src/firmware/", "line", "return 2;"),
+                               record(one, "condition", "b) { return 1;"),  // breaks are spaces in a gap's text
+                               record(one, "function", "canproof::idle"), record(one, "function", "canproof::run")},
+                              root_),
+                IsEmpty());
+    const auto stale =
+        stale_records({record(one, "branch", "a || b"), record("src/firmware/base/two.cpp", "branch", "a"),
+                       record("src/firmware/canopen/", "branch", "a"), record(one, "function", "canproof::idl"),
+                       record(one, "function", "canproof::b")},
+                      root_);
+    EXPECT_THAT(stale, SizeIs(5));
+}
+
 TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
     std::string twice = measured;
     const std::string branch = "[2,9,2,10,1,0,0,0,4]";
@@ -139,6 +177,15 @@ TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
     EXPECT_EQ(one.branches.total, 6U);
     EXPECT_EQ(one.branches.covered, 4U);
     EXPECT_EQ(one.conditions.covered, 1U);
+}
+
+TEST_F(Coverage, AFunctionIsNamedWithoutTemplateArguments) {
+    // std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&)
+    std::string one = measured;
+    const std::string idle = "_ZN8canproof12_GLOBAL__N_14idleEv";
+    one.replace(one.find(idle), idle.size(), "_ZN8canproof4madeIiLm9EEESt5arrayIT_XT0_EERKS3_");
+    write("measured.json", one);
+    EXPECT_EQ(words(read().at(0).gaps).back(), "10 function canproof::made: never called");
 }
 
 TEST_F(Coverage, BadFilesAreToldWithTheirRemedy) {
