@@ -351,6 +351,9 @@ class DeviceWorld {
                 check_answer(cause, frame);
             }
             remember(frame);
+            if (cause != nullptr && frame_probe.answers != nullptr) {
+                frame_probe.answers(frame);
+            }
         }
         require(answers <= 1);
     }

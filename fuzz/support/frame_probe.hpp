@@ -11,6 +11,8 @@ struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
     Instant start{};  ///< when the input began
+    /// What the device sends because of that frame.
+    void (*answers)(const Frame& frame){nullptr};
 };
 
 inline FrameProbe frame_probe;

@@ -45,13 +45,17 @@ TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
         const ThermocoupleCurve& curve = curve_of(type);
         ASSERT_EQ(curve.reference_count, type.reference.size()) << type.letter;
         for (std::size_t i = 0; i < curve.reference_count; ++i) {
-            EXPECT_DOUBLE_EQ(curve.reference[i].from_c, static_cast<double>(type.reference[i].from)) << type.letter;
-            EXPECT_DOUBLE_EQ(curve.reference[i].to_c, static_cast<double>(type.reference[i].to)) << type.letter;
+            EXPECT_NEAR(from_fixed(curve.reference[i].begin), static_cast<double>(type.reference[i].from), 1e-12)
+                << type.letter;
+            EXPECT_NEAR(from_fixed(curve.reference[i].end), static_cast<double>(type.reference[i].to), 1e-12)
+                << type.letter;
         }
         ASSERT_EQ(curve.inverse_count, type.inverse.size()) << type.letter;
         for (std::size_t i = 0; i < curve.inverse_count; ++i) {
-            EXPECT_DOUBLE_EQ(curve.inverse[i].from_mv, static_cast<double>(type.inverse[i].from)) << type.letter;
-            EXPECT_DOUBLE_EQ(curve.inverse[i].to_mv, static_cast<double>(type.inverse[i].to)) << type.letter;
+            EXPECT_NEAR(from_fixed(curve.inverse[i].begin), static_cast<double>(type.inverse[i].from), 1e-12)
+                << type.letter;
+            EXPECT_NEAR(from_fixed(curve.inverse[i].end), static_cast<double>(type.inverse[i].to), 1e-12)
+                << type.letter;
         }
     }
 }
@@ -156,9 +160,10 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
     verifies<req::TCS_CONV_006>();
     for (const auto& type : its90_types()) {
         if (type.letter != 'B') {
-            EXPECT_EQ(exact_celsius(curve_of(type), -100.0), static_cast<double>(type.lowest())) << type.letter;
+            EXPECT_NEAR(exact_celsius(curve_of(type), -100.0), static_cast<double>(type.lowest()), 1e-12)
+                << type.letter;
         }
-        EXPECT_EQ(exact_celsius(curve_of(type), 100.0), static_cast<double>(type.highest())) << type.letter;
+        EXPECT_NEAR(exact_celsius(curve_of(type), 100.0), static_cast<double>(type.highest()), 1e-12) << type.letter;
     }
 }
 
@@ -210,26 +215,27 @@ TEST(Thermocouple, FunctionsContinueBeyondTheirRange) {
 
 TEST(Thermocouple, ExponentialNeedsNoLibrary) {
     verifies<req::TCS_CONV_008>();
-    for (double x = -45.0; x <= 0.0; x += 0.0037) {
-        const long double right = std::exp(static_cast<long double>(x));
-        ASSERT_NEAR(decay(x), static_cast<double>(right), static_cast<double>(right) * 2e-12 + 1e-17) << x;
-        ASSERT_LT(std::fabs(decay(x) - static_cast<double>(right)) * 0.1186, 1e-9);  // mV in type K
+    // Type K's: 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
+    const ExponentialTerm term = exponential_term(0.1185976, -1.183432e-4, 126.9686);
+    for (double celsius = -40.0; celsius <= 1372.0; celsius += 0.13) {
+        const long double distance = static_cast<long double>(celsius) - 126.9686L;
+        const long double right = 0.1185976L * std::exp(-1.183432e-4L * distance * distance);
+        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11) << celsius;  // 1e-9 is promised
     }
-    EXPECT_EQ(decay(0.0), 1.0);
-    EXPECT_EQ(decay(-1000.0), 0.0);
+    EXPECT_NEAR(exponential_mv(term, 126.9686), 0.1185976, 1e-11);
+    EXPECT_EQ(exponential_mv(term, 126.9686 + 1024.0), 0.0);
+    EXPECT_EQ(exponential_mv(term, -1e300), 0.0);
 }
 
 TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
     shows_rule("work is bounded");
     // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
     ThermocoupleCurve cubic{};
-    cubic.reference[0].to_c = 100.0;
-    cubic.reference[0].coefficients[3] = 1.0;
+    cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
-    cubic.inverse[0].to_mv = 1e6;
-    cubic.inverse[0].coefficients[0] = 1.0;
+    cubic.inverse[0] = inverse_piece(0.0, 1e6, {1.0});
     cubic.inverse_count = 1U;
-    cubic.highest_c = 100.0;
+    cubic.highest = to_fixed(100.0);
     EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
 }
 
@@ -237,15 +243,13 @@ TEST(Thermocouple, ACurveThatNeverSettlesEndsAtItsLastStep) {
     shows_rule("work is bounded");
     // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
     ThermocoupleCurve step{};
-    step.reference[0].to_c = 40.0;
-    step.reference[1].from_c = 40.0;
-    step.reference[1].to_c = 1e12;
-    step.reference[1].coefficients[0] = 10.0;
+    step.reference[0] = reference_piece(0.0, 40.0, {});
+    step.reference[1] = reference_piece(40.0, 1e6, {10.0});
     step.reference_count = 2U;
-    step.inverse[0].to_mv = 10.0;
+    step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
-    step.highest_c = 1e12;
-    // 1e12 halved 64 times is below 1e-7 degC: it ends either way, at the step.
+    step.highest = to_fixed(1e6);
+    // 1e6 halved 64 times is below 1e-13 degC: it ends either way, at the step.
     EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 1e-3);
 }
 

@@ -51,11 +51,15 @@ TEST_F(TargetHtml, WorkAndTheFullBus) {
     leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
         "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},
         "tick": {"count": 3, "instructions": 11200, "what": "-", "where": "x", "period_us": 2500, "load": 0.04, "holds": true},
-        "share": {"count": 7, "instructions": 10000, "what": "605#41", "where": "x", "bus_load": 0.625, "holds": false}}}})");
+        "share": {"count": 7, "instructions": 10000, "what": "605#41", "where": "x", "bus_load": 0.625, "holds": false},
+        "power_on": {"count": 2, "instructions": 560000, "what": "-", "where": "x", "ms": 5.0, "holds": true},
+        "command": {"count": 4, "instructions": 1232000, "what": "000#8105", "where": "x", "ms": 11.0, "holds": false}}}})");
     const std::string page = host::write_target_html(folder);
     EXPECT_THAT(page, HasSubstr("<td>7<td>4321<td><code>605#40</code><td>Suite.&lt;Test&gt;"));
     EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
     EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core by the dearest tick, one every 2.5 ms"));
+    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core by the dearest power_on"));
+    EXPECT_THAT(page, HasSubstr("<li class=open>one: 11.0 ms of the core by the dearest command"));
     EXPECT_THAT(page, Not(HasSubstr("Not measured")));
 }
 

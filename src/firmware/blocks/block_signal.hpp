@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "firmware/blocks/bounds.hpp"
+
 namespace canproof {
 
 enum class SignalState : std::uint8_t {
@@ -25,11 +27,12 @@ struct BlockSignal {
     constexpr bool is_available() const noexcept { return state != SignalState::not_available; }
 };
 
+inline constexpr std::array<double, 5U> powers_of_ten{{1.0, 10.0, 100.0, 1000.0, 10000.0}};
+
 /// Ten to the number of decimal digits, 0…4; more count as 4.
 constexpr double power_of_ten(const std::uint8_t digits) noexcept {
-    constexpr std::array<double, 5U> powers{{1.0, 10.0, 100.0, 1000.0, 10000.0}};
     constexpr std::uint32_t most = 4U;
-    return powers[(digits < most) ? digits : most];
+    return powers_of_ten[(digits < most) ? digits : most];
 }
 
 /// What an integer with decimal digits stands for: 1234 with two digits is 12.34. Equal values with different digits
@@ -39,14 +42,24 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
     return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // the FPU of a Cortex-M4F divides no doubles
 }
 
-/// The smaller of two numbers; the second when the first is none. One comparison, where std::fmin sorts out every NaN.
-constexpr double lesser(const double a, const double b) noexcept {
-    return (a < b) ? a : b;
-}
-/// The greater of two numbers; the second when the first is none.
-constexpr double greater(const double a, const double b) noexcept {
-    return (a > b) ? a : b;
-}
+/// A physical value that is asked for again and again, and rarely with another integer or other digits: then only it is
+/// divided.
+class KeptPhysicalValue {
+  public:
+    constexpr double of(const std::int32_t integer, const std::uint8_t digits) noexcept {
+        if ((integer != integer_) || (std::uint32_t{digits} != digits_)) {
+            integer_ = integer;
+            digits_ = digits;
+            value_ = physical_value(integer, digits);
+        }
+        return value_;
+    }
+
+  private:
+    double value_{0.0};
+    std::int32_t integer_{0};
+    std::uint8_t digits_{0U};
+};
 
 /// The 16-bit integer that stands for a value, the nearest (halves away from zero), held at the ends of the type.
 inline std::int16_t process_value(const double value, const std::uint8_t digits) noexcept {

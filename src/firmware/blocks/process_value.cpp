@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/blocks/bounds.hpp"
 #include "generated/ax188001/requirements.hpp"
 
 namespace canproof {
@@ -12,7 +13,7 @@ std::int16_t process_value(const double field_value, const Scaling& scaling) noe
     constexpr double highest = 32767.0;
     constexpr double lowest = -32768.0;
     const double scaled = std::round((field_value * scaling.factor) + scaling.offset);
-    return static_cast<std::int16_t>(std::fmin(std::fmax(scaled, lowest), highest));
+    return static_cast<std::int16_t>(lesser(greater(scaled, lowest), highest));
 }
 
 std::int16_t measured_process_value(const double field_value, const Scaling& scaling,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/blocks/bounds.hpp"
 #include "generated/ax188001/requirements.hpp"
 
 namespace canproof {
@@ -10,161 +11,168 @@ namespace canproof {
 namespace {
 
 // Newton's method doubles the digits with each step; halving the interval instead gains at least one bit a step, and
-// 64 of them bring 2100 °C below 1e-15 °C.
+// 64 of them bring the widest interval below the steps of the numbers.
 constexpr std::size_t most_steps = 64U;
-// Within so little the slope stays what it is to 1 in 200 (type B at 42 °C, where it turns most; elsewhere to 1 in
-// 10,000): a shorter step takes that of the step before, and leaves at most a two hundredth of itself.
-constexpr double same_slope_c = 0.1;
-constexpr double close_enough_c = 1e-5;
+/// A step as short as this lands within its own thousandth: slopes in single precision are as good as that.
+constexpr Fixed close_enough = to_fixed(1e-5);
 
-/// Horner's scheme.
-template <typename Piece>
-double polynomial(const Piece& piece, const double x) noexcept {
-    double sum{0.0};
-    for (std::size_t i = piece.terms; i > 0U; --i) {
-        sum = (sum * x) + piece.coefficients[i - 1U];
-    }
-    return sum;
-}
+/// A curve at a temperature.
+struct CurvePoint {
+    Fixed mv{0};
+    float slope{0.0F};      ///< mV/°C
+    float curvature{0.0F};  ///< mV/°C², without the exponential term, which bends the curve little
+};
 
-double derivative(const ReferencePiece& piece, const double x) noexcept {
-    double sum{0.0};
-    for (std::size_t i = piece.terms; i > 1U; --i) {
-        sum = (sum * x) + (piece.coefficients[i - 1U] * static_cast<double>(i - 1U));
-    }
-    return sum;
-}
-
-/// In single precision, which the FPU of a Cortex-M4F has: it only steers. Without the exponential term, which bends
-/// the curve little.
-float rough_curvature(const ReferencePiece& piece, const double x) noexcept {
-    const float at = static_cast<float>(x);
-    float sum{0.0F};
-    for (std::size_t i = piece.terms; i > 2U; --i) {
-        const float factor = static_cast<float>(i - 1U) * static_cast<float>(i - 2U);
-        sum = (sum * at) + (static_cast<float>(piece.coefficients[i - 1U]) * factor);
-    }
-    return sum;
-}
-
-/// How far it is to where a parabola of this excess, slope and curvature is zero; by the slope alone where there is no
-/// such place, and far outside of every thermocouple's voltages. Beside a minimum (types K, N, T and E at -270 °C, B at
-/// 21 °C) the slope alone would lead half of the way each time.
-double way_to_root(const double excess, const double slope, const float curvature) noexcept {
-    constexpr double most_excess_mv = 1000.0;
-    float inner{0.0F};
-    if (std::fabs(excess) < most_excess_mv) {
-        const float rise = static_cast<float>(slope);
-        inner = (rise * rise) - (2.0F * curvature * static_cast<float>(excess));
-    }
-    const double both = (inner > 0.0F) ? (slope + static_cast<double>(std::sqrt(inner))) : (2.0 * slope);
-    return (-2.0 * excess) / both;
-}
-
-double exponential_mv(const ExponentialTerm& term, const double celsius) noexcept {
-    const double distance = celsius - term.a2_c;
-    return term.a0_mv * decay(term.a1_per_c2 * distance * distance);
-}
-
-const ReferencePiece& reference_piece(const ThermocoupleCurve& curve, const double celsius) noexcept {
+const ReferencePiece& reference_piece_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
     std::size_t at{0U};
-    while (((at + 1U) < curve.reference_count) && (celsius >= curve.reference[at].to_c)) {
+    while (((at + 1U) < curve.reference_count) && (celsius >= curve.reference[at].end)) {
         ++at;
     }
     return curve.reference[at];
 }
 
-double clamped(const double value, const double low, const double high) noexcept {
-    return std::fmin(std::fmax(value, low), high);
+static_assert(implements<req::TCS_CONV_008>);
+Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
+    constexpr std::uint32_t reach = 10U;  // 1024 °C
+    constexpr std::uint32_t whole_place = 56U;
+    constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
+    constexpr std::uint32_t negligible = 40U;  // less than a step
+    const std::uint64_t distance = magnitude(celsius - term.centre);
+    if ((distance >> (fixed_places + reach)) != 0U) {
+        return 0;
+    }
+    const std::uint64_t fraction = distance << (64U - fixed_places - reach);
+    const std::uint64_t halvings = upper_product(upper_product(fraction, fraction), term.halvings);
+    const std::uint64_t whole = halvings >> whole_place;
+    const auto rest = static_cast<Fixed>((halvings & (whole_unit - 1U)) >> (whole_place - fixed_places));
+    return (whole < negligible) ? static_cast<Fixed>(magnitude(term.mv_of_rest.value(rest)) >> whole) : 0;
 }
 
-}  // namespace
-
-static_assert(implements<req::TCS_CONV_008>);
-double decay(const double x) noexcept {
-    constexpr double negligible = -40.0;  // e^-40 is 4e-18
-    if (x < negligible) {
-        return 0.0;
+/// Horner's scheme, for the slope and for the slope's slope.
+CurvePoint slopes_at(const ReferencePiece& piece, const Offset& at) noexcept {
+    constexpr std::uint32_t single_places = 32U;
+    constexpr float step = 1.0F / 4294967296.0F;  // 2^-32
+    const float distance = static_cast<float>(static_cast<std::uint32_t>(at.fraction >> single_places)) * step;
+    const float x = at.is_below ? -distance : distance;
+    CurvePoint point{};
+    for (std::size_t i = piece.mv.terms; i > 0U; --i) {
+        point.curvature = (point.curvature * x) + point.slope;
+        point.slope = (point.slope * x) + piece.slope[i - 1U];
     }
-    // (e^(x/64))^64: with |x/64| up to 0.625 the series of degree 13 errs by 0.625^14 / 14! = 1.6e-14, times 64.
-    constexpr double parts = 64.0;
-    constexpr std::size_t squarings = 6U;
-    constexpr std::size_t degree = 13U;
-    constexpr std::array<double, degree> reciprocals{{1.0, 1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0,
-                                                      1.0 / 7.0, 1.0 / 8.0, 1.0 / 9.0, 1.0 / 10.0, 1.0 / 11.0,
-                                                      1.0 / 12.0, 1.0 / 13.0}};
-    const double y = x / parts;
-    double sum{1.0};
-    for (std::size_t n = degree; n > 0U; --n) {
-        sum = 1.0 + ((y * reciprocals[n - 1U]) * sum);
-    }
-    for (std::size_t i = 0U; i < squarings; ++i) {
-        sum *= sum;
-    }
-    return sum;
+    point.curvature /= static_cast<float>(std::uint32_t{1U} << piece.mv.reach);
+    return point;
 }
 
 static_assert(implements<req::TCS_CONV_005> && implements<req::TCS_CONV_010>);
+CurvePoint curve_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
+    const ReferencePiece& piece = reference_piece_at(curve, celsius);
+    const Offset at = piece.mv.offset(celsius);
+    CurvePoint point = slopes_at(piece, at);
+    point.mv = piece.mv.value(at);
+    if (piece.exponential != nullptr) {
+        const Fixed added = exponential(*piece.exponential, celsius);
+        point.mv += added;
+        point.slope += piece.exponential->bend * rough(celsius - piece.exponential->centre) * rough(added);
+    }
+    return point;
+}
+
+Fixed mv_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
+    return curve_at(curve, celsius).mv;
+}
+
+/// How far it is to where a parabola through this point is zero, which lies `excess` above that; by the slope alone
+/// where there is no such place. Beside a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope alone would
+/// lead half of the way each time.
+float way_to_root(const float excess, const CurvePoint& point) noexcept {
+    const float inner = (point.slope * point.slope) - (2.0F * point.curvature * excess);
+    const float both = (inner > 0.0F) ? (point.slope + std::sqrt(inner)) : (2.0F * point.slope);
+    return (-2.0F * excess) / both;
+}
+
+/// Of any double. What lies far outside of every thermocouple's voltages and temperatures is held where the numbers
+/// end.
+Fixed held(const double value) noexcept {
+    constexpr double most = 4.0e6;
+    return to_fixed(lesser(greater(value, -most), most));
+}
+
+Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
+    const Fixed raised = (value < low) ? low : value;
+    return (raised > high) ? high : raised;
+}
+
+/// By the inverse function.
+Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
+    std::size_t at{0U};
+    while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {
+        ++at;
+    }
+    const InversePiece& piece = curve.inverse[at];
+    return piece.celsius.value(clamped(mv, piece.begin, piece.end));
+}
+
+/// Where a root is looked for. An end that is still the range's may be the answer itself.
+struct Bracket {
+    Fixed low{0};
+    Fixed high{0};
+    bool low_is_end{true};
+    bool high_is_end{true};
+};
+
+}  // namespace
+
+double exponential_mv(const ExponentialTerm& term, const double celsius) noexcept {
+    return from_fixed(exponential(term, held(celsius)));
+}
+
 double reference_mv(const ThermocoupleCurve& curve, const double celsius) noexcept {
-    const ReferencePiece& piece = reference_piece(curve, celsius);
-    return polynomial(piece, celsius) + exponential_mv(piece.exponential, celsius);
+    return from_fixed(mv_at(curve, held(celsius)));
 }
 
 double reference_slope(const ThermocoupleCurve& curve, const double celsius) noexcept {
-    const ReferencePiece& piece = reference_piece(curve, celsius);
-    const ExponentialTerm& term = piece.exponential;
-    const double inner_slope = 2.0 * term.a1_per_c2 * (celsius - term.a2_c);
-    return derivative(piece, celsius) + (inner_slope * exponential_mv(term, celsius));
+    return static_cast<double>(curve_at(curve, held(celsius)).slope);
 }
 
 static_assert(implements<req::TCS_CONV_009>);
 double approximate_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
-    std::size_t at{0U};
-    while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].to_mv)) {
-        ++at;
-    }
-    const InversePiece& piece = curve.inverse[at];
-    return polynomial(piece, clamped(mv, piece.from_mv, piece.to_mv));
+    return from_fixed(first_guess(curve, held(mv)));
 }
 
 static_assert(implements<req::TCS_CONV_002> && implements<req::TCS_CONV_003> && implements<req::TCS_CONV_004>);
 double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
-    double low = curve.lowest_c;
-    double high = curve.highest_c;
-    bool low_is_end{true};
-    bool high_is_end{true};
-    double guess = clamped(approximate_celsius(curve, mv), low, high);
-    double moved = high - low;
-    double slope{0.0};
-    float curvature{0.0F};
-    for (std::size_t step = 0U; (step < most_steps) && !(moved < close_enough_c); ++step) {
-        const double excess = reference_mv(curve, guess) - mv;
-        if (excess > 0.0) {
-            high = guess;
-            high_is_end = false;
+    const Fixed wanted = held(mv);
+    Bracket bracket{curve.lowest, curve.highest, true, true};
+    Fixed guess = clamped(first_guess(curve, wanted), bracket.low, bracket.high);
+    Fixed moved = bracket.high - bracket.low;
+    for (std::size_t step = 0U; (step < most_steps) && (moved > close_enough); ++step) {
+        const CurvePoint point = curve_at(curve, guess);
+        const Fixed excess = point.mv - wanted;
+        if (excess > 0) {
+            bracket.high = guess;
+            bracket.high_is_end = false;
         } else {
-            low = guess;
-            low_is_end = false;
+            bracket.low = guess;
+            bracket.low_is_end = false;
         }
-        if (!(moved < same_slope_c)) {
-            slope = reference_slope(curve, guess);
-            curvature = rough_curvature(reference_piece(curve, guess), guess);
-        }
-        double next = guess + way_to_root(excess, slope, curvature);
-        const bool inside = (next >= low) && (next <= high);  // false for a NaN, too
+        const float way = way_to_root(rough(excess), point);
+        // Not `way > …`: no number is not within reach either.
+        const bool within_reach = std::fabs(way) <= rough(bracket.high - bracket.low);
+        Fixed next = within_reach ? (guess + to_fixed(way)) : bracket.high;
+        const bool inside = within_reach && (next >= bracket.low) && (next <= bracket.high);
         if (!inside) {
-            if (low_is_end && (mv <= reference_mv(curve, low))) {
-                return low;
+            if (bracket.low_is_end && (wanted <= mv_at(curve, bracket.low))) {
+                return curve.lowest_c();
             }
-            if (high_is_end && (mv >= reference_mv(curve, high))) {
-                return high;
+            if (bracket.high_is_end && (wanted >= mv_at(curve, bracket.high))) {
+                return curve.highest_c();
             }
-            next = (low + high) / 2.0;
+            next = bracket.low + ((bracket.high - bracket.low) / 2);
         }
-        moved = inside ? std::fabs(next - guess) : (high - low);
+        moved = inside ? static_cast<Fixed>(magnitude(next - guess)) : (bracket.high - bracket.low);
         guess = next;
     }
-    return guess;
+    return from_fixed(guess);
 }
 
 }  // namespace canproof

@@ -53,7 +53,6 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
     if (present) {
         channel_[at] = channel;
     }
-    const std::uint8_t register_value = active_register();
     show_register();
     if (present && row.listed) {
         enter_into_list(list_entry(at));
@@ -62,7 +61,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
         remove_from_list(list_entry(at));
     }
     if (row.sent) {
-        announce(at, !present, register_value, now);
+        announce(at, !present, shown_register_, now);
     }
 }
 
@@ -88,10 +87,12 @@ std::uint32_t Emcy::list_entry(const std::size_t error) const noexcept {
 
 std::uint8_t Emcy::active_register() const noexcept {
     std::uint32_t bits{0U};
-    for (std::size_t i = 0U; i < max_errors; ++i) {
-        if (is_active(i)) {
-            bits |= errors_[i].register_bits;
+    std::size_t error{0U};
+    for (std::uint64_t rest = active_; rest != 0U; rest >>= 1U) {
+        if ((rest & 1U) != 0U) {
+            bits |= errors_[error].register_bits;
         }
+        ++error;
     }
     return static_cast<std::uint8_t>(bits);
 }

@@ -1,7 +1,6 @@
 #include "firmware/canopen/nmt.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "firmware/base/table_row.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
@@ -11,13 +10,9 @@ namespace canproof {
 namespace services = generated::canopen::t_co_t_services;
 
 static_assert(implements<req::CO_T_SERVICES> && implements<req::CO_E_NMT_STATE>);
-bool is_allowed(const NmtService service, const NmtState state) noexcept {
-    return cell_or(services::find(service, state), &services::Row::allowed, false);
-}
-
 AllowedServices::AllowedServices(const NmtState state) noexcept {
     for (const services::Row& row : services::rows) {
-        if (is_allowed(row.service, state)) {
+        if ((row.state == state) && row.allowed) {
             bits_ |= std::uint32_t{1U} << static_cast<std::uint32_t>(row.service);
         }
     }

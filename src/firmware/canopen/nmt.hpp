@@ -12,10 +12,7 @@ namespace canproof {
 /// The services whose use depends on the NMT state.
 using NmtService = generated::canopen::t_co_t_services::Service;
 
-/// Whether a service works in a state: table CO-T-SERVICES.
-bool is_allowed(NmtService service, NmtState state) noexcept;
-
-/// The services of one state, looked up once when the state is entered.
+/// The services of one state (table CO-T-SERVICES), looked up once when the state is entered.
 class AllowedServices {
   public:
     /// Nothing works.

@@ -36,24 +36,32 @@ template <typename Visit>
 void for_each_stored(const DictionaryTables& tables, const Visit& visit) noexcept {
     std::size_t offset{0U};
     for (const ObjectRow& object : tables.objects) {
+        const ParameterGroups group = group_bit(parameter_group(object.index));
         for (std::size_t i = 0U; i < object.count; ++i) {
             const EntryRef entry{&tables.entries[object.first_entry + i], object.index};
             if (entry.may(rights::stored)) {
-                visit(entry, group_bit(parameter_group(object.index)), offset);
+                visit(entry, group, offset);
                 offset += entry.row->size;
             }
         }
     }
 }
 
-}  // namespace
-
-std::size_t ParameterStore::payload_size() const noexcept {
+/// Bytes of all stored values.
+std::size_t payload_size_of(const DictionaryTables& tables) noexcept {
     std::size_t size{0U};
-    for_each_stored(objects_.tables(),
-                    [&size](const EntryRef& entry, ParameterGroups, std::size_t) { size += entry.row->size; });
+    for_each_stored(tables, [&size](const EntryRef& entry, ParameterGroups, std::size_t) { size += entry.row->size; });
     return size;
 }
+
+}  // namespace
+
+ParameterStore::ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory,
+                               const StoredNodeId stored_node_id) noexcept
+    : objects_{objects},
+      memory_{memory},
+      payload_size_{payload_size_of(objects.tables())},
+      stored_node_id_{stored_node_id} {}
 
 ParameterStore::Header ParameterStore::read_header(const std::size_t bank) const noexcept {
     std::array<std::uint8_t, header_size> bytes{};
@@ -86,7 +94,7 @@ bool ParameterStore::is_sound(const std::size_t bank, const Header& header) cons
     if ((header.magic != bank_magic) || (header.layout != objects_.tables().layout)) {
         return false;
     }
-    const std::size_t checked = header_size + payload_size();
+    const std::size_t checked = header_size + payload_size_;
     Crc32 crc{};
     std::array<std::uint8_t, chunk_size> chunk{};
     for (std::size_t at = 0U; at < checked; at += chunk_size) {
@@ -139,15 +147,15 @@ void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_
     node_id_ = node_id;
     const ParameterGroups wanted = groups & current_.groups;
     const std::size_t payload = bank_address(bank_) + header_size;
-    for_each_stored(objects_.tables(),
-                    [this, wanted, payload](const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
-                        std::array<std::uint8_t, chunk_size> bytes{};
-                        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
-                        if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
-                            follow_node_id(entry, value);
-                            static_cast<void>(objects_.put(entry, value.view()));
-                        }
-                    });
+    std::array<std::uint8_t, chunk_size> bytes{};
+    for_each_stored(objects_.tables(), [this, wanted, payload, &bytes](
+                                           const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
+        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
+        if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
+            follow_node_id(entry, value);
+            static_cast<void>(objects_.put(entry, value.view()));
+        }
+    });
 }
 
 static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
@@ -171,9 +179,9 @@ bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroup
     const std::size_t source = bank_address(bank_) + header_size;
     const std::size_t target = bank_address(to_bank) + header_size;
     bool done{true};
-    for_each_stored(objects_.tables(), [this, fresh, source, target, &crc, &done](
+    std::array<std::uint8_t, chunk_size> bytes{};
+    for_each_stored(objects_.tables(), [this, fresh, source, target, &crc, &done, &bytes](
                                            const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
-        std::array<std::uint8_t, chunk_size> bytes{};
         const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
         if (((group & fresh) != 0U) || !in_use_) {
             MutableBytes{value}.copy(0U, objects_.image().view().part(entry.row->offset, entry.row->size));
@@ -216,7 +224,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (done) {
         std::array<std::uint8_t, crc_size> check{};
         write_le(MutableBytes{check}, 0U, crc_size, crc.value());
-        done = memory_.write(bank_address(to_bank) + header_size + payload_size(), ByteView{check});
+        done = memory_.write(bank_address(to_bank) + header_size + payload_size_, ByteView{check});
     }
     done = done && is_sound(to_bank, header);
     if (!done) {

@@ -35,8 +35,7 @@ enum class StoredNodeId : std::uint8_t {
 
 class ParameterStore {
   public:
-    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory, const StoredNodeId stored_node_id) noexcept
-        : objects_{objects}, memory_{memory}, stored_node_id_{stored_node_id} {}
+    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory, StoredNodeId stored_node_id) noexcept;
 
     /// Looks for the bank in use; call after power-on and before load().
     StoredSet open() noexcept;
@@ -63,8 +62,7 @@ class ParameterStore {
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
 
-    std::size_t payload_size() const noexcept;
-    std::size_t bank_size() const noexcept { return header_size + payload_size() + crc_size; }
+    std::size_t bank_size() const noexcept { return header_size + payload_size_ + crc_size; }
     std::size_t bank_address(const std::size_t bank) const noexcept { return bank * bank_size(); }
 
     Header read_header(std::size_t bank) const noexcept;
@@ -77,6 +75,7 @@ class ParameterStore {
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
+    std::size_t payload_size_;  ///< bytes of all stored values
     StoredNodeId stored_node_id_;
     std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
     std::size_t bank_{0U};      ///< the bank in use

@@ -97,7 +97,8 @@ void begin_time_response(ObjectDictionary& objects, const std::uint8_t number) n
 bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources,
                          const Instant now) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
-    const BlockSignal input = sources.signal(source_.follow(objects.get(fields.source), objects.get(fields.number)));
+    const SourceRef& source = source_.follow(objects.get(fields.source), objects.get(fields.number));
+    const BlockSignal input = sources.reading(source);
     LookupOutput output{};
     if (input.is_available()) {
         if (!is_read_) {
@@ -105,7 +106,8 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
             limits_ = limits_for_others(config_.points);
             is_read_ = true;
         }
-        output = table_.advance(input, config_, now);
+        const bool starts_by_limits = config_.axis == LookupAxis::time;
+        output = table_.advance(starts_by_limits ? sources.signal(source) : input, config_, now);
     } else {
         table_.reset();
     }
@@ -194,7 +196,7 @@ LogicFunction SelectionBlock::read(const std::uint8_t number, const std::size_t 
         const SourceRef& second =
             choices_[at].second.follow(objects.get(of.second_source), objects.get(of.second_number));
         made.conditions[condition] =
-            LogicCondition{sources.signal(first), sources.signal(second), objects.get(of.comparison)};
+            LogicCondition{sources.reading(first), sources.reading(second), objects.get(of.comparison)};
     }
     return made;
 }
@@ -203,15 +205,20 @@ static_assert(implements<req::AOR_MATH_009> && implements<req::AOR_MATH_010> && 
 MathInput CalculationBlock::read(const std::uint8_t number, const std::uint8_t input, const ObjectDictionary& objects,
                                  const Sources& sources) noexcept {
     const MathFields& fields = math_fields[number - 1U];
-    const SourceRef& ref =
-        choices_[input - 1U].follow(objects.get(fields.source[input]), objects.get(fields.number[input]));
+    Input& kept = inputs_[input - 1U];
+    const SourceRef& ref = kept.choice.follow(objects.get(fields.source[input]), objects.get(fields.number[input]));
+    const std::int8_t gain = objects.get(fields.gain[input]);
+    if (std::int32_t{gain} != kept.gain_parameter) {
+        kept.gain_parameter = gain;
+        kept.gain = static_cast<double>(gain) / static_cast<double>(own::gain_of_one);
+    }
     const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
     const std::uint8_t digits = objects.get(fields.digits[input]);
     MathInput made{};
-    made.signal = sources.signal(ref);
-    made.scaling_1 = physical_value(objects.get(fields.scaling_1[input]), digits);
-    made.scaling_2 = physical_value(objects.get(fields.scaling_2[input]), digits);
-    made.gain = static_cast<double>(objects.get(fields.gain[input])) / static_cast<double>(own::gain_of_one);
+    made.signal = sources.reading(ref);
+    made.scaling_1 = kept.scaling_1.of(objects.get(fields.scaling_1[input]), digits);
+    made.scaling_2 = kept.scaling_2.of(objects.get(fields.scaling_2[input]), digits);
+    made.gain = kept.gain;
     made.own_function = own_block ? objects.get(fields.function[input]) : std::uint8_t{0U};
     return made;
 }

@@ -66,7 +66,16 @@ class CalculationBlock {
     MathInput read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects,
                    const Sources& sources) noexcept;
 
-    std::array<SourceChoice, math_inputs> choices_{};
+    /// An input, and what its parameters came to when they were last others.
+    struct Input {
+        SourceChoice choice{};
+        KeptPhysicalValue scaling_1{};
+        KeptPhysicalValue scaling_2{};
+        double gain{0.0};
+        std::int8_t gain_parameter{0};
+    };
+
+    std::array<Input, math_inputs> inputs_{};
     MathBlock math_{};
 };
 

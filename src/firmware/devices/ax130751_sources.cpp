@@ -84,21 +84,34 @@ void Sources::set_logic(const std::uint8_t block, const SignalState state) noexc
 
 static_assert(implements<req::AOR_T05> && implements<req::AOR_E_QUANTITY> && implements<req::AOR_SRC_002> &&
               implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
-BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
+Sources::Place Sources::place(const SourceRef& ref) const noexcept {
     const bool of_output = (ref.quantity == Quantity::output_command) || (ref.quantity == Quantity::commanded_value) ||
                            (ref.quantity == Quantity::feedback_value);
     const bool digital = of_output && is_digital(objects_, ref.channel);
-    if (ref.quantity == Quantity::none) {
-        return BlockSignal{};
-    }
     namespace table = own::t_aor_t05;
     const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
     const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
     const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};
-    const std::uint8_t places = digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel);
-    const double first = lower(cell_or(row, &table::Row::lower, Lower::nothing), ref.channel, places);
-    const double second = upper(cell_or(row, &table::Row::upper, Upper::nothing), ref.channel, places);
-    return BlockSignal{value(read, places), lesser(first, second), greater(first, second), state(read)};
+    return Place{read, row, digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel)};
+}
+
+BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
+    if (ref.quantity == Quantity::none) {
+        return BlockSignal{};
+    }
+    namespace table = own::t_aor_t05;
+    const Place read = place(ref);
+    const double first = lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits);
+    const double second = upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits);
+    return BlockSignal{value(read.ref, read.digits), lesser(first, second), greater(first, second), state(read.ref)};
+}
+
+BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
+    if (ref.quantity == Quantity::none) {
+        return BlockSignal{};
+    }
+    const Place read = place(ref);
+    return BlockSignal{value(read.ref, read.digits), 0.0, 0.0, state(read.ref)};
 }
 
 std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) const noexcept {
@@ -230,7 +243,7 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
 static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
 SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
     bool failed = silent_;
-    for (std::uint8_t number = 0U; number < rpdo_count; ++number) {
+    for (std::uint8_t number = 0U; (overdue_ != 0U) && (number < rpdo_count); ++number) {
         const bool overdue = ((overdue_ >> std::uint32_t{number}) & 1U) != 0U;
         failed = failed || (overdue && maps(objects_, number, index, subindex));
     }

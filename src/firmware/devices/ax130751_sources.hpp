@@ -58,12 +58,22 @@ class Sources {
     void set_logic(std::uint8_t block, SignalState state) noexcept;
 
     BlockSignal signal(const SourceRef& ref) const noexcept;
+    /// The same without its limits, where nothing depends on them: they cost more than the rest.
+    BlockSignal reading(const SourceRef& ref) const noexcept;
 
   private:
     using Lower = generated::ax130751::t_aor_t05::Lower;
     using Upper = generated::ax130751::t_aor_t05::Upper;
     using Digits = generated::ax130751::t_aor_t05::Digits;
 
+    /// What a reference reads, by Table 5.
+    struct Place {
+        SourceRef ref{};
+        const generated::ax130751::t_aor_t05::Row* row{nullptr};
+        std::uint8_t digits{0U};
+    };
+
+    Place place(const SourceRef& ref) const noexcept;
     std::uint8_t digits(Digits digits, std::uint8_t channel) const noexcept;
     double lower(Lower limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
     double upper(Upper limit, std::uint8_t channel, std::uint8_t digits) const noexcept;

@@ -20,6 +20,7 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
 constexpr double microvolts_per_millivolt = 1000.0;
+constexpr double millivolts_per_microvolt = 0.001;  // a product costs half of a quotient
 constexpr std::uint32_t channel_field_value_index = 0x6100U;
 constexpr std::uint32_t average_field_value_index = 0x2100U;
 // Parameters by what depends on them.
@@ -82,10 +83,6 @@ double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
     return static_cast<double>(cell_or(table::find(selected, frequency), &table::Row::left, 0.0F));
 }
 
-double limit_c(const std::int16_t threshold) noexcept {
-    return static_cast<double>(threshold) / static_cast<double>(own::limit_steps_per_c);
-}
-
 /// Sub-index of a channel, which is counted from 0.
 constexpr std::uint8_t subindex(const std::size_t channel) noexcept {
     return static_cast<std::uint8_t>(channel + 1U);
@@ -112,6 +109,7 @@ void Scanner::restart(const Inputs& inputs) noexcept {
     for (std::size_t i = 0U; i < conversions_to_settle; ++i) {
         read(inputs);
     }
+    schedule();
 }
 
 static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST> && implements<req::TCS_IN_002> &&
@@ -183,7 +181,7 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
         return kept.value;
     }
     Conversion result{};
-    result.celsius = exact_celsius(thermocouple_curve(type), microvolts / microvolts_per_millivolt);
+    result.celsius = exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt);
     namespace table = own::t_tcs_t1;
     const auto* const range = table::find(type);
     const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
@@ -203,6 +201,7 @@ void Scanner::evaluate(const Instant now) noexcept {
     evaluate_cold_junction();
     evaluate_unit(now);
     put_status();
+    schedule();
 }
 
 static_assert(implements<req::TCS_IN_008> && implements<req::TCS_VAL_008>);
@@ -242,6 +241,7 @@ void Scanner::reevaluate(const std::uint32_t index, const std::size_t channel, c
         default:
             break;  // nothing measured depends on it
     }
+    schedule();
 }
 
 static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002> && implements<req::TCS_VAL_003> &&
@@ -291,22 +291,25 @@ static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && im
               implements<req::TCS_LIM_009> && implements<req::TCS_LIM_010> && implements<req::TCS_K_HYSTERESIS> &&
               implements<req::TCS_K_LIMIT_RESOLUTION>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
-    const double hysteresis = static_cast<double>(own::limit_hysteresis_c);
+    // In steps of the thresholds: a product of two short numbers is exact, a quotient of them is not, and dear.
+    const double steps = static_cast<double>(own::limit_steps_per_c);
+    const double hysteresis = static_cast<double>(own::limit_hysteresis_c) * steps;
+    const double temperature = conversion.celsius * steps;
     const std::uint8_t sub = subindex(channel);
     const Duration delay = channel_delay(channel);
-    const double low = limit_c(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));
-    const double high = limit_c(objects_.get(field::o4010_tc_high_temperature_warning_threshold[sub]));
-    const double shutdown = limit_c(objects_.get(field::o4020_tc_high_temperature_shutdown_threshold[sub]));
+    const double low = static_cast<double>(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));
+    const double high = static_cast<double>(objects_.get(field::o4010_tc_high_temperature_warning_threshold[sub]));
+    const double shutdown = static_cast<double>(objects_.get(field::o4020_tc_high_temperature_shutdown_threshold[sub]));
 
-    FaultCondition too_low = low_limit(conversion.celsius, low, low + hysteresis);
+    FaultCondition too_low = low_limit(temperature, low, low + hysteresis);
     too_low.begins = too_low.begins || conversion.below;
     too_low.ends = too_low.ends && !conversion.below;
-    FaultCondition too_hot = high_limit(conversion.celsius, shutdown, shutdown - hysteresis);
+    FaultCondition too_hot = high_limit(temperature, shutdown, shutdown - hysteresis);
     too_hot.begins = too_hot.begins || conversion.above;
     too_hot.ends = too_hot.ends && !conversion.above;
 
     fault_of(channel, ChannelFault::low).judge(too_low, delay, now);
-    fault_of(channel, ChannelFault::high).judge(high_limit(conversion.celsius, high, high - hysteresis), delay, now);
+    fault_of(channel, ChannelFault::high).judge(high_limit(temperature, high, high - hysteresis), delay, now);
     fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
 }
 
@@ -410,19 +413,22 @@ void Scanner::advance(const Instant now) noexcept {
         unit_faults_[i].advance(unit_delay(i), now);
     }
     put_status();
+    schedule();
 }
 
-Instant Scanner::next_deadline() const noexcept {
+/// Faults and their delays change with a reading, a parameter and a deadline: only then is it looked which comes next.
+void Scanner::schedule() noexcept {
     Instant next = never;
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        const Duration delay = channel_delay(channel);
         for (const DelayedFault& fault : faults_[channel]) {
-            next = earliest(next, fault.due(channel_delay(channel)));
+            next = earliest(next, fault.due(delay));
         }
     }
     for (std::size_t i = 0U; i < unit_fault_count; ++i) {
         next = earliest(next, unit_faults_[i].due(unit_delay(i)));
     }
-    return next;
+    next_deadline_ = next;
 }
 
 }  // namespace canproof::ax188001

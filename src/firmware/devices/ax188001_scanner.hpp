@@ -44,7 +44,7 @@ class Scanner {
     /// Tells the faults whose delay has passed.
     void advance(Instant now) noexcept;
     /// When the next fault that waits is told.
-    Instant next_deadline() const noexcept;
+    Instant next_deadline() const noexcept { return next_deadline_; }
 
     bool told(const std::size_t channel, const ChannelFault fault) const noexcept {
         return faults_[channel][static_cast<std::size_t>(fault)].told();
@@ -87,6 +87,7 @@ class Scanner {
     void evaluate_unit(Instant now) noexcept;
     void judge_unit(UnitFault fault, bool enabled, const FaultCondition& condition, Instant now) noexcept;
     void put_status() noexcept;
+    void schedule() noexcept;
 
     DelayedFault& fault_of(const std::size_t channel, const ChannelFault fault) noexcept {
         return faults_[channel][static_cast<std::size_t>(fault)];
@@ -105,6 +106,7 @@ class Scanner {
     double cpu_temperature_c_{0.0};
     double supply_v_{0.0};
     bool hum_rises_{true};
+    Instant next_deadline_{never};
 };
 
 }  // namespace canproof::ax188001

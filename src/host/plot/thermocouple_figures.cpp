@@ -9,6 +9,7 @@
 #include "firmware/blocks/thermocouple_curves.hpp"
 #include "firmware/devices/ax188001.hpp"
 #include "host/devices/devices.hpp"
+#include "host/plot/exact_reference.hpp"
 #include "host/replay/replay.hpp"
 
 namespace canproof::host {
@@ -26,22 +27,6 @@ constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorT
 
 constexpr double sixteenths = 16.0;  // as shipped: 7130h = 16 T + 4368
 constexpr double offset = 4368.0;
-
-/// The reference function in long double: what the firmware's double is measured by.
-long double reference_mv_exactly(const ThermocoupleCurve& curve, long double celsius) {
-    std::size_t at = 0;
-    while (at + 1 < curve.reference_count && celsius >= static_cast<long double>(curve.reference[at].to_c)) {
-        ++at;
-    }
-    const ReferencePiece& piece = curve.reference[at];
-    long double sum = 0.0L;
-    for (auto c = piece.coefficients.rbegin(); c != piece.coefficients.rend(); ++c) {
-        sum = sum * celsius + static_cast<long double>(*c);
-    }
-    const long double distance = celsius - static_cast<long double>(piece.exponential.a2_c);
-    return sum + static_cast<long double>(piece.exponential.a0_mv) *
-                     std::exp(static_cast<long double>(piece.exponential.a1_per_c2) * distance * distance);
-}
 
 /// An AX188001 alone on a bus with one thermocouple, asked over SDO.
 class Bench {
@@ -113,8 +98,8 @@ LinePlot error_plot(const char* title, double (*inversion)(const ThermocoupleCur
         Curve drawn{name, {}};
         constexpr int steps = 600;
         for (int i = 0; i <= steps; ++i) {
-            const double celsius = low + (curve.highest_c - low) * i / steps;
-            const double mv = static_cast<double>(reference_mv_exactly(curve, static_cast<long double>(celsius)));
+            const double celsius = low + (curve.highest_c() - low) * i / steps;
+            const double mv = static_cast<double>(reference_mv_exactly(type, static_cast<long double>(celsius)));
             drawn.points.emplace_back(celsius, inversion(curve, mv) - celsius);
         }
         plot.curves.push_back(std::move(drawn));
@@ -127,13 +112,13 @@ LinePlot error_plot(const char* title, double (*inversion)(const ThermocoupleCur
 LinePlot conversion_error_plot() {
     // B has no slope to speak of below 42 degC.
     return error_plot("AX188001: error of the linearisation alone (0.02 °C allowed)", exact_celsius,
-                      [](const ThermocoupleCurve& curve) { return curve.lowest_c > 0.0 ? 42.0 : curve.lowest_c; });
+                      [](const ThermocoupleCurve& curve) { return curve.lowest_c() > 0.0 ? 42.0 : curve.lowest_c(); });
 }
 
 LinePlot inverse_error_plot() {
-    return error_plot("AX188001: the published inverse functions alone, where the linearisation begins",
-                      approximate_celsius,
-                      [](const ThermocoupleCurve& curve) { return exact_celsius(curve, curve.inverse[0].from_mv); });
+    return error_plot(
+        "AX188001: the published inverse functions alone, where the linearisation begins", approximate_celsius,
+        [](const ThermocoupleCurve& curve) { return exact_celsius(curve, from_fixed(curve.inverse[0].begin)); });
 }
 
 LinePlot channel_error_plot() {
@@ -141,12 +126,12 @@ LinePlot channel_error_plot() {
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
         // Where half a step of the converter, 0.3 uV here, is worth less than a degree.
-        const double low = type == SensorType::b ? 50.0 : curve.lowest_c;
+        const double low = type == SensorType::b ? 50.0 : curve.lowest_c();
         Bench bench{type};
         Curve drawn{name, {}};
         constexpr int steps = 300;
         for (int i = 0; i <= steps; ++i) {
-            const double celsius = low + (curve.highest_c - low) * i / steps;
+            const double celsius = low + (curve.highest_c() - low) * i / steps;
             drawn.points.emplace_back(celsius, bench.settled_field_value(celsius) - celsius);
         }
         plot.curves.push_back(std::move(drawn));

@@ -70,9 +70,10 @@ std::string work_table(const json& work) {
     text += "</table></div>\n";
     text += fmt::format(
         "<p>A bus at {} bit/s full of the frame that costs most for its bits, {} cycles an instruction assumed, a core "
-        "of "
-        "{} MHz: instructions × cycles × bit rate ÷ bits of the frame (47 and its data, no stuff bits) ÷ "
-        "clock.</p><ul>\n",
+        "of {} MHz: instructions × cycles × bit rate ÷ bits ÷ clock. The bits are those of the frame and of the "
+        "answers "
+        "to it whose identifier gives them the bus before the next frame like it; of each 47 and its data, no stuff "
+        "bits.</p><ul>\n",
         work.at("bit_rate").get<std::uint64_t>(), work.at("cycles_an_instruction").get<double>(),
         work.at("core_hz").get<std::uint64_t>() / 1000000U);
     for (const auto& [device, kinds] : work.at("devices").items()) {
@@ -82,6 +83,13 @@ std::string work_table(const json& work) {
                                 escaped(device), 100.0 * share.at("bus_load").get<double>(),
                                 escaped(share.at("what").get<std::string>()));
         }
+        for (const char* const kind : {"power_on", "command"}) {
+            if (kinds.contains(kind) && kinds.at(kind).contains("ms")) {
+                const json& one = kinds.at(kind);
+                text += fmt::format("<li class={}>{}: {:.1f} ms of the core by the dearest {}\n", met_or_open(one),
+                                    escaped(device), one.at("ms").get<double>(), kind);
+            }
+        }
         if (kinds.contains("tick") && kinds.at("tick").contains("load")) {
             const json& tick = kinds.at("tick");
             text += fmt::format("<li class={}>{}: {:.1f} % of the core by the dearest tick, one every {} ms\n",
@@ -90,10 +98,9 @@ std::string work_table(const json& work) {
         }
     }
     return text +
-           "</ul><p>Each may take half of the core. Commands (NMT resets, LSS back to waiting, store and restore) are "
-           "listed apart: nothing is claimed "
-           "of a "
-           "bus full of them.</p>\n";
+           "</ul><p>Frames and ticks may each take half of the core. Commands (NMT resets, LSS back to waiting, store "
+           "and "
+           "restore) are bounded apart, as is a power-on: nothing is claimed of a bus full of them.</p>\n";
 }
 
 std::string suites_words(const json& suites) {

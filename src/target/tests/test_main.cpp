@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "host/bus/candump.hpp"
 #include "semihosting.hpp"
 #include "support/frame_log.hpp"
 #include "work_log.hpp"
@@ -37,7 +38,16 @@ void watch_work() {
     test::bench_watch.begins = target::work_begins;
     test::bench_watch.ends = [](test::Work work, const char* what) {
         target::work_stops();
-        target::note_work(work, what[0] == '\0' ? "-" : what, running_test());
+        if (work == test::Work::frame) {
+            target::note_frame(host::parse_frame(what, "test"), what, running_test());
+        } else {
+            target::note_work(work, "-", running_test());
+        }
+    };
+    static void (*const write_down)(Instant, const Frame&) = test::bench_watch.said;
+    test::bench_watch.said = [](Instant now, const Frame& frame) {
+        write_down(now, frame);
+        target::note_answer(frame);
     };
 }
 

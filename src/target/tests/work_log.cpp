@@ -21,6 +21,7 @@ struct Dearest {
     std::uint32_t count{0};
     std::uint32_t worth{0};  ///< what it is the dearest by
     std::uint32_t instructions{0};
+    std::uint32_t bits{0};
     std::string what{"-"};
     std::string where{"-"};
 };
@@ -34,33 +35,67 @@ std::array<Dearest, 5> dearest{Dearest{"power_on"}, Dearest{"frame"}, Dearest{"t
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
     const bool stores = text.rfind("7E5#17", 0) == 0;
-    const bool downloads = text.size() == 20 && text[0] == '6' && text[4] == '2';
+    const bool downloads = text.size() == 20 && text[0] == '6' && (text[4] == '2' || text[4] == '3');
     const std::string index = downloads ? text.substr(6, 4) : std::string{};
     return resets || stores || index == "1010" || index == "1110";
 }
 
 /// Least bits that a frame takes on the bus: 44 and its data, no stuff bits, three between frames (ISO 11898-1).
-std::uint32_t bits_of(const std::string& text) {
-    const std::size_t data = text.size() - text.find('#') - 1;
-    const bool remote = text.find('R') != std::string::npos;
-    const std::size_t bits = 47 + (remote ? 0 : 4 * data) + (text.find('#') == 8 ? 20 : 0);
-    return static_cast<std::uint32_t>(bits);
+std::uint32_t bits_of(const Frame& frame) {
+    const std::uint32_t data = frame.remote ? 0 : 8U * frame.length;
+    return 47 + data + (frame.extended ? 20 : 0);
 }
 
-void note(Kind which, std::uint32_t worth, std::uint32_t instructions, const std::string& what,
-          const std::string& where) {
+/// The 11 bits that decide first which of two frames has the bus.
+std::uint32_t base_identifier(const Frame& frame) {
+    return frame.extended ? frame.id >> 18U : frame.id;
+}
+
+void note(Kind which, std::uint32_t worth, const Dearest& one) {
     Dearest& kind = dearest[which];
     ++kind.count;
     if (worth > kind.worth || kind.count == 1) {
         kind.worth = worth;
-        kind.instructions = instructions;
-        kind.what = what;
-        kind.where = where;
+        kind.instructions = one.instructions;
+        kind.bits = one.bits;
+        kind.what = one.what;
+        kind.where = one.where;
     }
 }
 
 std::uint32_t counted = 0;
 std::FILE* every_work = nullptr;
+
+// The work that was counted last: what the device sends because of it follows.
+Dearest last{"-"};
+test::Work last_work = test::Work::tick;
+std::uint32_t received = 0;
+bool waits = false;
+
+void write_line(std::FILE* file, const char* kind, std::uint32_t count, const Dearest& one) {
+    std::fprintf(file, "%s %lu %lu %lu %s %s\n", kind, static_cast<unsigned long>(count),
+                 static_cast<unsigned long>(one.instructions), static_cast<unsigned long>(one.bits), one.what.c_str(),
+                 one.where.c_str());
+}
+
+/// Nothing more is sent because of the last work.
+void finish() {
+    if (!waits) {
+        return;
+    }
+    waits = false;
+    const bool is_frame = last_work == test::Work::frame;
+    const Kind kind =
+        is_frame ? (is_command(last.what) ? command : frame) : (last_work == test::Work::tick ? tick : power_on);
+    if (every_work != nullptr) {
+        write_line(every_work, dearest[kind].kind, 1, last);
+    }
+    note(kind, last.instructions, last);
+    if (kind == frame) {
+        constexpr std::uint32_t parts = 256;  // of an instruction
+        note(share, last.instructions * parts / last.bits, last);
+    }
+}
 
 const InstructionClock& clock() {
     static const InstructionClock one;
@@ -86,29 +121,35 @@ void work_stops() {
 }
 
 void note_work(test::Work work, const std::string& what, const std::string& where) {
-    if (every_work != nullptr) {
-        const Kind kind = work == test::Work::tick ? tick : (work == test::Work::power_on ? power_on : frame);
-        std::fprintf(every_work, "%s %lu %s %s\n", dearest[kind].kind, static_cast<unsigned long>(counted),
-                     what.c_str(), where.c_str());
-    }
-    if (work != test::Work::frame) {
-        note(work == test::Work::tick ? tick : power_on, counted, counted, what, where);
-        return;
-    }
-    note(is_command(what) ? command : frame, counted, counted, what, where);
-    if (!is_command(what)) {
-        note(share, counted / bits_of(what), counted, what, where);
+    finish();
+    waits = true;
+    last_work = work;
+    last.instructions = counted;
+    last.bits = 0;
+    last.what = what;
+    last.where = where;
+}
+
+void note_frame(const Frame& frame, const std::string& what, const std::string& where) {
+    note_work(test::Work::frame, what, where);
+    last.bits = bits_of(frame);
+    received = base_identifier(frame);
+}
+
+void note_answer(const Frame& frame) {
+    if (waits && last_work == test::Work::frame && base_identifier(frame) <= received) {
+        last.bits += bits_of(frame);
     }
 }
 
 bool write_work(const std::string& path) {
+    finish();
     std::FILE* const file = std::fopen(path.c_str(), "wb");
     bool any = false;
     for (const Dearest& kind : dearest) {
         any = any || kind.count > 0;
         if (file != nullptr) {
-            std::fprintf(file, "%s %lu %lu %s %s\n", kind.kind, static_cast<unsigned long>(kind.count),
-                         static_cast<unsigned long>(kind.instructions), kind.what.c_str(), kind.where.c_str());
+            write_line(file, kind.kind, kind.count, kind);
         }
     }
     if (every_work != nullptr) {

@@ -1,0 +1,34 @@
+// The reference functions of the AX188001's thermocouples in long double: what the firmware's fixed point is measured
+// by.
+#pragma once
+
+#include <cmath>
+
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/tables.hpp"
+
+namespace canproof::host {
+
+/// mV at `celsius`, of a type that has a row. Beyond its range the first or last piece is continued.
+inline long double reference_mv_exactly(generated::ax188001::SensorType type, long double celsius) {
+    namespace own = generated::ax188001;
+    const own::t_tcs_t_reference::Row* piece = nullptr;
+    for (const auto& row : own::t_tcs_t_reference::rows) {  // the pieces of a type ascend
+        if (row.type == type && (piece == nullptr || celsius >= static_cast<long double>(row.from_c))) {
+            piece = &row;
+        }
+    }
+    long double sum = 0.0L;
+    for (const double c : {piece->c14, piece->c13, piece->c12, piece->c11, piece->c10, piece->c9, piece->c8, piece->c7,
+                           piece->c6, piece->c5, piece->c4, piece->c3, piece->c2, piece->c1, piece->c0}) {
+        sum = sum * celsius + static_cast<long double>(c);
+    }
+    if (type != own::SensorType::k || piece->from_c < 0.0) {
+        return sum;
+    }
+    const long double distance = celsius - static_cast<long double>(own::k_exponential_a2);
+    return sum + static_cast<long double>(own::k_exponential_a0) *
+                     std::exp(static_cast<long double>(own::k_exponential_a1) * distance * distance);
+}
+
+}  // namespace canproof::host
