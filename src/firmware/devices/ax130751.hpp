@@ -17,8 +17,6 @@
 
 namespace canproof::ax130751 {
 
-constexpr std::uint32_t output_count = 2U;
-
 /// What belongs to one unit and left the factory with it. What is absent is as the register has it. 3.2.11, 3.2.12.
 struct FactoryData {
     std::optional<std::uint32_t> revision{};       ///< 1018h:3

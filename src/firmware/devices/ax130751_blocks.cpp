@@ -242,8 +242,8 @@ bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& obje
     double output{0.0};
     if (result.done) {
         output = math_output(result.value,
-                             physical_value(objects.get(field::o4021_math_output_scaling_1_pv[number]), digits),
-                             physical_value(objects.get(field::o4023_math_output_scaling_2_pv[number]), digits));
+                             output_scaling_1_.of(objects.get(field::o4021_math_output_scaling_1_pv[number]), digits),
+                             output_scaling_2_.of(objects.get(field::o4023_math_output_scaling_2_pv[number]), digits));
     }
     return replace(objects, field::o4030_math_output_process_value[number], process_value(output, digits)) ||
            (!math_.is_settled());

@@ -76,6 +76,8 @@ class CalculationBlock {
     };
 
     std::array<Input, math_inputs> inputs_{};
+    KeptPhysicalValue output_scaling_1_{};
+    KeptPhysicalValue output_scaling_2_{};
     MathBlock math_{};
 };
 

@@ -11,6 +11,8 @@ namespace canproof::ax130751 {
 
 namespace field = generated::ax130751::field;
 
+constexpr std::uint32_t output_count = 2U;
+constexpr std::uint32_t extra_received_count = 6U;
 constexpr std::uint32_t table_count = 10U;
 constexpr std::uint32_t logic_count = 3U;
 constexpr std::uint32_t math_count = 4U;

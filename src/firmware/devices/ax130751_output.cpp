@@ -152,8 +152,21 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
     return choose_drive(conditions);
 }
 
-double UniversalOutput::field_value(const Field<std::int16_t> entry) const noexcept {
-    return physical_value(objects_.get(entry), objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
+LinearScaling UniversalOutput::scaling() noexcept {
+    const std::uint8_t pv_digits = objects_.get(field::o6302_ao_decimal_digits_pv[number_]);
+    const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    return LinearScaling{
+        parameters_.scaling_1_pv.of(objects_.get(field::o7320_ao_output_scaling_1_pv[number_]), pv_digits),
+        parameters_.scaling_2_pv.of(objects_.get(field::o7322_ao_output_scaling_2_pv[number_]), pv_digits),
+        parameters_.scaling_1_fv.of(objects_.get(field::o7321_ao_output_scaling_1_fv[number_]), fv_digits),
+        parameters_.scaling_2_fv.of(objects_.get(field::o7323_ao_output_scaling_2_fv[number_]), fv_digits)};
+}
+
+AnalogueDemand UniversalOutput::demand(const double control) noexcept {
+    const std::uint8_t digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    return AnalogueDemand{
+        control, parameters_.override_fv.of(objects_.get(field::o2300_ao_override_field_value[number_]), digits),
+        parameters_.fault_fv.of(objects_.get(field::o7341_ao_fault_field_value[number_]), digits)};
 }
 
 double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
@@ -172,19 +185,12 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
         show(0, 0);
         return false;
     }
-    const std::uint8_t pv_digits = objects_.get(field::o6302_ao_decimal_digits_pv[number_]);
-    const LinearScaling scaling{physical_value(objects_.get(field::o7320_ao_output_scaling_1_pv[number_]), pv_digits),
-                                physical_value(objects_.get(field::o7322_ao_output_scaling_2_pv[number_]), pv_digits),
-                                field_value(field::o7321_ao_output_scaling_1_fv[number_]),
-                                field_value(field::o7323_ao_output_scaling_2_fv[number_])};
-    const AnalogueDemand demand{control_value(signals.control, scaling),
-                                field_value(field::o2300_ao_override_field_value[number_]),
-                                field_value(field::o7341_ao_fault_field_value[number_])};
-    const RampTimes times{std::fabs(scaling.y2 - scaling.y1),
-                          milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
+    const LinearScaling line = scaling();
+    const AnalogueDemand demanded = demand(control_value(signals.control, line));
+    const RampTimes times{std::fabs(line.y2 - line.y1), milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
                           milliseconds(objects_.get(field::o2331_ao_ramp_down[number_]))};
     const OutputDrive drive = drive_of(signals, cycle.shutdown, false);
-    const AnalogueOutputState state = analogue_.advance(drive, demand, range_of(type), times, cycle.now);
+    const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
     const double load = static_cast<double>(inputs.load[number_ - 1U]);
     const double measured = (type.kind == Kind::current)
                                 ? loop_current(state.value, load, static_cast<double>(own::compliance_voltage),

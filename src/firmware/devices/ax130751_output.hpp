@@ -51,7 +51,18 @@ class UniversalOutput {
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
     FaultAction fault_action(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
-    double field_value(Field<std::int16_t> entry) const noexcept;
+    /// What a parameter last stood for: rarely written, and read in every cycle.
+    struct KeptParameters {
+        KeptPhysicalValue scaling_1_pv{};
+        KeptPhysicalValue scaling_2_pv{};
+        KeptPhysicalValue scaling_1_fv{};
+        KeptPhysicalValue scaling_2_fv{};
+        KeptPhysicalValue override_fv{};
+        KeptPhysicalValue fault_fv{};
+    };
+
+    LinearScaling scaling() noexcept;
+    AnalogueDemand demand(double control) noexcept;
     bool advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                           Outputs& outputs) noexcept;
     void advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
@@ -67,6 +78,7 @@ class UniversalOutput {
     SourceChoice control_choice_{};
     SourceChoice enable_choice_{};
     SourceChoice override_choice_{};
+    KeptParameters parameters_{};
     AnalogueOutput analogue_{};
     DigitalOutput digital_{};
     DigitalReading control_{};

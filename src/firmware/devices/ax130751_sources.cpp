@@ -137,15 +137,18 @@ std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) co
 double Sources::lower(const Lower limit, const std::uint8_t channel, const std::uint8_t digits) const noexcept {
     switch (limit) {
         case Lower::o7320:
-            return physical_value(objects_.get(field::o7320_ao_output_scaling_1_pv[channel]), digits);
+            return command_limits_[channel - 1U].lower.of(objects_.get(field::o7320_ao_output_scaling_1_pv[channel]),
+                                                          digits);
         case Lower::o2520:
-            return physical_value(objects_.get(field::o2520_ec_scaling_1_pv[channel]), digits);
+            return received_limits_[channel - 1U].lower.of(objects_.get(field::o2520_ec_scaling_1_pv[channel]), digits);
         case Lower::least_y:
             return lookup_limits_[channel - 1U].least;
         case Lower::o4021:
-            return physical_value(objects_.get(field::o4021_math_output_scaling_1_pv[channel]), digits);
+            return calculation_limits_[channel - 1U].lower.of(
+                objects_.get(field::o4021_math_output_scaling_1_pv[channel]), digits);
         case Lower::o7321:
-            return physical_value(objects_.get(field::o7321_ao_output_scaling_1_fv[channel]), digits);
+            return field_value_limits_[channel - 1U].lower.of(
+                objects_.get(field::o7321_ao_output_scaling_1_fv[channel]), digits);
         case Lower::o5022:
             return static_cast<double>(objects_.get(field::o5022_under_voltage_threshold));
         case Lower::o5032_less_o5033:
@@ -163,15 +166,18 @@ double Sources::lower(const Lower limit, const std::uint8_t channel, const std::
 double Sources::upper(const Upper limit, const std::uint8_t channel, const std::uint8_t digits) const noexcept {
     switch (limit) {
         case Upper::o7322:
-            return physical_value(objects_.get(field::o7322_ao_output_scaling_2_pv[channel]), digits);
+            return command_limits_[channel - 1U].upper.of(objects_.get(field::o7322_ao_output_scaling_2_pv[channel]),
+                                                          digits);
         case Upper::o2522:
-            return physical_value(objects_.get(field::o2522_ec_scaling_2_pv[channel]), digits);
+            return received_limits_[channel - 1U].upper.of(objects_.get(field::o2522_ec_scaling_2_pv[channel]), digits);
         case Upper::greatest_y:
             return lookup_limits_[channel - 1U].greatest;
         case Upper::o4023:
-            return physical_value(objects_.get(field::o4023_math_output_scaling_2_pv[channel]), digits);
+            return calculation_limits_[channel - 1U].upper.of(
+                objects_.get(field::o4023_math_output_scaling_2_pv[channel]), digits);
         case Upper::o7323:
-            return physical_value(objects_.get(field::o7323_ao_output_scaling_2_fv[channel]), digits);
+            return field_value_limits_[channel - 1U].upper.of(
+                objects_.get(field::o7323_ao_output_scaling_2_fv[channel]), digits);
         case Upper::o5023:
             return static_cast<double>(objects_.get(field::o5023_over_voltage_threshold));
         case Upper::o5032:
@@ -189,22 +195,28 @@ static_assert(implements<req::AOR_SRC_003> && implements<req::AOR_SRC_008>);
 double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:
-            return physical_value(objects_.get(field::o7300_ao_output_process_value[ref.channel]), digits);
+            return commands_[ref.channel - 1U].of(objects_.get(field::o7300_ao_output_process_value[ref.channel]),
+                                                  digits);
         case Quantity::digital_command:
         case Quantity::relay_command:
             return static_cast<double>(objects_.get(field::o6220_do_write_state_1_output_line[ref.channel]));
         case Quantity::extra_received:
-            return physical_value(objects_.get(field::o2500_ec_extra_received_process_value[ref.channel]), digits);
+            return received_[ref.channel - 1U].of(
+                objects_.get(field::o2500_ec_extra_received_process_value[ref.channel]), digits);
         case Quantity::lookup_table:
-            return physical_value(objects_.get(lookup_fields[ref.channel - 1U].output), digits);
+            return tables_[ref.channel - 1U].of(objects_.get(lookup_fields[ref.channel - 1U].output), digits);
         case Quantity::math:
-            return physical_value(objects_.get(field::o4030_math_output_process_value[ref.channel]), digits);
+            return calculations_[ref.channel - 1U].of(objects_.get(field::o4030_math_output_process_value[ref.channel]),
+                                                      digits);
         case Quantity::logic:
-            return physical_value(objects_.get(field::o3320_logic_block_output_pv[ref.channel]), digits);
+            return selections_[ref.channel - 1U].of(objects_.get(field::o3320_logic_block_output_pv[ref.channel]),
+                                                    digits);
         case Quantity::commanded_value:
-            return physical_value(objects_.get(field::o7330_ao_output_field_value[ref.channel]), digits);
+            return field_values_[ref.channel - 1U].of(objects_.get(field::o7330_ao_output_field_value[ref.channel]),
+                                                      digits);
         case Quantity::feedback_value:
-            return physical_value(objects_.get(field::o2370_ao_feedback_field_value[ref.channel]), digits);
+            return feedbacks_[ref.channel - 1U].of(objects_.get(field::o2370_ao_feedback_field_value[ref.channel]),
+                                                   digits);
         case Quantity::supply:
             return to_tenths(objects_.get(field::o5020_power_supply_field_value));
         case Quantity::temperature:

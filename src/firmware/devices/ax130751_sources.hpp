@@ -73,6 +73,11 @@ class Sources {
         std::uint8_t digits{0U};
     };
 
+    struct KeptLimits {
+        KeptPhysicalValue lower{};
+        KeptPhysicalValue upper{};
+    };
+
     Place place(const SourceRef& ref) const noexcept;
     std::uint8_t digits(Digits digits, std::uint8_t channel) const noexcept;
     double lower(Lower limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
@@ -82,6 +87,18 @@ class Sources {
     SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
 
     const ObjectDictionary& objects_;
+    // Many blocks read the same quantities, which rarely change. What an integer stands for is no state of its own.
+    mutable std::array<KeptPhysicalValue, output_count> commands_{};
+    mutable std::array<KeptPhysicalValue, output_count> field_values_{};
+    mutable std::array<KeptPhysicalValue, output_count> feedbacks_{};
+    mutable std::array<KeptPhysicalValue, extra_received_count> received_{};
+    mutable std::array<KeptPhysicalValue, table_count> tables_{};
+    mutable std::array<KeptPhysicalValue, logic_count> selections_{};
+    mutable std::array<KeptPhysicalValue, math_count> calculations_{};
+    mutable std::array<KeptLimits, output_count> command_limits_{};
+    mutable std::array<KeptLimits, output_count> field_value_limits_{};
+    mutable std::array<KeptLimits, extra_received_count> received_limits_{};
+    mutable std::array<KeptLimits, math_count> calculation_limits_{};
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};
