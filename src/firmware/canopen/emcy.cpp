@@ -88,10 +88,12 @@ std::uint32_t Emcy::list_entry(const std::size_t error) const noexcept {
 std::uint8_t Emcy::active_register() const noexcept {
     std::uint32_t bits{0U};
     std::size_t error{0U};
-    for (std::uint64_t rest = active_; rest != 0U; rest >>= 1U) {
+    std::uint64_t rest{active_};
+    while (rest != 0U) {
         if ((rest & 1U) != 0U) {
             bits |= errors_[error].register_bits;
         }
+        rest >>= 1U;
         ++error;
     }
     return static_cast<std::uint8_t>(bits);
