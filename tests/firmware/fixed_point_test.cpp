@@ -28,14 +28,16 @@ TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
     EXPECT_EQ(upper_product(std::uint64_t{1} << 63U, 10U), 5U);
     EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exactly 2^64 - 2, which is UINT64_MAX - 1
     EXPECT_EQ(upper_product(0xFFFFFFFFU, 0xFFFFFFFFU), 0U);
+    constexpr std::uint64_t low = 0xFFFFFFFFU;
     std::uint64_t number = 88172645463325252U;
     for (int i = 0; i < 10000; ++i) {
         const std::uint64_t a = number;
         number ^= number << 13U;
         number ^= number >> 7U;
         number ^= number << 17U;
-        __extension__ using Wide = unsigned __int128;
-        const auto exact = static_cast<std::uint64_t>((static_cast<Wide>(a) * number) >> 64U);
+        const std::uint64_t middle = (a >> 32U) * (number & low) + ((a & low) * (number & low) >> 32U);
+        const std::uint64_t exact =
+            (a >> 32U) * (number >> 32U) + (middle >> 32U) + (((a & low) * (number >> 32U) + (middle & low)) >> 32U);
         ASSERT_LE(upper_product(a, number), exact);
         ASSERT_GE(upper_product(a, number) + 2U, exact) << a << " " << number;
     }
