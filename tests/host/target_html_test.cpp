@@ -55,7 +55,8 @@ TEST_F(TargetHtml, WorkAndTheFullBus) {
         "power_on": {"count": 2, "instructions": 560000, "what": "-", "where": "x", "ms": 5.0, "holds": true},
         "command": {"count": 4, "instructions": 1232000, "what": "000#8105", "where": "x", "ms": 11.0, "holds": false}}}})");
     const std::string page = host::write_target_html(folder);
-    EXPECT_THAT(page, HasSubstr("<td>7<td>4321<td><code>605#40</code><td>Suite.&lt;Test&gt;"));
+    EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"Times\">7<td class=n data-h=\"Instructions at most\">4,321"
+                                "<td data-h=\"Frame\"><code>605#40</code><td data-h=\"Where\">Suite.&lt;Test&gt;"));
     EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
     EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core by the dearest tick, one every 2.5 ms"));
     EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core by the dearest power_on"));

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "host/evidence/page.hpp"
 #include "host/plot/markup.hpp"
 
 namespace canproof::host {
@@ -21,7 +22,8 @@ json read_json(const std::filesystem::path& path) {
 
 /// A figure with what it may be; `goal` is the stricter one where there are two.
 std::string bounded(std::uint64_t value, std::uint64_t goal) {
-    return fmt::format("<td class={}>{} <small>of {}</small>", value <= goal ? "shown" : "open", value, goal);
+    return fmt::format("<td class={}>{} <small>of {}</small>", value <= goal ? "shown" : "open", grouped(value),
+                       grouped(goal));
 }
 
 std::uint64_t goal_of(const json& budgets, const char* key) {
@@ -55,26 +57,26 @@ const char* met_or_open(const json& goal) {
 }
 
 std::string work_table(const json& work) {
-    std::string text =
-        "<div class=wrap><table><tr><th>Device<th>Work<th>Times<th>Instructions at most<th>Frame<th>Where\n";
+    std::vector<std::vector<std::string>> rows;
     for (const auto& [device, kinds] : work.at("devices").items()) {
         for (const auto& [kind, one] : kinds.items()) {
             if (kind != "share") {
-                text += fmt::format(
-                    "<tr><td>{}<td>{}<td>{}<td>{}<td><code>{}</code><td>{}\n", escaped(device), escaped(kind),
-                    one.at("count").get<std::uint64_t>(), one.at("instructions").get<std::uint64_t>(),
-                    escaped(one.at("what").get<std::string>()), escaped(one.at("where").get<std::string>()));
+                rows.push_back({escaped(device), escaped(kind), std::to_string(one.at("count").get<std::uint64_t>()),
+                                std::to_string(one.at("instructions").get<std::uint64_t>()),
+                                fmt::format("<code>{}</code>", escaped(one.at("what").get<std::string>())),
+                                escaped(one.at("where").get<std::string>())});
             }
         }
     }
-    text += "</table></div>\n";
+    std::string text = html_table(
+        {{"Device", 12}, {"Work", 11}, {"Times", 10}, {"Instructions at most", 12}, {"Frame", 18}, {"Where"}}, rows);
     text += fmt::format(
         "<p>A bus at {} bit/s full of the frame that costs most for its bits, {} cycles an instruction assumed, a core "
         "of {} MHz: instructions × cycles × bit rate ÷ bits ÷ clock. The bits are those of the frame and of the "
         "answers "
         "to it whose identifier gives them the bus before the next frame like it; of each 47 and its data, no stuff "
         "bits.</p><ul>\n",
-        work.at("bit_rate").get<std::uint64_t>(), work.at("cycles_an_instruction").get<double>(),
+        grouped(work.at("bit_rate").get<std::uint64_t>()), work.at("cycles_an_instruction").get<double>(),
         work.at("core_hz").get<std::uint64_t>() / 1000000U);
     for (const auto& [device, kinds] : work.at("devices").items()) {
         if (kinds.contains("share")) {
@@ -111,7 +113,7 @@ std::string suites_words(const json& suites) {
         frames += one.at("frames").get<std::uint64_t>();
     }
     return fmt::format("<p>{} tests passed on QEMU's STM32F405; {} frames, {} difference(s) to this machine.</p>\n",
-                       tests, frames, suites.at("differences").get<std::uint64_t>());
+                       grouped(tests), grouped(frames), suites.at("differences").get<std::uint64_t>());
 }
 
 }  // namespace
