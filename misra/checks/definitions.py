@@ -7,6 +7,7 @@ from typing import NamedTuple
 from .rules import Finding, without_comments_and_literals
 
 TYPE = re.compile(r"\b(?:class|struct|union|enum(?:\s+class|\s+struct)?)\s+(?P<name>\w+)\s*(?:final\b\s*)?(?::[^:].*)?$", re.DOTALL)
+ALIGNED = re.compile(r"\balignas\([^()]*\)\s*")
 NAMESPACE = re.compile(r"\bnamespace\b\s*(?P<name>[\w:]*)\s*$")
 CALLABLE = re.compile(r"(?P<result>.*?)\b(?P<name>(?:\w+::)*(?:operator\s*[^\s\w(]+|operator\s*\(\s*\)|~?\w+))\s*\(", re.DOTALL)
 VARIABLE = re.compile(r"\b(?P<name>\w+)\s*(?:=.*)?$", re.DOTALL)
@@ -104,6 +105,7 @@ class Scanner:
         return self.items
 
     def statement(self, head, begin, scope, in_class, end):
+        head = ALIGNED.sub("", head)
         if TYPE.search(head.split("{")[0]) or re.match(r"\s*(?:using|friend|extern|template|namespace)\b", head):
             return
         if "(" in head.split("=")[0].split("{")[0]:
@@ -115,7 +117,7 @@ class Scanner:
 
     def block(self, begin, at, end, scope, in_class):
         """Whether the brace at `at` ended a declaration; an initialiser's does not."""
-        head = self.code[begin:at]
+        head = ALIGNED.sub("", self.code[begin:at])
         namespace = NAMESPACE.search(head)
         if namespace:
             name = namespace["name"] or f"(in {self.path})"

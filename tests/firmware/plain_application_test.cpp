@@ -95,7 +95,7 @@ TEST_F(ByHand, AConstantIsNeverOverwritten) {
     ASSERT_TRUE(name.exists());
     const std::array<std::uint8_t, 17> other{{'x'}};
     EXPECT_FALSE(objects.put(name, ByteView{other}));
-    EXPECT_FALSE(objects.put_bits(name, 1));
+    EXPECT_FALSE(objects.put_bits(*name.row, 1));
     EXPECT_EQ(objects.value(name)[0], 'C');
     EXPECT_EQ(objects.value(name).size(), 17U);
 }

@@ -28,14 +28,14 @@ TEST_F(TargetHtml, WithoutFiguresItSaysSo) {
     EXPECT_THAT(host::write_target_html(folder), HasSubstr("Not measured"));
 }
 
-TEST_F(TargetHtml, AFigureAboveItsGoalIsOpen) {
+TEST_F(TargetHtml, AFigureAboveItsBudgetIsOpen) {
     leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
-        "canopen": {"code": 60, "ram": 10, "stack": 9}, "canopen_goals": {"code": 40}},
+        "canopen": {"code": 40, "ram": 10, "stack": 9}},
         "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
     const std::string page = host::write_target_html(folder);
     EXPECT_THAT(page, HasSubstr("<td class=shown>100 <small>of 100</small>"));
     EXPECT_THAT(page, HasSubstr("<td class=open>21 <small>of 20</small>"));
-    EXPECT_THAT(page, HasSubstr("<td class=open>50 <small>of 40</small>"));  // the goal, not the budget
+    EXPECT_THAT(page, HasSubstr("<td class=open>50 <small>of 40</small>"));
     EXPECT_THAT(page, HasSubstr("<td class=shown>9 <small>of 9</small>"));
 }
 

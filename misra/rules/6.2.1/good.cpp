@@ -3,6 +3,12 @@ namespace odr {
 struct Place {
     int across;
 };
+struct alignas(8) Pair {
+    int first;
+};
+struct alignas(8) Other {
+    int second;
+};
 namespace {
 int hidden(const Place& place) { return place.across; }
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace canproof {
 
@@ -15,7 +16,7 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a processor that puts 
 /// N (1…8) bytes that are there as a number, and the reverse.
 template <std::size_t N>
 inline std::uint64_t load_le(const std::uint8_t* const bytes) noexcept {
-    std::uint64_t value{0U};
+    std::conditional_t<(N == sizeof(std::uint32_t)), std::uint32_t, std::uint64_t> value{0U};
     static_cast<void>(std::memcpy(&value, bytes, N));
     return value;
 }
@@ -24,8 +25,22 @@ inline void store_le(std::uint8_t* const bytes, const std::uint64_t value) noexc
     static_cast<void>(std::memcpy(bytes, &value, N));
 }
 
-/// Read-only view of bytes. Reading past its end gives zero, never memory beside it.
-class ByteView {
+/// N (1…8) bytes of an array from position `at` on, and the reverse. That they lie in it is checked when it is
+/// compiled.
+template <std::size_t at, std::size_t N, std::size_t size>
+inline std::uint64_t field_le(const std::array<std::uint8_t, size>& bytes) noexcept {
+    static_assert((at + N) <= size, "the field ends behind the array");
+    return load_le<N>(&std::get<at>(bytes));
+}
+template <std::size_t at, std::size_t N, std::size_t size>
+inline void set_field_le(std::array<std::uint8_t, size>& bytes, const std::uint64_t value) noexcept {
+    static_assert((at + N) <= size, "the field ends behind the array");
+    store_le<N>(&std::get<at>(bytes), value);
+}
+
+/// Read-only view of bytes. Reading past its end gives zero, never memory beside it. Aligned, as MutableBytes is: a
+/// 32-bit processor passes it in a pair of registers and not through the stack.
+class alignas(std::uint64_t) ByteView {
   public:
     constexpr ByteView() noexcept = default;
     constexpr ByteView(const std::uint8_t* const data, const std::size_t size) noexcept : data_{data}, size_{size} {}
@@ -51,7 +66,7 @@ class ByteView {
 };
 
 /// Writable view of bytes. Writing past its end does nothing.
-class MutableBytes {
+class alignas(std::uint64_t) MutableBytes {
   public:
     constexpr MutableBytes() noexcept = default;
     constexpr MutableBytes(std::uint8_t* const data, const std::size_t size) noexcept : data_{data}, size_{size} {}
@@ -87,15 +102,16 @@ class MutableBytes {
     }
     /// The same for `count` (0…8) bytes.
     void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
-        switch (count) {
+        const bool fits = (at <= size_) && (count <= (size_ - at));
+        switch (fits ? count : 0U) {
             case 1U:
-                put_le<1U>(at, value);
+                store_le<1U>(data_ + at, value);
                 break;
             case 2U:
-                put_le<2U>(at, value);
+                store_le<2U>(data_ + at, value);
                 break;
             case 4U:
-                put_le<4U>(at, value);
+                store_le<4U>(data_ + at, value);
                 break;
             default:
                 put_each(at, count, value);
@@ -127,13 +143,14 @@ inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept
 }
 /// The same for `count` (0…8) bytes.
 inline std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
-    switch (count) {
+    const bool whole = (at <= bytes.size()) && (count <= (bytes.size() - at));
+    switch (whole ? count : 0U) {
         case 1U:
-            return get_le<1U>(bytes, at);
+            return load_le<1U>(bytes.data() + at);
         case 2U:
-            return get_le<2U>(bytes, at);
+            return load_le<2U>(bytes.data() + at);
         case 4U:
-            return get_le<4U>(bytes, at);
+            return load_le<4U>(bytes.data() + at);
         default:
             return join_each(bytes, at, count);
     }

@@ -7,6 +7,9 @@ namespace canproof {
 
 class Crc32 {
   public:
+    /// value() over any bytes and then their own CRC, least significant byte first.
+    static constexpr std::uint32_t residue = 0x2144DF1CU;
+
     constexpr void add(const ByteView bytes) noexcept {
         for (std::size_t i = 0U; i < bytes.size(); ++i) {
             register_ ^= bytes[i];

@@ -47,7 +47,8 @@ constexpr bool operator>(const Instant a, const Instant b) noexcept {
 
 /// Saturates at `never`, so that a deadline cannot wrap into the past.
 constexpr Instant operator+(const Instant start, const Duration length) noexcept {
-    return (start.us > (UINT64_MAX - length.us)) ? never : Instant{start.us + length.us};
+    const std::uint64_t sum = start.us + length.us;
+    return Instant{(sum < start.us) ? UINT64_MAX : sum};
 }
 
 /// Time from `earlier` to `later`; zero when they are the wrong way round.
@@ -56,7 +57,7 @@ constexpr Duration elapsed(const Instant earlier, const Instant later) noexcept 
 }
 
 constexpr Instant earliest(const Instant a, const Instant b) noexcept {
-    return (a < b) ? a : b;
+    return Instant{(a.us < b.us) ? a.us : b.us};
 }
 
 }  // namespace canproof

@@ -232,12 +232,12 @@ void Emcy::send_pending(const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_EMCY_005>);
-AbortCode Emcy::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+AbortCode Emcy::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index != cob_id_index) {
         return AbortCode::none;
     }
     const std::uint32_t current = objects_.read(cob_id_index, 0U);
-    return cob_id::check_change(current, read_u32(value, 0U), cob_id::not_valid, cob_id::is_valid(current));
+    return cob_id::check_change(current, value, cob_id::not_valid, cob_id::is_valid(current));
 }
 
 void Emcy::after_write(const EntryRef& entry) noexcept {

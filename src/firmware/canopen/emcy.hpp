@@ -99,7 +99,7 @@ class Emcy {
         return changed;
     }
 
-    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    AbortCode before_write(const EntryRef& entry, std::uint32_t value) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
 
   private:

@@ -94,11 +94,10 @@ void ErrorControl::act(const Instant now) noexcept {
     }
 }
 
-AbortCode ErrorControl::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+AbortCode ErrorControl::before_write(const EntryRef& entry, const std::uint32_t wanted) const noexcept {
     if (entry.index != guarding_identifier_index) {
         return AbortCode::none;
     }
-    const std::uint32_t wanted = read_u32(value, 0U);
     const bool is_identifier = wanted == cob_id::identifier(wanted);
     const bool fits = is_identifier && (is_error_control(wanted) || !cob_id::is_restricted(wanted));
     return fits ? AbortCode::none : AbortCode::value_range;

@@ -30,7 +30,7 @@ class ErrorControl {
 
     /// 1017h, 100Ch or 100Dh changed: what they govern starts anew.
     void after_write(const EntryRef& entry, Instant now) noexcept;
-    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 
   private:
     /// Reads the parameters anew: after a reset and after each write to one of them.

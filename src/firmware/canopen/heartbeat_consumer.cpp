@@ -86,8 +86,7 @@ void HeartbeatConsumer::schedule() noexcept {
     }
 }
 
-AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const ByteView value) const noexcept {
-    const std::uint32_t wanted = read_u32(value, 0U);
+AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const std::uint32_t wanted) const noexcept {
     bool taken{false};
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         const std::uint32_t other = setting(slot);

@@ -35,7 +35,7 @@ class HeartbeatConsumer {
     /// The node-ID that this entry watches.
     std::uint8_t producer(std::size_t slot) const noexcept;
 
-    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
 
   private:

@@ -36,9 +36,29 @@ std::uint8_t answer_specifier(const LssCommand command) noexcept {
     return static_cast<std::uint8_t>(command);
 }
 
+/// How far a command specifier lies behind the first one of its kind: which number, or which frame of a sequence.
+constexpr std::uint32_t offset_from(const LssCommand first, const LssCommand command) noexcept {
+    return static_cast<std::uint32_t>(command) - static_cast<std::uint32_t>(first);
+}
+
+/// What a frame of identify remote slave asks of a number: that it reaches the bound, or does not pass it.
+struct IdentityBound {
+    LssNumber number;
+    bool lowest;
+    bool highest;
+};
+
+/// The frames in their order; vendor-ID and product code are compared whole.
+constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, true, true},
+                                                         {LssNumber::product_code, true, true},
+                                                         {LssNumber::revision_number, true, false},
+                                                         {LssNumber::revision_number, false, true},
+                                                         {LssNumber::serial_number, true, false},
+                                                         {LssNumber::serial_number, false, true}}};
+
 /// Frame `step` of a sequence whose first `done` frames fitted: how many have fitted now.
-constexpr std::uint8_t follow(const std::uint8_t done, const std::uint8_t step, const bool fits) noexcept {
-    const bool in_order = (step == 0U) || (std::uint32_t{step} == done);
+constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step, const bool fits) noexcept {
+    const bool in_order = (step == 0U) || (step == done);
     return (in_order && fits) ? static_cast<std::uint8_t>(step + 1U) : std::uint8_t{0U};
 }
 
@@ -83,19 +103,18 @@ std::uint8_t Lss::take_node_id() noexcept {
 static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && implements<req::CO_LSS_060> &&
               implements<req::CO_LSS_061> && implements<req::CO_LSS_063> && implements<req::CO_K_LSS_RESPONSE_ID>);
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
-    const ByteView request = frame.payload();
-    const requests::Row* const row = request_row(request[0]);
-    if ((row == nullptr) || (request.size() <= row->parameters) || !is_served(row->served, nmt)) {
+    const requests::Row* const row = request_row(frame.data[0]);
+    if ((row == nullptr) || (std::uint32_t{frame.length} <= row->parameters) || !is_served(row->served, nmt)) {
         return false;
     }
     const LssState before = state_;
-    const Said said = execute(row->command, request, now);
-    if (said.has_value() && (row->answer_length != 0U)) {
-        const bool in_full = request.size() == full_length;
+    std::uint32_t said{0U};
+    if (execute(row->command, frame.data, now, said) && (row->answer_length != 0U)) {
+        const bool in_full = frame.length == full_length;
         Frame answer = data_frame(generated::canopen::lss_response_cob_id,
                                   in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
         answer.data[0] = answer_specifier(row->command);
-        write_le(MutableBytes{answer.data}, 1U, sizeof(std::uint32_t), *said);
+        set_field_le<1U, sizeof(said)>(answer.data, said);
         static_cast<void>(queue_.push(answer));
     }
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
@@ -121,109 +140,93 @@ bool Lss::is_served(const Served when, const NmtState nmt) const noexcept {
 }
 
 static_assert(implements<req::CO_LSS_040> && implements<req::CO_LSS_041> && implements<req::CO_LSS_044>);
-Lss::Said Lss::execute(const LssCommand command, const ByteView request, const Instant now) noexcept {
+bool Lss::execute(const LssCommand command, const Request& request, const Instant now, std::uint32_t& said) noexcept {
+    const auto number = static_cast<std::uint32_t>(field_le<1U, sizeof(std::uint32_t)>(request));
     switch (command) {
         case LssCommand::switch_state_global:
             return switch_globally(request[1]);
         case LssCommand::configure_node_id:
-            return static_cast<std::uint32_t>(configure_node_id(request[1]));
+            said = static_cast<std::uint32_t>(configure_node_id(request[1]));
+            return true;
         case LssCommand::configure_bit_timing:
-            return static_cast<std::uint32_t>(configure_bit_timing(request[1], request[2]));
+            said = static_cast<std::uint32_t>(configure_bit_timing(request[1], request[2]));
+            return true;
         case LssCommand::activate_bit_timing:
-            activate(milliseconds(read_u16(request, 1U)), now);
-            return 0U;
+            activate(milliseconds(field_le<1U, sizeof(std::uint16_t)>(request)), now);
+            return true;
         case LssCommand::store_configuration:
-            return static_cast<std::uint32_t>(store());
+            said = static_cast<std::uint32_t>(store());
+            return true;
         case LssCommand::select_vendor_id:
-            return select(LssNumber::vendor_id, request);
         case LssCommand::select_product_code:
-            return select(LssNumber::product_code, request);
         case LssCommand::select_revision_number:
-            return select(LssNumber::revision_number, request);
         case LssCommand::select_serial_number:
-            return select(LssNumber::serial_number, request);
+            return select(offset_from(LssCommand::select_vendor_id, command), number);
         case LssCommand::identify_vendor_id:
         case LssCommand::identify_product_code:
         case LssCommand::identify_revision_low:
         case LssCommand::identify_revision_high:
         case LssCommand::identify_serial_low:
         case LssCommand::identify_serial_high:
-            return identify(command, read_u32(request, 1U));
+            return identify(offset_from(LssCommand::identify_vendor_id, command), number);
         case LssCommand::identify_non_configured:
-            return is_configured() ? std::nullopt : Said{0U};
+            return !is_configured();
         case LssCommand::fastscan:
             return scan(request);
         case LssCommand::inquire_vendor_id:
-            return own(LssNumber::vendor_id);
         case LssCommand::inquire_product_code:
-            return own(LssNumber::product_code);
         case LssCommand::inquire_revision_number:
-            return own(LssNumber::revision_number);
         case LssCommand::inquire_serial_number:
-            return own(LssNumber::serial_number);
+            said = own(offset_from(LssCommand::inquire_vendor_id, command));
+            return true;
         case LssCommand::inquire_node_id:
-            return active_.node_id;
+            said = active_.node_id;
+            return true;
         default:
-            return std::nullopt;
+            return false;
     }
 }
 
 static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
-Lss::Said Lss::switch_globally(const std::uint8_t mode) noexcept {
+bool Lss::switch_globally(const std::uint8_t mode) noexcept {
     if (mode == static_cast<std::uint32_t>(LssState::waiting)) {
         state_ = LssState::waiting;
     } else if (mode == static_cast<std::uint32_t>(LssState::configuration)) {
         state_ = LssState::configuration;
     } else {
-        return std::nullopt;
+        return false;
     }
-    return 0U;
+    return true;
 }
 
 static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);
-Lss::Said Lss::select(const LssNumber number, const ByteView request) noexcept {
-    const bool fits = own(number) == read_u32(request, 1U);
-    selected_ = follow(selected_, static_cast<std::uint8_t>(number), fits);
+bool Lss::select(const std::uint32_t number, const std::uint32_t wanted) noexcept {
+    selected_ = follow(selected_, number, own(number) == wanted);
     if (selected_ == lss_number_count) {
         state_ = LssState::configuration;
     }
-    return (selected_ != 0U) ? Said{0U} : std::nullopt;
+    return selected_ != 0U;
 }
 
 static_assert(implements<req::CO_LSS_042> && implements<req::CO_LSS_043>);
-Lss::Said Lss::identify(const LssCommand command, const std::uint32_t bound) noexcept {
-    constexpr std::uint32_t first = static_cast<std::uint8_t>(LssCommand::identify_vendor_id);
-    bool fits{false};
-    if (command == LssCommand::identify_vendor_id) {
-        fits = own(LssNumber::vendor_id) == bound;
-    } else if (command == LssCommand::identify_product_code) {
-        fits = own(LssNumber::product_code) == bound;
-    } else if (command == LssCommand::identify_revision_low) {
-        fits = own(LssNumber::revision_number) >= bound;
-    } else if (command == LssCommand::identify_revision_high) {
-        fits = own(LssNumber::revision_number) <= bound;
-    } else if (command == LssCommand::identify_serial_low) {
-        fits = own(LssNumber::serial_number) >= bound;
-    } else {
-        fits = own(LssNumber::serial_number) <= bound;
-    }
-    // The six command specifiers follow each other as their frames do.
-    identified_ = follow(identified_, static_cast<std::uint8_t>(static_cast<std::uint8_t>(command) - first), fits);
-    return (identified_ != 0U) ? Said{0U} : std::nullopt;
+bool Lss::identify(const std::uint32_t step, const std::uint32_t bound) noexcept {
+    const IdentityBound& asked = identity_bounds[step];
+    const std::uint32_t number = own(static_cast<std::uint32_t>(asked.number));
+    const bool fits = (!asked.lowest || (number >= bound)) && (!asked.highest || (number <= bound));
+    identified_ = follow(identified_, step, fits);
+    return identified_ != 0U;
 }
 
 static_assert(implements<req::CO_LSS_050>);
-Lss::Said Lss::scan(const ByteView request) noexcept {
+bool Lss::scan(const Request& request) noexcept {
     if (is_configured()) {
-        return std::nullopt;
+        return false;
     }
-    const LssAddress address{own(LssNumber::vendor_id), own(LssNumber::product_code), own(LssNumber::revision_number),
-                             own(LssNumber::serial_number)};
-    const LssFastscan::Outcome outcome = scan_.scan(request, address);
+    const LssFastscan::Outcome outcome = scan_.scan(request, own(scan_.position()));
     if (outcome == LssFastscan::Outcome::completed) {
         state_ = LssState::configuration;
     }
-    return (outcome == LssFastscan::Outcome::silent) ? std::nullopt : Said{0U};
+    return outcome != LssFastscan::Outcome::silent;
 }
 
 static_assert(implements<req::CO_LSS_010> && implements<req::CO_E_LSS_ERROR> &&
@@ -283,8 +286,8 @@ bool Lss::is_configured() const noexcept {
     return (active_.node_id != unconfigured_node_id) || (pending_.node_id != unconfigured_node_id);
 }
 
-std::uint32_t Lss::own(const LssNumber number) const noexcept {
-    return objects_.read(identity_index, static_cast<std::uint8_t>(static_cast<std::uint8_t>(number) + 1U));
+std::uint32_t Lss::own(const std::uint32_t number) const noexcept {
+    return objects_.read(identity_index, static_cast<std::uint8_t>(number + 1U));
 }
 
 }  // namespace canproof

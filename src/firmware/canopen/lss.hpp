@@ -2,8 +2,6 @@
 // master come on 7E5h, answers go on 7E4h.
 #pragma once
 
-#include <optional>
-
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
@@ -129,15 +127,15 @@ class Lss {
   private:
     using Served = generated::canopen::t_co_t_lss::Served;
     enum class Switching : std::uint8_t { none, before, after };
-    /// What the answer says after its command specifier; nothing when the request came to nothing.
-    using Said = std::optional<std::uint32_t>;
+    using Request = LssFastscan::Request;
 
     bool is_served(Served when, NmtState nmt) const noexcept;
-    Said execute(LssCommand command, ByteView request, Instant now) noexcept;
-    Said switch_globally(std::uint8_t mode) noexcept;
-    Said select(LssNumber number, ByteView request) noexcept;
-    Said identify(LssCommand command, std::uint32_t bound) noexcept;
-    Said scan(ByteView request) noexcept;
+    /// Whether the request came to something, and `said`: what the answer says after its command specifier.
+    bool execute(LssCommand command, const Request& request, Instant now, std::uint32_t& said) noexcept;
+    bool switch_globally(std::uint8_t mode) noexcept;
+    bool select(std::uint32_t number, std::uint32_t wanted) noexcept;
+    bool identify(std::uint32_t step, std::uint32_t bound) noexcept;
+    bool scan(const Request& request) noexcept;
     LssError configure_node_id(std::uint8_t node_id) noexcept;
     LssError configure_bit_timing(std::uint8_t table, std::uint8_t index) noexcept;
     LssError store() noexcept;
@@ -145,7 +143,8 @@ class Lss {
     void activate(Duration delay, Instant now) noexcept;
 
     bool is_configured() const noexcept;
-    std::uint32_t own(LssNumber number) const noexcept;
+    /// The number of the own address that LssNumber counts.
+    std::uint32_t own(std::uint32_t number) const noexcept;
 
     LssProfile profile_;
     const ObjectDictionary& objects_;

@@ -23,7 +23,7 @@ void LssFastscan::restart() noexcept {
 
 static_assert(implements<req::CO_LSS_051> && implements<req::CO_LSS_055> && implements<req::CO_K_LSS_RESTART> &&
               implements<req::CO_K_LSS_HIGHEST_BIT>);
-LssFastscan::Outcome LssFastscan::scan(const ByteView request, const LssAddress& own) noexcept {
+LssFastscan::Outcome LssFastscan::scan(const Request& request, const std::uint32_t own) noexcept {
     const std::uint32_t bit_check = request[bit_check_at];
     const std::uint8_t next = request[next_at];
     if (bit_check == generated::canopen::fastscan_restart) {
@@ -31,7 +31,7 @@ LssFastscan::Outcome LssFastscan::scan(const ByteView request, const LssAddress&
         return Outcome::matched;
     }
     const bool is_sound = (bit_check <= generated::canopen::fastscan_highest_bit) && (next < lss_number_count);
-    if (!is_sound || (std::uint32_t{request[number_at]} != position_) || !matches(request, own[position_])) {
+    if (!is_sound || (std::uint32_t{request[number_at]} != position_) || !matches(request, own)) {
         return Outcome::silent;
     }
     const bool confirms = (bit_check == 0U) && (std::uint32_t{next} != position_);
@@ -39,8 +39,8 @@ LssFastscan::Outcome LssFastscan::scan(const ByteView request, const LssAddress&
 }
 
 static_assert(implements<req::CO_LSS_052> && implements<req::CO_E_LSS_NUMBER>);
-bool LssFastscan::matches(const ByteView request, const std::uint32_t own) noexcept {
-    const std::uint32_t differing = own ^ read_u32(request, id_number_at);
+bool LssFastscan::matches(const Request& request, const std::uint32_t own) noexcept {
+    const std::uint32_t differing = own ^ static_cast<std::uint32_t>(field_le<id_number_at, 4U>(request));
     return (differing >> std::uint32_t{request[bit_check_at]}) == 0U;
 }
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "firmware/base/bytes.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "generated/canopen/enumerations.hpp"
 
 namespace canproof {
@@ -12,11 +12,12 @@ namespace canproof {
 using generated::canopen::LssNumber;
 
 /// Vendor-ID, product code, revision and serial number, by LssNumber.
-constexpr std::size_t lss_number_count = 4U;
-using LssAddress = std::array<std::uint32_t, lss_number_count>;
+constexpr std::uint32_t lss_number_count = 4U;
 
 class LssFastscan {
   public:
+    /// The eight bytes of the master's frame.
+    using Request = std::array<std::uint8_t, max_frame_length>;
     enum class Outcome : std::uint8_t {
         silent,    ///< not this slave, or no sound request
         matched,   ///< to be answered
@@ -25,15 +26,18 @@ class LssFastscan {
 
     /// The vendor-ID is asked for next, and nothing is confirmed.
     void restart() noexcept;
-    /// One request of eight bytes: command specifier, number, bit check, which number this is, which is next.
-    Outcome scan(ByteView request, const LssAddress& own) noexcept;
+    /// Which number the master is expected to ask for.
+    std::uint32_t position() const noexcept { return position_; }
+    /// One request: command specifier, number, bit check, which number this is, which is next. `own`: the number at
+    /// position().
+    Outcome scan(const Request& request, std::uint32_t own) noexcept;
 
   private:
     /// Bits 31 down to the bit check, which is at most 31, are those of `own`.
-    static bool matches(ByteView request, std::uint32_t own) noexcept;
+    static bool matches(const Request& request, std::uint32_t own) noexcept;
     Outcome confirm(std::uint8_t next) noexcept;
 
-    std::uint8_t position_{0U};    ///< the number that the master is expected to ask for
+    std::uint8_t position_{0U};
     std::uint32_t confirmed_{0U};  ///< a bit for each number that matched in all bits
 };
 

@@ -174,17 +174,21 @@ void Node::serve(const Frame& frame, const Instant now) noexcept {
         }
         return;
     }
-    const SyncEvent sync = allowed_.has(NmtService::sync) ? sync_.classify(frame) : SyncEvent::none;
-    if (sync != SyncEvent::none) {
-        wake();
-        emcy_.set(ErrorId::sync_length, sync == SyncEvent::wrong_length, now);
-        if (sync == SyncEvent::sync) {
-            consume_sync(sync_.counter_of(frame), now);
-        }
+    if (allowed_.has(NmtService::sync) && sync_.is_sync(frame)) {
+        serve_sync(frame, now);
     } else if (error_control_.receive(frame, now)) {
         wake();
     } else {
         serve_pdo(frame, now);
+    }
+}
+
+void Node::serve_sync(const Frame& frame, const Instant now) noexcept {
+    wake();
+    const bool has_length = sync_.has_length(frame);
+    set_error(ErrorId::sync_length, !has_length, now);
+    if (has_length) {
+        consume_sync(sync_.counter_of(frame), now);
     }
 }
 
@@ -283,6 +287,11 @@ void Node::start_at(const Instant at) noexcept {
     start_at_ = held ? never : at;
 }
 
+void Node::change_error(const ErrorId error, const bool present, const Instant now) noexcept {
+    emcy_.set(error, present, now);
+    wake();
+}
+
 void Node::set_overrun(const bool lost, const Instant now) noexcept {
     overrun_ = lost;
     set_error(ErrorId::can_overrun, lost, now);
@@ -367,7 +376,7 @@ void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now)
     }
 }
 
-AbortCode Node::check_program(const EntryRef entry) noexcept {
+AbortCode Node::check_program(const EntryRef& entry) noexcept {
     return application_.check_access(entry);
 }
 
@@ -406,7 +415,7 @@ Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const st
 }
 
 static_assert(implements<req::CO_SDO_033>);
-AbortCode Node::write_domain(const EntryRef entry, const ByteView value, const Instant now) noexcept {
+AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
     MutableBytes staging = application_.staging(entry);
     if (staging.size() == 0U) {
         return AbortCode::out_of_memory;
@@ -432,16 +441,16 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         return write_domain(entry, value, now);
     }
     std::uint64_t number{0U};
-    code = objects_.check_length(entry, value.size());
+    code = objects_.check_length(*entry.row, value.size());
     if ((code == AbortCode::none) && is_number) {
         number = read_le(value, 0U, value.size());
-        code = objects_.check_bits(entry, number);
+        code = objects_.check_bits(*entry.row, number);
     }
     if (code != AbortCode::none) {
         return code;
     }
     if (entry.row->service == Service::store) {
-        return store(entry, value);  // a signature is obeyed, not kept
+        return store(entry, static_cast<std::uint32_t>(number));  // a signature is obeyed, not kept
     }
     if (entry.row->service != Service::none) {
         code = before_write(entry, value);
@@ -449,7 +458,7 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
             return code;
         }
     }
-    const bool changes = is_number ? objects_.put_bits(entry, number) : objects_.put(entry, value);
+    const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
     after_put(entry, changes, now);
     if (changes && entry.may(rights::stored)) {
         forget_verification(index);
@@ -465,12 +474,12 @@ void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
         const EntryRef found = objects_.lookup(verify_index, subindex);
         if (found.exists() && found.may(rights::write)) {
-            static_cast<void>(objects_.put_bits(found, 0U));
+            static_cast<void>(objects_.put_bits(*found.row, 0U));
         }
     }
 }
 
-AbortCode Node::store(const EntryRef entry, const ByteView value) noexcept {
+AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
     if (wrong_state && (entry.index == store_index)) {
         return AbortCode::device_state;
@@ -484,7 +493,14 @@ AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits)
     return before_write(entry, ByteView{bytes.data(), entry.row->size});
 }
 
-AbortCode Node::before_write(const EntryRef entry, const ByteView value) noexcept {
+AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
+    const bool is_devices = (entry.row->service == Service::device) || (entry.row->service == Service::program);
+    return is_devices ? application_.before_write(entry, value)
+                      : check_parameter(entry, static_cast<std::uint32_t>(read_le(value, 0U, value.size())));
+}
+
+/// What the service that owns a parameter, which is a number of at most 32 bits, says of a new value.
+AbortCode Node::check_parameter(const EntryRef& entry, const std::uint32_t value) const noexcept {
     switch (entry.row->service) {
         case Service::sync:
             return sync_.before_write(entry, value);
@@ -496,20 +512,19 @@ AbortCode Node::before_write(const EntryRef entry, const ByteView value) noexcep
             return error_control_.before_write(entry, value);
         case Service::pdo:
             return check_pdo_write(objects_, entry, value);
-        case Service::program:
-        case Service::device:
-            return application_.before_write(entry, value);
         case Service::none:
         case Service::store:
         case Service::nmt:
         case Service::error_behaviour:
+        case Service::program:
         case Service::lss:
+        case Service::device:
         default:
             return AbortCode::none;
     }
 }
 
-void Node::after_write(const EntryRef entry, const Instant now) noexcept {
+void Node::after_write(const EntryRef& entry, const Instant now) noexcept {
     switch (entry.row->service) {
         case Service::sync:
             sync_.after_write(now);

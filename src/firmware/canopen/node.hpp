@@ -116,8 +116,7 @@ class Node final : private ObjectAccess {
     /// An error of the device begins or ends.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
         if (emcy_.is_active(error) != present) {
-            emcy_.set(error, present, now);
-            wake();
+            change_error(error, present, now);
         }
     }
     /// The change of state that 1029h:`subindex` asks for an error of its class.
@@ -143,8 +142,14 @@ class Node final : private ObjectAccess {
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
     AbortCode before_received(const EntryRef& entry, std::uint64_t bits) override;
-    void after_received(const EntryRef& entry, const bool changes, const Instant now) override {
-        after_put(entry, changes, now);
+    void after_put(const EntryRef& entry, const bool changes, const Instant now) override {
+        if (entry.row->service != Service::none) {
+            after_write(entry, now);
+            wake();
+        }
+        if (changes && entry.may(rights::tpdo)) {
+            process_value_changed(entry.index, entry.row->subindex, now);
+        }
     }
 
     Instant next_without_tpdos() const noexcept;
@@ -163,6 +168,8 @@ class Node final : private ObjectAccess {
             tpdos_.advance(now);
         }
     }
+    void change_error(ErrorId error, bool present, Instant now) noexcept;
+    void serve_sync(const Frame& frame, Instant now) noexcept;
     void serve_pdo(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
     void configure(const Frame& frame, Instant now) noexcept;
@@ -180,28 +187,19 @@ class Node final : private ObjectAccess {
     void enter(NmtState state, Instant now) noexcept;
 
     /// Why what was found under `index` cannot be accessed now; none when it can.
-    AbortCode check_access(const EntryRef entry, const std::uint16_t index) noexcept {
+    AbortCode check_access(const EntryRef& entry, const std::uint16_t index) noexcept {
         if (!entry.exists()) {
             return objects_.missing(index);
         }
         return (entry.row->service == Service::program) ? check_program(entry) : AbortCode::none;
     }
-    AbortCode check_program(EntryRef entry) noexcept;
-    AbortCode before_write(EntryRef entry, ByteView value) noexcept;
-    /// The effects of a new value: in the service that owns it, and in the TPDOs that carry it when it is another one.
-    void after_put(const EntryRef entry, const bool changes, const Instant now) noexcept {
-        if (entry.row->service != Service::none) {
-            after_write(entry, now);
-            wake();
-        }
-        if (changes && entry.may(rights::tpdo)) {
-            process_value_changed(entry.index, entry.row->subindex, now);
-        }
-    }
-    void after_write(EntryRef entry, Instant now) noexcept;
-    AbortCode store(EntryRef entry, ByteView value) noexcept;
+    AbortCode check_program(const EntryRef& entry) noexcept;
+    AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
+    AbortCode check_parameter(const EntryRef& entry, std::uint32_t value) const noexcept;
+    void after_write(const EntryRef& entry, Instant now) noexcept;
+    AbortCode store(const EntryRef& entry, std::uint32_t value) noexcept;
     void forget_verification(std::uint16_t changed_index) noexcept;
-    AbortCode write_domain(EntryRef entry, ByteView value, Instant now) noexcept;
+    AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
     /// What stands in the way of communication, as bits.
     struct CommunicationFaults {

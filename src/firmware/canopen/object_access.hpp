@@ -31,8 +31,9 @@ class ObjectAccess {
     virtual Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) = 0;
     /// Whether the owner of an entry takes the number that a PDO brought; type and limits are checked.
     virtual AbortCode before_received(const EntryRef& entry, std::uint64_t bits) = 0;
-    /// The number was taken and stands in the dictionary; `changes`: another one stood there before.
-    virtual void after_received(const EntryRef& entry, bool changes, Instant now) = 0;
+    /// A value was taken and stands in the dictionary; `changes`: another one stood there before. Its effects: in the
+    /// service that owns it, and in the TPDOs that carry it.
+    virtual void after_put(const EntryRef& entry, bool changes, Instant now) = 0;
 
   protected:
     ObjectAccess() = default;

@@ -90,20 +90,20 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
     return entry.exists() ? Found::success(entry) : Found::failure(missing(index));
 }
 
-ByteView ObjectDictionary::value(const EntryRef entry) const noexcept {
+ByteView ObjectDictionary::value(const EntryRef& entry) const noexcept {
     const EntryRow& row = *entry.row;
-    const ByteView all = bytes(entry);
+    const ByteView all = bytes(row);
     return (row.type == DataType::visible_string) ? all.part(0U, text_length(all)) : all;
 }
 
-AbortCode ObjectDictionary::check_write(const EntryRef entry, const ByteView value) const noexcept {
-    const AbortCode code = check_length(entry, value.size());
+AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView value) const noexcept {
+    const AbortCode code = check_length(*entry.row, value.size());
     return (code == AbortCode::none) ? check_value(entry, value) : code;
 }
 
-AbortCode ObjectDictionary::check_value(const EntryRef entry, const ByteView value) const noexcept {
+AbortCode ObjectDictionary::check_value(const EntryRef& entry, const ByteView value) const noexcept {
     const bool is_number = !has_variable_length(entry.row->type);
-    return is_number ? check_bits(entry, read_le(value, 0U, value.size())) : AbortCode::none;
+    return is_number ? check_bits(*entry.row, read_le(value, 0U, value.size())) : AbortCode::none;
 }
 
 bool ObjectDictionary::in_list(const Limit& list, const std::uint32_t bits) const noexcept {
@@ -116,25 +116,25 @@ bool ObjectDictionary::in_list(const Limit& list, const std::uint32_t bits) cons
     return found;
 }
 
-std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRef entry) const noexcept {
+std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRow& row) const noexcept {
     if (limit.kind != LimitKind::entry) {
-        return as_integer(entry.row->type, limit.bits);
+        return as_integer(row.type, limit.bits);
     }
     const std::uint32_t wanted_subindex = limit.bits & 0xFFU;
     const std::uint8_t subindex =
-        (wanted_subindex == same_subindex) ? entry.row->subindex : static_cast<std::uint8_t>(wanted_subindex);
+        (wanted_subindex == same_subindex) ? row.subindex : static_cast<std::uint8_t>(wanted_subindex);
     const std::uint32_t bits = read(static_cast<std::uint16_t>(limit.bits >> 8U), subindex);
-    return as_integer(entry.row->type, bits) + limit.add;
+    return as_integer(row.type, bits) + limit.add;
 }
 
-AbortCode ObjectDictionary::check_limits(const EntryRef entry, const std::uint64_t bits) const noexcept {
-    const LimitRow& limits = tables_.limits[entry.row->limit];
+AbortCode ObjectDictionary::check_limits(const EntryRow& row, const std::uint64_t bits) const noexcept {
+    const LimitRow& limits = tables_.limits[row.limit];
     if (limits.minimum.kind == LimitKind::list) {
         return in_list(limits.minimum, static_cast<std::uint32_t>(bits)) ? AbortCode::none : AbortCode::value_range;
     }
     bool below{false};
     bool above{false};
-    if (entry.row->type == DataType::real32) {
+    if (row.type == DataType::real32) {
         const float value = as_real(bits);
         if (!std::isfinite(value)) {
             return AbortCode::value_range;
@@ -142,12 +142,12 @@ AbortCode ObjectDictionary::check_limits(const EntryRef entry, const std::uint64
         below = (limits.minimum.kind == LimitKind::value) && (value < as_real(limits.minimum.bits));
         above = (limits.maximum.kind == LimitKind::value) && (value > as_real(limits.maximum.bits));
     } else {
-        const std::int64_t value = as_integer(entry.row->type, bits);
+        const std::int64_t value = as_integer(row.type, bits);
         if ((limits.minimum.kind == LimitKind::value_or_zero) && (value == 0)) {
             return AbortCode::none;
         }
-        below = (limits.minimum.kind != LimitKind::none) && (value < integer_limit(limits.minimum, entry));
-        above = (limits.maximum.kind != LimitKind::none) && (value > integer_limit(limits.maximum, entry));
+        below = (limits.minimum.kind != LimitKind::none) && (value < integer_limit(limits.minimum, row));
+        above = (limits.maximum.kind != LimitKind::none) && (value > integer_limit(limits.maximum, row));
     }
     if (!below && !above) {
         return AbortCode::none;
@@ -158,7 +158,7 @@ AbortCode ObjectDictionary::check_limits(const EntryRef entry, const std::uint64
     return above ? AbortCode::value_too_high : AbortCode::value_too_low;
 }
 
-bool ObjectDictionary::put(const EntryRef entry, const ByteView value) noexcept {
+bool ObjectDictionary::put(const EntryRef& entry, const ByteView value) noexcept {
     const EntryRow& row = *entry.row;
     if (entry.may(rights::constant)) {
         return false;
@@ -172,9 +172,8 @@ bool ObjectDictionary::put(const EntryRef entry, const ByteView value) noexcept 
     return changes;
 }
 
-bool ObjectDictionary::put_bits(const EntryRef entry, const std::uint64_t bits) noexcept {
-    const EntryRow& row = *entry.row;
-    const bool changes = !entry.may(rights::constant) && (read_le(image_.view(), row.offset, row.size) != bits);
+bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) noexcept {
+    const bool changes = !row.may(rights::constant) && (read_le(image_.view(), row.offset, row.size) != bits);
     if (changes) {
         write_le(image_, row.offset, row.size, bits);
     }
@@ -208,14 +207,14 @@ std::uint32_t ObjectDictionary::read(const std::uint16_t index, const std::uint8
         return 0U;
     }
     const std::size_t size = entry.row->size;
-    return static_cast<std::uint32_t>(read_le(pool(entry), entry.row->offset, (size < longest) ? size : longest));
+    return static_cast<std::uint32_t>(read_le(pool(*entry.row), entry.row->offset, (size < longest) ? size : longest));
 }
 
 void ObjectDictionary::write(const std::uint16_t index, const std::uint8_t subindex,
                              const std::uint32_t bits) noexcept {
     const EntryRef entry = lookup(index, subindex);
     if (entry.exists()) {
-        static_cast<void>(put_bits(entry, bits));
+        static_cast<void>(put_bits(*entry.row, bits));
     }
 }
 

@@ -20,7 +20,7 @@ struct EntryRef {
     bool is(const std::uint16_t wanted_index, const std::uint8_t subindex) const noexcept {
         return (std::uint32_t{index} == wanted_index) && (std::uint32_t{row->subindex} == subindex);
     }
-    bool may(const std::uint32_t right) const noexcept { return (row->rights & right) != 0U; }
+    bool may(const std::uint32_t right) const noexcept { return row->may(right); }
     bool exists() const noexcept { return row != nullptr; }
 };
 
@@ -58,42 +58,43 @@ class ObjectDictionary {
     }
 
     /// All bytes of the entry, where they lie.
-    ByteView bytes(const EntryRef entry) const noexcept { return pool(entry).part(entry.row->offset, entry.row->size); }
+    ByteView bytes(const EntryRow& row) const noexcept { return pool(row).part(row.offset, row.size); }
     /// The entry's bytes as they go on the bus; a string ends before its first zero byte.
-    ByteView value(EntryRef entry) const noexcept;
+    ByteView value(const EntryRef& entry) const noexcept;
     /// Whether `value` may be written here: access, length, type and limits. `none` when it may.
-    AbortCode check_write(EntryRef entry, ByteView value) const noexcept;
+    AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
     /// Access and length alone: the first part of check_write().
-    AbortCode check_length(const EntryRef entry, const std::size_t length) const noexcept {
-        if (!entry.may(rights::write)) {
+    AbortCode check_length(const EntryRow& row, const std::size_t length) const noexcept {
+        if (!row.may(rights::write)) {
             return AbortCode::read_only;
         }
-        if (length > entry.row->size) {
+        if (length > row.size) {
             return AbortCode::too_long;
         }
-        return ((length == entry.row->size) || has_variable_length(entry.row->type)) ? AbortCode::none
-                                                                                     : AbortCode::too_short;
+        return ((length == row.size) || has_variable_length(row.type)) ? AbortCode::none : AbortCode::too_short;
     }
     /// Type and limits alone.
-    AbortCode check_value(EntryRef entry, ByteView value) const noexcept;
+    AbortCode check_value(const EntryRef& entry, ByteView value) const noexcept;
     /// The same for a number: what is received by PDO.
-    AbortCode check_bits(const EntryRef entry, const std::uint64_t bits) const noexcept {
-        if ((entry.row->type == DataType::boolean) && (bits > 1U)) {
+    AbortCode check_bits(const EntryRow& row, const std::uint64_t bits) const noexcept {
+        if ((row.type == DataType::boolean) && (bits > 1U)) {
             return AbortCode::value_range;
         }
-        return (entry.row->limit == no_limit) ? AbortCode::none : check_limits(entry, bits);
+        return (row.limit == no_limit) ? AbortCode::none : check_limits(row, bits);
     }
     /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros. True when the value
     /// is another than before.
-    bool put(EntryRef entry, ByteView value) noexcept;
+    bool put(const EntryRef& entry, ByteView value) noexcept;
     /// The same for an entry of at most eight bytes.
-    bool put_bits(EntryRef entry, std::uint64_t bits) noexcept;
+    bool put_bits(const EntryRow& row, std::uint64_t bits) noexcept;
 
     /// An entry of at most eight bytes as a number, least significant byte first: the short way of the PDOs.
-    std::uint64_t bits(const EntryRef entry) const noexcept {
-        return read_le(pool(entry), entry.row->offset, entry.row->size);
-    }
+    std::uint64_t bits(const EntryRow& row) const noexcept { return read_le(pool(row), row.offset, row.size); }
 
+    /// The default of an entry of at most eight bytes, without the node-ID that rights::node_id adds.
+    std::uint64_t default_bits(const EntryRow& row) const noexcept {
+        return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
+    }
     /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
 
@@ -137,12 +138,12 @@ class ObjectDictionary {
     }
 
     /// Where the entry's value lies.
-    ByteView pool(const EntryRef entry) const noexcept {
-        return entry.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();
+    ByteView pool(const EntryRow& row) const noexcept {
+        return row.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();
     }
-    AbortCode check_limits(EntryRef entry, std::uint64_t bits) const noexcept;
+    AbortCode check_limits(const EntryRow& row, std::uint64_t bits) const noexcept;
     bool in_list(const Limit& list, std::uint32_t bits) const noexcept;
-    std::int64_t integer_limit(const Limit& limit, EntryRef entry) const noexcept;
+    std::int64_t integer_limit(const Limit& limit, const EntryRow& row) const noexcept;
 
     const DictionaryTables& tables_;
     MutableBytes image_;

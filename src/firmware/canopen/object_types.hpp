@@ -62,6 +62,8 @@ struct EntryRow {
     DataType type;
     std::uint8_t rights;
     Service service;
+
+    constexpr bool may(const std::uint32_t right) const noexcept { return (rights & right) != 0U; }
 };
 
 constexpr std::uint32_t no_limit = 0xFFFFU;

@@ -14,7 +14,19 @@ using generated::canopen::store_signature;
 
 constexpr std::uint32_t store_index = 0x1010U;
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory
-constexpr std::size_t chunk_size = 64U;            // longest stored value, and the piece in which a bank is checked
+constexpr std::size_t longest_value = 64U;         // of those that are stored
+constexpr std::size_t piece_size = 16U;            // a bank is checked and copied in pieces, none shorter than a number
+// Fields of a bank's header.
+constexpr std::size_t magic_at = 0U;
+constexpr std::size_t layout_at = 4U;
+constexpr std::size_t sequence_at = 8U;
+constexpr std::size_t groups_at = 12U;
+constexpr std::size_t node_id_at = 13U;
+
+template <std::size_t at, std::size_t size>
+std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {
+    return static_cast<std::uint32_t>(field_le<at, sizeof(std::uint32_t)>(bytes));
+}
 
 /// CiA 301 has application parameters at 3 and manufacturer ones from 4 on (7.5.2.13). A list that ends at 3 has the
 /// latter there: its device has no application parameters (AX060805, 4.2.7).
@@ -31,27 +43,61 @@ constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends
     }
 }
 
-/// Calls `visit(entry, group bit, offset in the payload)` for each stored entry, in dictionary order.
-template <typename Visit>
-void for_each_stored(const DictionaryTables& tables, const Visit& visit) noexcept {
-    std::size_t offset{0U};
-    for (const ObjectRow& object : tables.objects) {
-        const ParameterGroups group = group_bit(parameter_group(object.index));
-        for (std::size_t i = 0U; i < object.count; ++i) {
-            const EntryRef entry{&tables.entries[object.first_entry + i], object.index};
-            if (entry.may(rights::stored)) {
-                visit(entry, group, offset);
-                offset += entry.row->size;
+/// The stored entries, one after the other in dictionary order.
+class StoredEntries {
+  public:
+    explicit StoredEntries(const DictionaryTables& tables) noexcept : tables_{tables} {}
+
+    /// Goes to the next one, from none to the first; false behind the last.
+    bool next() noexcept;
+    const EntryRef& entry() const noexcept { return entry_; }
+    ParameterGroups group() const noexcept { return group_bit(parameter_group(entry_.index)); }
+    /// Where its value stands in the payload.
+    std::size_t offset() const noexcept { return end_ - entry_.row->size; }
+    /// Bytes of the values up to this one.
+    std::size_t end() const noexcept { return end_; }
+
+  private:
+    const DictionaryTables& tables_;
+    std::size_t object_{0U};
+    std::size_t position_{0U};  ///< among the object's entries
+    std::size_t end_{0U};
+    EntryRef entry_{};
+};
+
+bool StoredEntries::next() noexcept {
+    while (object_ < tables_.objects.count) {
+        const ObjectRow& object = tables_.objects[object_];
+        if (position_ < object.count) {
+            entry_ = EntryRef{&tables_.entries[object.first_entry + position_], object.index};
+            ++position_;
+            if (entry_.may(rights::stored)) {
+                end_ += entry_.row->size;
+                return true;
             }
+        } else {
+            position_ = 0U;
+            ++object_;
         }
     }
+    return false;
 }
 
-/// Bytes of all stored values.
-std::size_t payload_size_of(const DictionaryTables& tables) noexcept {
-    std::size_t size{0U};
-    for_each_stored(tables, [&size](const EntryRef& entry, ParameterGroups, std::size_t) { size += entry.row->size; });
-    return size;
+std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
+    StoredEntries stored{tables};
+    while (stored.next()) {
+        // to the last one
+    }
+    return stored.end();
+}
+
+/// Never written: as the memory was made, or as it was erased.
+bool is_blank(const ByteView bytes) noexcept {
+    bool same{true};
+    for (std::size_t i = 1U; i < bytes.size(); ++i) {
+        same = same && (std::uint32_t{bytes[i]} == bytes[0]);
+    }
+    return same && ((bytes[0] == 0xFFU) || (bytes[0] == 0x00U));
 }
 
 }  // namespace
@@ -60,68 +106,47 @@ ParameterStore::ParameterStore(ObjectDictionary& objects, NonVolatileMemory& mem
                                const StoredNodeId stored_node_id) noexcept
     : objects_{objects},
       memory_{memory},
-      payload_size_{payload_size_of(objects.tables())},
-      stored_node_id_{stored_node_id} {}
+      stored_node_id_{stored_node_id},
+      payload_size_{size_of_stored(objects.tables())} {}
 
-ParameterStore::Header ParameterStore::read_header(const std::size_t bank) const noexcept {
-    std::array<std::uint8_t, header_size> bytes{};
-    Header header{};
-    if (memory_.read(bank_address(bank), MutableBytes{bytes})) {
-        header.magic = read_u32(ByteView{bytes}, 0U);
-        header.layout = read_u32(ByteView{bytes}, 4U);
-        header.sequence = read_u32(ByteView{bytes}, 8U);
-        header.groups = bytes[12];
-        header.node_id = bytes[13];
-    }
-    return header;
+bool ParameterStore::is_ours(const Header& header) const noexcept {
+    return (number_at<magic_at>(header) == bank_magic) && (number_at<layout_at>(header) == objects_.tables().layout);
 }
 
-bool ParameterStore::is_blank(const std::size_t bank) const noexcept {
-    std::array<std::uint8_t, header_size> bytes{};
-    if (!memory_.read(bank_address(bank), MutableBytes{bytes})) {
-        return false;
-    }
-    bool all_ones{true};
-    bool all_zeros{true};
-    for (const std::uint8_t byte : bytes) {
-        all_ones = all_ones && (byte == 0xFFU);
-        all_zeros = all_zeros && (byte == 0x00U);
-    }
-    return all_ones || all_zeros;
-}
-
-bool ParameterStore::is_sound(const std::size_t bank, const Header& header) const noexcept {
-    if ((header.magic != bank_magic) || (header.layout != objects_.tables().layout)) {
-        return false;
-    }
-    const std::size_t checked = header_size + payload_size_;
+/// The CRC behind a bank is that of its bytes.
+bool ParameterStore::is_intact(const std::size_t bank) const noexcept {
     Crc32 crc{};
-    std::array<std::uint8_t, chunk_size> chunk{};
-    for (std::size_t at = 0U; at < checked; at += chunk_size) {
-        const std::size_t length = ((checked - at) < chunk_size) ? (checked - at) : chunk_size;
-        const MutableBytes part{chunk.data(), length};
-        if (!memory_.read(bank_address(bank) + at, part)) {
+    std::array<std::uint8_t, piece_size> bytes{};
+    for (std::size_t at = 0U; at < bank_size(); at += piece_size) {
+        const MutableBytes piece = MutableBytes{bytes}.part(0U, bank_size() - at);
+        if (!memory_.read(bank_address(bank) + at, piece)) {
             return false;
         }
-        crc.add(part.view());
+        crc.add(piece.view());
     }
-    std::array<std::uint8_t, crc_size> stored{};
-    return memory_.read(bank_address(bank) + checked, MutableBytes{stored}) &&
-           (read_u32(ByteView{stored}, 0U) == crc.value());
+    return crc.value() == Crc32::residue;
+}
+
+void ParameterStore::use(const std::size_t bank, const Header& header) noexcept {
+    bank_ = bank;
+    sequence_ = number_at<sequence_at>(header);
+    groups_ = header[groups_at];
+    saved_node_id_ = header[node_id_at];
+    in_use_ = true;
 }
 
 StoredSet ParameterStore::open() noexcept {
     in_use_ = false;
-    current_ = Header{};
+    groups_ = no_groups;
+    sequence_ = 0U;
     bool anything_written{false};
     for (std::size_t bank = 0U; bank < bank_count; ++bank) {
-        const Header header = read_header(bank);
-        anything_written = anything_written || !is_blank(bank);
-        const bool newer = !in_use_ || is_newer(header.sequence, current_.sequence);
-        if (newer && is_sound(bank, header)) {
-            in_use_ = true;
-            bank_ = bank;
-            current_ = header;
+        Header header{};
+        const bool readable = memory_.read(bank_address(bank), MutableBytes{header});
+        anything_written = anything_written || !readable || !is_blank(ByteView{header});
+        const bool newer = !in_use_ || is_newer(number_at<sequence_at>(header), sequence_);
+        if (readable && newer && is_ours(header) && is_intact(bank)) {
+            use(bank, header);
         }
     }
     if (in_use_) {
@@ -131,69 +156,73 @@ StoredSet ParameterStore::open() noexcept {
 }
 
 /// Moves a stored value from the node-ID with which it was saved to the one in use.
-void ParameterStore::follow_node_id(const EntryRef& entry, MutableBytes value) const noexcept {
-    const EntryRow& row = *entry.row;
-    if ((stored_node_id_ == StoredNodeId::holds) || !entry.may(rights::node_id)) {
+void ParameterStore::follow_node_id(const EntryRow& row, MutableBytes& value) const noexcept {
+    if ((stored_node_id_ == StoredNodeId::holds) || !row.may(rights::node_id)) {
         return;
     }
-    const ByteView defaults{objects_.tables().defaults.rows, objects_.tables().defaults.count};
-    const std::uint64_t base = read_le(defaults, row.offset, row.size);
-    if (read_le(value.view(), 0U, row.size) == (base + current_.node_id)) {
-        write_le(value, 0U, row.size, base + node_id_);
+    const std::uint64_t base = objects_.default_bits(row);
+    if (read_le(value.view(), 0U, row.size) == (base + saved_node_id_)) {
+        value.set_le(0U, row.size, base + node_id_);
     }
 }
 
 void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_id) noexcept {
     node_id_ = node_id;
-    const ParameterGroups wanted = groups & current_.groups;
-    const std::size_t payload = bank_address(bank_) + header_size;
-    std::array<std::uint8_t, chunk_size> bytes{};
-    for_each_stored(objects_.tables(), [this, wanted, payload, &bytes](
-                                           const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
-        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
-        if (((group & wanted) != 0U) && memory_.read(payload + at, value)) {
-            follow_node_id(entry, value);
+    const ParameterGroups wanted = groups & groups_;
+    StoredEntries stored{objects_.tables()};
+    std::array<std::uint8_t, longest_value> bytes{};
+    while (stored.next()) {
+        const EntryRef& entry = stored.entry();
+        MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
+        if (((stored.group() & wanted) != 0U) && memory_.read(payload() + stored.offset(), value)) {
+            follow_node_id(*entry.row, value);
             static_cast<void>(objects_.put(entry, value.view()));
         }
-    });
+    }
 }
 
 static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
               implements<req::CO_K_STORE_SIGNATURE> && implements<req::CO_K_RESTORE_SIGNATURE>);
-AbortCode ParameterStore::execute(const EntryRef& entry, const ByteView value) noexcept {
+AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool is_store = entry.index == store_index;
-    if (read_u32(value, 0U) != (is_store ? store_signature : restore_signature)) {
+    if (value != (is_store ? store_signature : restore_signature)) {
         return AbortCode::cannot_store;
     }
     const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
-    const ParameterGroups others = current_.groups & ~groups;
-    return is_store ? write_set(groups, others) : write_set(no_groups, others);
+    return write_set(is_store ? groups : no_groups, groups_ & ~groups);
 }
 
-bool ParameterStore::write_checked(const std::size_t at, const ByteView bytes, Crc32& crc) noexcept {
-    crc.add(bytes);
-    return memory_.write(at, bytes);
+void ParameterStore::Writer::write(const ByteView bytes) noexcept {
+    crc_.add(bytes);
+    if (done_) {
+        done_ = memory_.write(at_, bytes);
+    }
+    at_ += bytes.size();
 }
 
-bool ParameterStore::copy_values(const std::size_t to_bank, const ParameterGroups fresh, Crc32& crc) noexcept {
-    const std::size_t source = bank_address(bank_) + header_size;
-    const std::size_t target = bank_address(to_bank) + header_size;
-    bool done{true};
-    std::array<std::uint8_t, chunk_size> bytes{};
-    for_each_stored(objects_.tables(), [this, fresh, source, target, &crc, &done, &bytes](
-                                           const EntryRef& entry, const ParameterGroups group, const std::size_t at) {
-        const MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
-        if (((group & fresh) != 0U) || !in_use_) {
-            MutableBytes{value}.copy(0U, objects_.image().view().part(entry.row->offset, entry.row->size));
+/// Copies a value from the bank in use.
+void ParameterStore::keep_value(const EntryRow& row, const std::size_t from, Writer& to) const noexcept {
+    std::array<std::uint8_t, piece_size> bytes{};
+    for (std::size_t at = 0U; at < row.size; at += piece_size) {
+        MutableBytes piece = MutableBytes{bytes}.part(0U, row.size - at);
+        if (!memory_.read(from + at, piece)) {
+            to.fail();
+        }
+        follow_node_id(row, piece);
+        to.write(piece.view());
+    }
+}
+
+void ParameterStore::write_values(const ParameterGroups fresh, Writer& to) const noexcept {
+    StoredEntries stored{objects_.tables()};
+    while (stored.next()) {
+        const EntryRef& entry = stored.entry();
+        if (((stored.group() & fresh) != 0U) || !in_use_) {
+            to.write(objects_.bytes(*entry.row));
         } else {
-            done = done && memory_.read(source + at, value);
-            follow_node_id(entry, value);
+            keep_value(*entry.row, payload() + stored.offset(), to);
         }
-        if (done) {
-            done = write_checked(target + at, value.view(), crc);
-        }
-    });
-    return done;
+    }
 }
 
 static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005>);
@@ -203,36 +232,22 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     }
     const std::size_t to_bank = in_use_ ? (1U - bank_) : 0U;
     Header header{};
-    header.magic = bank_magic;
-    header.layout = objects_.tables().layout;
-    header.sequence = current_.sequence + 1U;
-    header.groups = fresh | kept;
-    header.node_id = node_id_;
+    set_field_le<magic_at, 4U>(header, bank_magic);
+    set_field_le<layout_at, 4U>(header, objects_.tables().layout);
+    set_field_le<sequence_at, 4U>(header, sequence_ + 1U);
+    header[groups_at] = static_cast<std::uint8_t>(fresh | kept);
+    header[node_id_at] = node_id_;
 
-    std::array<std::uint8_t, header_size> bytes{};
-    write_le(MutableBytes{bytes}, 0U, 4U, header.magic);
-    write_le(MutableBytes{bytes}, 4U, 4U, header.layout);
-    write_le(MutableBytes{bytes}, 8U, 4U, header.sequence);
-    bytes[12] = static_cast<std::uint8_t>(header.groups);
-    bytes[13] = header.node_id;
-
-    Crc32 crc{};
-    bool done = write_checked(bank_address(to_bank), ByteView{bytes}, crc);
-    if (done) {
-        done = copy_values(to_bank, fresh, crc);
-    }
-    if (done) {
-        std::array<std::uint8_t, crc_size> check{};
-        write_le(MutableBytes{check}, 0U, crc_size, crc.value());
-        done = memory_.write(bank_address(to_bank) + header_size + payload_size_, ByteView{check});
-    }
-    done = done && is_sound(to_bank, header);
-    if (!done) {
+    Writer to{memory_, bank_address(to_bank)};
+    to.write(ByteView{header});
+    write_values(fresh, to);
+    std::array<std::uint8_t, crc_size> crc{};
+    set_field_le<0U, crc_size>(crc, to.crc());
+    to.write(ByteView{crc});
+    if (!to.done() || !is_intact(to_bank)) {
         return AbortCode::hardware_error;
     }
-    bank_ = to_bank;
-    current_ = header;
-    in_use_ = true;
+    use(to_bank, header);
     return AbortCode::none;
 }
 

@@ -43,43 +43,59 @@ class ParameterStore {
     /// left alone.
     void load(ParameterGroups groups, std::uint8_t node_id) noexcept;
 
-    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
+    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the
+    /// signature (else 08000020h). 06060000h
     /// when the memory failed; what was stored before is then still stored.
-    AbortCode execute(const EntryRef& entry, ByteView value) noexcept;
+    AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
     /// Bytes of memory that this dictionary needs.
-    std::size_t needed_size() const noexcept { return 2U * bank_size(); }
+    std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
 
   private:
-    struct Header {
-        std::uint32_t magic{0U};
-        std::uint32_t layout{0U};
-        std::uint32_t sequence{0U};
-        ParameterGroups groups{no_groups};
-        std::uint8_t node_id{0U};  ///< of the node that saved
-    };
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
+    using Header = std::array<std::uint8_t, header_size>;
+
+    /// Writes bytes one behind the other and keeps their CRC; after a failure nothing more.
+    class Writer {
+      public:
+        Writer(NonVolatileMemory& memory, const std::size_t at) noexcept : memory_{memory}, at_{at} {}
+
+        void write(ByteView bytes) noexcept;
+        void fail() noexcept { done_ = false; }
+        bool done() const noexcept { return done_; }
+        std::uint32_t crc() const noexcept { return crc_.value(); }
+
+      private:
+        NonVolatileMemory& memory_;
+        std::size_t at_;
+        Crc32 crc_{};
+        bool done_{true};
+    };
 
     std::size_t bank_size() const noexcept { return header_size + payload_size_ + crc_size; }
     std::size_t bank_address(const std::size_t bank) const noexcept { return bank * bank_size(); }
+    /// Where the stored values of the bank in use begin.
+    std::size_t payload() const noexcept { return bank_address(bank_) + header_size; }
 
-    Header read_header(std::size_t bank) const noexcept;
-    bool is_blank(std::size_t bank) const noexcept;
-    bool is_sound(std::size_t bank, const Header& header) const noexcept;
+    bool is_ours(const Header& header) const noexcept;
+    bool is_intact(std::size_t bank) const noexcept;
+    void use(std::size_t bank, const Header& header) noexcept;
     AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
-    void follow_node_id(const EntryRef& entry, MutableBytes value) const noexcept;
-    bool copy_values(std::size_t to_bank, ParameterGroups fresh, Crc32& crc) noexcept;
-    bool write_checked(std::size_t at, ByteView bytes, Crc32& crc) noexcept;
+    void follow_node_id(const EntryRow& row, MutableBytes& value) const noexcept;
+    void write_values(ParameterGroups fresh, Writer& to) const noexcept;
+    void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
-    std::size_t payload_size_;  ///< bytes of all stored values
     StoredNodeId stored_node_id_;
     std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
-    std::size_t bank_{0U};      ///< the bank in use
-    Header current_{};          ///< its header; no groups when nothing is stored
+    std::size_t payload_size_;  ///< bytes of all stored values
+    std::size_t bank_{0U};      ///< the bank in use, and what its header says:
+    std::uint32_t sequence_{0U};
+    ParameterGroups groups_{no_groups};  ///< none when nothing is stored
+    std::uint8_t saved_node_id_{0U};     ///< of the node that saved
     bool in_use_{false};
 };
 

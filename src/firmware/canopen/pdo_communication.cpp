@@ -18,15 +18,11 @@ constexpr std::uint32_t inhibit_subindex = 3U;
 constexpr std::uint32_t event_subindex = 5U;
 constexpr std::uint32_t sync_start_subindex = 6U;
 
-constexpr std::uint16_t numbered(const std::uint16_t index, const std::size_t number) noexcept {
-    return static_cast<std::uint16_t>(index + number);
-}
-
 /// The COB-ID entry; "not valid" where there is no such PDO.
 std::uint32_t cob_id_entry(const ObjectDictionary& objects, const PdoDirection direction,
                            const std::size_t number) noexcept {
     const EntryRef found = objects.lookup(communication_object(direction, number), cob_id_subindex);
-    return found.exists() ? static_cast<std::uint32_t>(objects.bits(found)) : cob_id::not_valid;
+    return found.exists() ? static_cast<std::uint32_t>(objects.bits(*found.row)) : cob_id::not_valid;
 }
 
 /// Whether another valid PDO of that direction has this identifier.
@@ -66,7 +62,7 @@ AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direc
 }
 
 static_assert(implements<req::CO_PDO_008> && implements<req::CO_T_TRANSMISSION_TYPE>);
-AbortCode check_type(const PdoDirection direction, const std::uint8_t type) noexcept {
+AbortCode check_type(const PdoDirection direction, const std::uint32_t type) noexcept {
     const auto* const row = transmission::find(type);
     const bool refused = (direction == PdoDirection::receive)
                              ? (cell_or(row, &transmission::Row::applied, PdoApplied::refused) == PdoApplied::refused)
@@ -76,54 +72,45 @@ AbortCode check_type(const PdoDirection direction, const std::uint8_t type) noex
 
 static_assert(implements<req::CO_PDO_023> && implements<req::CO_PDO_024>);
 AbortCode check_communication_write(const ObjectDictionary& objects, const PdoDirection direction,
-                                    const std::size_t number, const EntryRef& entry, const ByteView value) noexcept {
+                                    const std::uint32_t current, const EntryRef& entry,
+                                    const std::uint32_t value) noexcept {
     constexpr std::uint32_t max_sync_counter{240U};
-    const std::uint32_t current = cob_id_entry(objects, direction, number);
     const AbortCode locked = cob_id::is_valid(current) ? AbortCode::device_state : AbortCode::none;
     switch (entry.row->subindex) {
         case cob_id_subindex:
-            return check_cob_id(objects, direction, entry.index, current, read_u32(value, 0U));
+            return check_cob_id(objects, direction, entry.index, current, value);
         case type_subindex:
-            return check_type(direction, value[0]);
+            return check_type(direction, value);
         case inhibit_subindex:
             return locked;
         case sync_start_subindex:
-            return (value[0] > max_sync_counter) ? AbortCode::value_range : locked;
+            return (value > max_sync_counter) ? AbortCode::value_range : locked;
         default:
             return AbortCode::none;
     }
 }
 
 static_assert(implements<req::CO_PDO_009>);
-AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction, const std::size_t number,
-                              const EntryRef& entry, const ByteView value) noexcept {
+AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction,
+                              const std::uint32_t current, const EntryRef& entry, const std::uint32_t value) noexcept {
     // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.
-    const std::uint8_t right = family_of(direction).right;
-    if (cob_id::is_valid(cob_id_entry(objects, direction, number))) {
+    const std::uint32_t right = mapping_right(direction);
+    if (cob_id::is_valid(current)) {
         return AbortCode::device_state;
     }
     if (entry.row->subindex == 0U) {
-        return check_mapping_count(objects, right, entry.index, value[0]);
+        return check_mapping_count(objects, right, entry.index, value & 0xFFU);
     }
-    return (objects.read(entry.index, 0U) != 0U) ? AbortCode::device_state
-                                                 : check_mapping_entry(objects, right, read_u32(value, 0U));
+    return (objects.read(entry.index, 0U) != 0U) ? AbortCode::device_state : check_mapping_entry(objects, right, value);
 }
 
 }  // namespace
 
-std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
-    return numbered(family_of(direction).communication, number);
-}
-
-std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
-    return numbered(family_of(direction).mapping, number);
-}
-
-PdoParameters read_pdo_parameters(const ObjectDictionary& objects, const PdoDirection direction,
-                                  const std::size_t number) noexcept {
+void read_pdo_parameters(const ObjectDictionary& objects, const PdoDirection direction, const std::size_t number,
+                         PdoParameters& read) noexcept {
     const std::uint16_t index = communication_object(direction, number);
     const std::uint32_t entry = cob_id_entry(objects, direction, number);
-    PdoParameters read{};
+    read = PdoParameters{};
     read.identifier = cob_id::identifier(entry);
     read.valid = cob_id::is_valid(entry);
     read.remote_allowed = (entry & cob_id::no_remote) == 0U;
@@ -134,21 +121,18 @@ PdoParameters read_pdo_parameters(const ObjectDictionary& objects, const PdoDire
     const auto* const row = transmission::find(read.type);
     read.applied = cell_or(row, &transmission::Row::applied, PdoApplied::refused);
     read.sent = cell_or(row, &transmission::Row::sent, PdoSent::refused);
-    return read;
 }
 
-AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, const ByteView value) noexcept {
-    constexpr std::array<PdoDirection, 2U> directions{PdoDirection::receive, PdoDirection::transmit};
-    for (const PdoDirection direction : directions) {
-        const std::size_t number = pdo_number(direction, entry.index);
-        if (number == max_pdos) {
-            continue;
-        }
-        const bool communicates = std::uint32_t{entry.index} == communication_object(direction, number);
-        return communicates ? check_communication_write(objects, direction, number, entry, value)
-                            : check_mapping_write(objects, direction, number, entry, value);
+AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, const std::uint32_t value) noexcept {
+    const bool transmits = pdo_number(PdoDirection::transmit, entry.index) < max_pdos;
+    const PdoDirection direction = transmits ? PdoDirection::transmit : PdoDirection::receive;
+    const std::size_t number = pdo_number(direction, entry.index);
+    if (number == max_pdos) {
+        return AbortCode::none;
     }
-    return AbortCode::none;
+    const std::uint32_t current = cob_id_entry(objects, direction, number);
+    return ((entry.index & mapping_offset) == 0U) ? check_communication_write(objects, direction, current, entry, value)
+                                                  : check_mapping_write(objects, direction, current, entry, value);
 }
 
 }  // namespace canproof

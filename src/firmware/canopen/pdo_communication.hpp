@@ -17,25 +17,28 @@ constexpr std::size_t max_pdos = 8U;
 /// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
 constexpr std::size_t max_pdo_lines = 64U;
 
-/// Where the objects of one direction begin, and which right a mapped entry needs.
-struct PdoFamily {
-    std::uint16_t communication;
-    std::uint16_t mapping;
-    std::uint8_t right;
-};
+/// How far behind its communication parameters the mapping of a PDO stands: 16xxh, 1Axxh.
+constexpr std::uint32_t mapping_offset = 0x0200U;
 
-constexpr PdoFamily family_of(const PdoDirection direction) noexcept {
-    return (direction == PdoDirection::receive) ? PdoFamily{0x1400U, 0x1600U, rights::rpdo}
-                                                : PdoFamily{0x1800U, 0x1A00U, rights::tpdo};
+/// The objects of PDO `number` (0…max_pdos - 1).
+constexpr std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
+    const std::size_t first = (direction == PdoDirection::receive) ? 0x1400U : 0x1800U;
+    return static_cast<std::uint16_t>(first + number);
+}
+constexpr std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
+    return static_cast<std::uint16_t>(communication_object(direction, number) + mapping_offset);
+}
+
+/// Which right an entry needs that is mapped into a PDO.
+constexpr std::uint32_t mapping_right(const PdoDirection direction) noexcept {
+    return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
 }
 
 /// Number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when to none.
 constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
-    const PdoFamily family = family_of(direction);
-    const std::uint32_t first = index & 0xFF00U;
-    const std::size_t number = index & 0x00FFU;
-    const bool belongs = ((first == family.communication) || (first == family.mapping)) && (number < max_pdos);
-    return belongs ? number : max_pdos;
+    constexpr std::uint32_t number_bits = max_pdos - 1U;
+    const bool belongs = (index & ~(mapping_offset | number_bits)) == communication_object(direction, 0U);
+    return belongs ? (index & number_bits) : max_pdos;
 }
 
 /// When a received PDO takes effect and when a transmit PDO is sent, by its transmission type.
@@ -55,13 +58,9 @@ struct PdoParameters {
     Duration event{};    ///< longest time between two transmissions or receptions; zero: no limit
 };
 
-/// Object of PDO `number` (0…max_pdos - 1).
-std::uint16_t communication_object(PdoDirection direction, std::size_t number) noexcept;
-std::uint16_t mapping_object(PdoDirection direction, std::size_t number) noexcept;
-
 /// How many PDOs of a direction a dictionary has: the highest number present.
 constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirection direction) noexcept {
-    const std::size_t first = family_of(direction).communication;
+    const std::size_t first = communication_object(direction, 0U);
     std::size_t count{0U};
     for (const ObjectRow& object : tables.objects) {
         if ((object.index >= first) && (object.index < (first + max_pdos))) {
@@ -81,9 +80,12 @@ constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
     }
     return (most < max_pdo_lines) ? most : max_pdo_lines;
 }
-PdoParameters read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number) noexcept;
+
+/// Reads the communication parameters of PDO `number`; "not valid" where there is no such PDO.
+void read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number,
+                         PdoParameters& read) noexcept;
 
 /// Whether an entry of 14xxh, 16xxh, 18xxh or 1Axxh may get this value now.
-AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, ByteView value) noexcept;
+AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, std::uint32_t value) noexcept;
 
 }  // namespace canproof

@@ -44,7 +44,7 @@ constexpr std::uint64_t low_bits(const std::uint64_t number, const std::uint32_t
 }  // namespace
 
 static_assert(implements<req::CO_PDO_010> && implements<req::CO_PDO_012>);
-AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint8_t right,
+AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint32_t right,
                               const std::uint32_t entry) noexcept {
     const std::uint16_t index = index_of(entry);
     const std::uint32_t bits = bits_of(entry);
@@ -65,8 +65,8 @@ AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint8_
 }
 
 static_assert(implements<req::CO_PDO_011>);
-AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint8_t right, const std::uint16_t index,
-                              const std::uint8_t count) noexcept {
+AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint32_t right, const std::uint16_t index,
+                              const std::uint32_t count) noexcept {
     std::uint32_t bits{0U};
     for (std::uint32_t line = 1U; line <= count; ++line) {
         const std::uint8_t subindex = static_cast<std::uint8_t>(line);
@@ -95,7 +95,7 @@ inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& 
         case 4U:
             return load_le<4U>(line.value);
         default:
-            return (line.row != nullptr) ? low_bits(objects.bits(line.entry()), line.bits) : 0U;
+            return (line.row != nullptr) ? low_bits(objects.bits(*line.row), line.bits) : 0U;
     }
 }
 
@@ -104,7 +104,7 @@ inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& 
 PdoLine PdoMapping::find_line(const ObjectDictionary& objects, const std::uint32_t entry) noexcept {
     const EntryRef found = objects.lookup(index_of(entry), subindex_of(entry));
     PdoLine line{found.row, index_of(entry), bits_of(entry), 0U, nullptr};
-    const ByteView bytes = found.exists() ? objects.bytes(found) : ByteView{};
+    const ByteView bytes = found.exists() ? objects.bytes(*found.row) : ByteView{};
     const bool simple = (bytes.size() == 1U) || (bytes.size() == 2U) || (bytes.size() == 4U);
     if (simple && (line.bits == (bytes.size() * 8U))) {
         line.width = static_cast<std::uint8_t>(bytes.size());
@@ -157,7 +157,7 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
     for (const PdoLine& line : lines_) {
         if (!line.is_free()) {
             const std::uint64_t value = low_bits(packed >> at, line.bits);
-            AbortCode code = objects.check_bits(line.entry(), value);
+            AbortCode code = objects.check_bits(*line.row, value);
             if (code == AbortCode::none) {
                 code = access.before_received(line.entry(), value);
             }
@@ -181,10 +181,9 @@ void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAcce
     for (const PdoLine& line : lines_) {
         if (line.row != nullptr) {
             const std::uint64_t value = low_bits(packed >> at, line.bits);
-            const bool changes =
-                (value != present_value(line, objects)) ? objects.put_bits(line.entry(), value) : false;
+            const bool changes = (value != present_value(line, objects)) ? objects.put_bits(*line.row, value) : false;
             if (changes || (line.row->service != Service::none)) {
-                access.after_received(line.entry(), changes, now);
+                access.after_put(line.entry(), changes, now);
             }
         }
         at += line.bits;

@@ -11,12 +11,12 @@ namespace canproof {
 /// Whether one mapping entry may stand in a PDO of this direction (rights::rpdo or rights::tpdo): 06020000h or
 /// 06090011h when its object is absent, 06040041h when it may not be mapped, has another length, or is a dummy of
 /// unknown type. Zero (nothing mapped) is allowed.
-AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint8_t right, std::uint32_t entry) noexcept;
+AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t right, std::uint32_t entry) noexcept;
 
 /// Whether the first `count` entries of mapping object `index` make a PDO: each of them sound and none empty, no more
 /// than the object has and 64 bits in all at most (06040042h).
-AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint8_t right, std::uint16_t index,
-                              std::uint8_t count) noexcept;
+AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
+                              std::uint32_t count) noexcept;
 
 /// One line of a mapping object, its entry found.
 struct PdoLine {

@@ -23,7 +23,7 @@ void ReceivePdos::reset() noexcept {
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
-    rpdo.parameters = read_pdo_parameters(objects_, PdoDirection::receive, number);
+    read_pdo_parameters(objects_, PdoDirection::receive, number, rpdo.parameters);
     const std::size_t lines = lines_.size() / rpdos_.size();
     rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number), lines_.part(number * lines, lines));
     rpdo.identifier = rpdo.parameters.valid ? rpdo.parameters.identifier : ReceivePdo::nobody;

@@ -15,7 +15,7 @@ void SdoBlockDownload::start(const MutableBytes place, const bool checks_crc) no
 
 static_assert(implements<req::CO_SDO_026>);
 static_assert(implements<req::CO_SDO_027>);
-SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
+SdoBlockDownload::Step SdoBlockDownload::take(const sdo::Request& segment) noexcept {
     const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
     const std::uint32_t sequence = segment[0] & ~sdo::block_last_segment_flag;
     if (sequence == 0U) {
@@ -28,7 +28,7 @@ SdoBlockDownload::Step SdoBlockDownload::take(const ByteView segment) noexcept {
         if (checks_crc_ && (size_ != 0U)) {
             crc_.add_seven(newest_);
         }
-        newest_ = get_le<sdo::segment_capacity + 1U>(segment, 0U) >> 8U;
+        newest_ = field_le<0U, max_frame_length>(segment) >> 8U;
         // Bytes beyond the place may be unused ones of the last segment; finish() knows.
         place_.put_le<sdo::segment_capacity>(size_, newest_);
         size_ += sdo::segment_capacity;

@@ -5,6 +5,7 @@
 #include "firmware/base/bytes.hpp"
 #include "firmware/base/crc16.hpp"
 #include "firmware/base/requirement.hpp"
+#include "firmware/canopen/sdo_protocol.hpp"
 #include "firmware/canopen/vocabulary.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -24,7 +25,7 @@ class SdoBlockDownload {
     /// Begins a transfer into `place`.
     void start(MutableBytes place, bool checks_crc) noexcept;
     /// One segment frame of eight bytes.
-    Step take(ByteView segment) noexcept;
+    Step take(const sdo::Request& segment) noexcept;
     /// Ends the sub-block: sequence number of the last segment that came in order, 0 when none did. The client goes on
     /// behind that one.
     std::uint8_t acknowledge() noexcept;

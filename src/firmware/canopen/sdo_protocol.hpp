@@ -1,15 +1,23 @@
 // How SDO frames are laid out (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
 #pragma once
 
-#include "firmware/base/bytes.hpp"
+#include "firmware/canopen/frame.hpp"
 
 namespace canproof::sdo {
+
+/// The eight bytes of a client's frame; a frame of another length is none.
+using Request = std::array<std::uint8_t, max_frame_length>;
 
 constexpr std::size_t index_position = 1U;
 constexpr std::size_t subindex_position = 3U;
 constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame; abort code of an abort
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
+
+/// Size of a download that the client gives with its initiation.
+inline std::uint32_t announced_size(const Request& request) noexcept {
+    return static_cast<std::uint32_t>(field_le<data_position, 4U>(request));
+}
 
 /// What a segment holds of `value` from byte `from` on, the first byte lowest; zeros where the value has ended.
 inline std::uint64_t read_segment(const ByteView value, const std::size_t from) noexcept {

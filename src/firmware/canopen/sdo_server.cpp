@@ -22,7 +22,7 @@ void SdoServer::reset(const std::uint8_t node_id) noexcept {
 static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
-void SdoServer::dispatch(const ByteView request, const Instant now) noexcept {
+void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcept {
     if (state_ == State::block_downloading) {
         block_download_segment(request, now);
         return;
@@ -95,41 +95,48 @@ AbortCode SdoServer::commit(const std::size_t size, const Instant now) noexcept 
     return objects_.write(index_, subindex_, place_.view().part(0U, size), now);
 }
 
-void SdoServer::initiate_download(const ByteView request, const Instant now) noexcept {
+void SdoServer::initiate_download(const sdo::Request& request, const Instant now) noexcept {
     select(request);
-    const std::uint8_t command = request[0];
-    if ((command & sdo::expedited_flag) != 0U) {
-        download_expedited(request, command, now);
-        return;
+    if ((request[0] & sdo::expedited_flag) != 0U) {
+        download_expedited(request, now);
+    } else {
+        download_in_segments(request, now);
     }
-    const AbortCode code = open_download((command & sdo::size_flag) != 0U, read_u32(request, sdo::data_position));
+}
+
+void SdoServer::download_in_segments(const sdo::Request& request, const Instant now) noexcept {
+    const AbortCode code = open_download((request[0] & sdo::size_flag) != 0U, sdo::announced_size(request));
     if (code != AbortCode::none) {
         abort(code);
         return;
     }
     begin(State::downloading, now);
-    send(answer_object(sdo::download_done));
+    answer_object(sdo::download_done);
 }
 
 static_assert(implements<req::CO_SDO_003>);
-void SdoServer::download_expedited(const ByteView request, const std::uint8_t command, const Instant now) noexcept {
-    std::size_t length = sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
-    if ((command & sdo::size_flag) == 0U) {
-        // Size not shown: the entry's own length is meant.
-        const auto place = objects_.writable(index_, subindex_);
-        const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
-        length = shorter ? place.value().capacity : sdo::expedited_capacity;
+std::size_t SdoServer::expedited_length(const std::uint8_t command) const noexcept {
+    if ((command & sdo::size_flag) != 0U) {
+        return sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
     }
-    const AbortCode code = objects_.write(index_, subindex_, request.part(sdo::data_position, length), now);
+    // Size not shown: the entry's own length is meant.
+    const auto place = objects_.writable(index_, subindex_);
+    const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
+    return shorter ? place.value().capacity : sdo::expedited_capacity;
+}
+
+void SdoServer::download_expedited(const sdo::Request& request, const Instant now) noexcept {
+    const ByteView data = ByteView{request}.part(sdo::data_position, expedited_length(request[0]));
+    const AbortCode code = objects_.write(index_, subindex_, data, now);
     if (code == AbortCode::none) {
-        send(answer_object(sdo::download_done));
+        answer_object(sdo::download_done);
     } else {
         abort(code);
     }
 }
 
 static_assert(implements<req::CO_SDO_004>);
-void SdoServer::download_segment(const ByteView request, const Instant now) noexcept {
+void SdoServer::download_segment(const sdo::Request& request, const Instant now) noexcept {
     if (state_ != State::downloading) {
         refuse_command();
         return;
@@ -138,7 +145,7 @@ void SdoServer::download_segment(const ByteView request, const Instant now) noex
     if (!toggle_fits(command)) {
         return;
     }
-    const ByteView data = request.part(1U, sdo::segment_capacity - ((std::uint32_t{command} >> 1U) & 0x07U));
+    const ByteView data = ByteView{request}.part(1U, sdo::segment_capacity - ((std::uint32_t{command} >> 1U) & 0x07U));
     if ((done_ + data.size()) > place_.size()) {
         abort(AbortCode::too_long);
         return;
@@ -154,7 +161,7 @@ void SdoServer::download_segment(const ByteView request, const Instant now) noex
         }
         abandon();
     }
-    send(answer(static_cast<std::uint8_t>(sdo::download_segment_done | (command & sdo::toggle_bit))));
+    send_command(static_cast<std::uint8_t>(sdo::download_segment_done | (command & sdo::toggle_bit)));
 }
 
 ByteView SdoServer::keep(const ByteView value) noexcept {
@@ -165,7 +172,7 @@ ByteView SdoServer::keep(const ByteView value) noexcept {
     return ByteView{buffer_.data(), value.size()};
 }
 
-void SdoServer::initiate_upload(const ByteView request, const Instant now) noexcept {
+void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) noexcept {
     select(request);
     const auto read = objects_.read(index_, subindex_);
     if (read.ok()) {
@@ -181,17 +188,17 @@ void SdoServer::answer_upload(const ByteView value, const Instant now) noexcept 
         const std::size_t unused = sdo::expedited_capacity - value.size();
         const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
         const std::uint64_t data = read_le(value, 0U, value.size());
-        send(answer_object(static_cast<std::uint8_t>(command), static_cast<std::uint32_t>(data)));
+        answer_object(static_cast<std::uint8_t>(command), static_cast<std::uint32_t>(data));
         return;
     }
     value_ = keep(value);
     begin(State::uploading, now);
-    send(answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size())));
+    answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size()));
 }
 
 static_assert(implements<req::CO_SDO_002>);
 static_assert(implements<req::CO_SDO_019>);
-void SdoServer::upload_segment(const ByteView request, const Instant now) noexcept {
+void SdoServer::upload_segment(const sdo::Request& request, const Instant now) noexcept {
     if (state_ != State::uploading) {
         refuse_command();
         return;
@@ -208,7 +215,7 @@ void SdoServer::upload_segment(const ByteView request, const Instant now) noexce
     const std::size_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
     const std::uint64_t data = sdo::read_segment(value_, done_ - segment.size());
     Frame frame = answer(static_cast<std::uint8_t>(specifier));
-    MutableBytes{frame.data}.put_le<max_frame_length>(0U, (data << 8U) | specifier);
+    set_field_le<0U, max_frame_length>(frame.data, (data << 8U) | specifier);
     send(frame);
     if (last) {
         abandon();
@@ -252,20 +259,23 @@ Frame SdoServer::answer(const std::uint8_t command) const noexcept {
     return frame;
 }
 
-Frame SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) const noexcept {
+void SdoServer::send_command(const std::uint8_t command) noexcept {
+    send(answer(command));
+}
+
+void SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) noexcept {
     Frame frame = answer(command);
-    MutableBytes bytes{frame.data};
-    bytes.put_le<2U>(sdo::index_position, index_);
-    bytes.set(sdo::subindex_position, subindex_);
-    bytes.put_le<4U>(sdo::data_position, data);
-    return frame;
+    set_field_le<sdo::index_position, 2U>(frame.data, index_);
+    frame.data[sdo::subindex_position] = subindex_;
+    set_field_le<sdo::data_position, 4U>(frame.data, data);
+    send(frame);
 }
 
 static_assert(implements<req::CO_SDO_015>);
 static_assert(implements<req::CO_SDO_036>);
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
-    send(answer_object(sdo::aborted, static_cast<std::uint32_t>(code)));
+    answer_object(sdo::aborted, static_cast<std::uint32_t>(code));
 }
 
 }  // namespace canproof

@@ -39,7 +39,7 @@ class SdoServer {
     void receive(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
         if (frame.length == max_frame_length) {
-            dispatch(ByteView{frame.data}, now);
+            dispatch(frame.data, now);
         }
     }
     /// Queues the next segments of a block upload; aborts a transfer that stalled for longer than the time-out.
@@ -73,32 +73,35 @@ class SdoServer {
     };
 
     void proceed(Instant now) noexcept;
-    void dispatch(ByteView request, Instant now) noexcept;
-    void initiate_download(ByteView request, Instant now) noexcept;
-    void download_expedited(ByteView request, std::uint8_t command, Instant now) noexcept;
-    void download_segment(ByteView request, Instant now) noexcept;
-    void initiate_upload(ByteView request, Instant now) noexcept;
+    void dispatch(const sdo::Request& request, Instant now) noexcept;
+    void initiate_download(const sdo::Request& request, Instant now) noexcept;
+    void download_in_segments(const sdo::Request& request, Instant now) noexcept;
+    void download_expedited(const sdo::Request& request, Instant now) noexcept;
+    /// Bytes of data in an expedited download.
+    std::size_t expedited_length(std::uint8_t command) const noexcept;
+    void download_segment(const sdo::Request& request, Instant now) noexcept;
+    void initiate_upload(const sdo::Request& request, Instant now) noexcept;
     void answer_upload(ByteView value, Instant now) noexcept;
-    void upload_segment(ByteView request, Instant now) noexcept;
+    void upload_segment(const sdo::Request& request, Instant now) noexcept;
 
     // Block transfer: sdo_server_block.cpp
-    void block_download(ByteView request, Instant now) noexcept;
-    void initiate_block_download(ByteView request, Instant now) noexcept;
-    void block_download_segment(ByteView request, Instant now) noexcept;
-    void end_block_download(ByteView request, Instant now) noexcept;
-    void block_upload(ByteView request, Instant now) noexcept;
-    void initiate_block_upload(ByteView request, Instant now) noexcept;
-    void acknowledge_block_upload(ByteView request, Instant now) noexcept;
+    void block_download(const sdo::Request& request, Instant now) noexcept;
+    void initiate_block_download(const sdo::Request& request, Instant now) noexcept;
+    void block_download_segment(const sdo::Request& request, Instant now) noexcept;
+    void end_block_download(const sdo::Request& request, Instant now) noexcept;
+    void block_upload(const sdo::Request& request, Instant now) noexcept;
+    void initiate_block_upload(const sdo::Request& request, Instant now) noexcept;
+    void acknowledge_block_upload(const sdo::Request& request, Instant now) noexcept;
     void send_segments(Instant now) noexcept;
     bool can_send_segment() const noexcept { return (state_ == State::block_uploading) && has_segment_and_room(); }
     bool has_segment_and_room() const noexcept {
         return sent_.has_segment() && (queue_.size() < generated::canopen::sdo_block_queued);
     }
 
-    void select(const ByteView request) noexcept {
+    void select(const sdo::Request& request) noexcept {
         static_assert(implements<req::CO_SDO_012>);
         abandon();  // a new initiate ends the transfer before it
-        index_ = read_u16(request, sdo::index_position);
+        index_ = static_cast<std::uint16_t>(field_le<sdo::index_position, 2U>(request));
         subindex_ = request[sdo::subindex_position];
     }
     void begin(State state, Instant now) noexcept;
@@ -115,8 +118,10 @@ class SdoServer {
     Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
     /// A frame with `command` and no more.
     Frame answer(std::uint8_t command) const noexcept;
-    /// A frame with `command`, index, sub-index and four bytes of data.
-    Frame answer_object(std::uint8_t command, std::uint32_t data = 0U) const noexcept;
+    /// Sends that frame.
+    void send_command(std::uint8_t command) noexcept;
+    /// Sends a frame with `command`, index, sub-index and four bytes of data.
+    void answer_object(std::uint8_t command, std::uint32_t data = 0U) noexcept;
     void abort(AbortCode code) noexcept;
     void send(const Frame& frame) noexcept { static_cast<void>(queue_.push(frame)); }
 

@@ -19,7 +19,7 @@ constexpr std::size_t next_block_size_position = 2U;
 
 }  // namespace
 
-void SdoServer::block_download(const ByteView request, const Instant now) noexcept {
+void SdoServer::block_download(const sdo::Request& request, const Instant now) noexcept {
     const bool ends = (request[0] & sdo::block_end_flag) != 0U;
     if (ends) {
         end_block_download(request, now);
@@ -34,20 +34,20 @@ void SdoServer::block_download(const ByteView request, const Instant now) noexce
 }
 
 static_assert(implements<req::CO_SDO_029>);
-void SdoServer::initiate_block_download(const ByteView request, const Instant now) noexcept {
+void SdoServer::initiate_block_download(const sdo::Request& request, const Instant now) noexcept {
     const std::uint8_t command = request[0];
-    const AbortCode code = open_download((command & sdo::block_size_flag) != 0U, read_u32(request, sdo::data_position));
+    const AbortCode code = open_download((command & sdo::block_size_flag) != 0U, sdo::announced_size(request));
     if (code != AbortCode::none) {
         abort(code);
         return;
     }
     received_.start(place_, (command & sdo::block_crc_flag) != 0U);
     begin(State::block_downloading, now);
-    send(answer_object(sdo::block_download_initiated | sdo::block_crc_flag, sdo_block_size));
+    answer_object(sdo::block_download_initiated | sdo::block_crc_flag, sdo_block_size);
 }
 
 static_assert(implements<req::CO_SDO_030>);
-void SdoServer::block_download_segment(const ByteView request, const Instant now) noexcept {
+void SdoServer::block_download_segment(const sdo::Request& request, const Instant now) noexcept {
     if (request[0] == sdo::aborted) {
         abandon();
         return;
@@ -74,25 +74,25 @@ void SdoServer::block_download_segment(const ByteView request, const Instant now
     }
 }
 
-void SdoServer::end_block_download(const ByteView request, const Instant now) noexcept {
+void SdoServer::end_block_download(const sdo::Request& request, const Instant now) noexcept {
     if (state_ != State::block_download_ending) {
         refuse_command();
         return;
     }
     const auto unused = static_cast<std::uint8_t>((std::uint32_t{request[0]} >> 2U) & 0x07U);
-    AbortCode code = received_.finish(unused, read_u16(request, crc_position));
+    AbortCode code = received_.finish(unused, static_cast<std::uint16_t>(field_le<crc_position, 2U>(request)));
     if (code == AbortCode::none) {
         code = commit(received_.size(), now);
     }
     if (code == AbortCode::none) {
         abandon();
-        send(answer(sdo::block_download_done));
+        send_command(sdo::block_download_done);
     } else {
         abort(code);
     }
 }
 
-void SdoServer::block_upload(const ByteView request, const Instant now) noexcept {
+void SdoServer::block_upload(const sdo::Request& request, const Instant now) noexcept {
     switch (static_cast<BlockUploadCommand>(request[0] & 0x03U)) {
         case BlockUploadCommand::initiate:
             select(request);
@@ -126,7 +126,7 @@ void SdoServer::block_upload(const ByteView request, const Instant now) noexcept
 
 static_assert(implements<req::CO_SDO_020>);
 static_assert(implements<req::CO_SDO_031>);
-void SdoServer::initiate_block_upload(const ByteView request, const Instant now) noexcept {
+void SdoServer::initiate_block_upload(const sdo::Request& request, const Instant now) noexcept {
     const auto read = objects_.read(index_, subindex_);
     if (!read.ok()) {
         abort(read.error());
@@ -145,12 +145,12 @@ void SdoServer::initiate_block_upload(const ByteView request, const Instant now)
     value_ = keep(read.value());
     sent_.start(value_, block_size);
     begin(State::block_upload_starting, now);
-    send(answer_object(sdo::block_upload_initiated | sdo::block_crc_flag | sdo::block_size_flag,
-                       static_cast<std::uint32_t>(value_.size())));
+    answer_object(sdo::block_upload_initiated | sdo::block_crc_flag | sdo::block_size_flag,
+                  static_cast<std::uint32_t>(value_.size()));
 }
 
 static_assert(implements<req::CO_SDO_025>);
-void SdoServer::acknowledge_block_upload(const ByteView request, const Instant now) noexcept {
+void SdoServer::acknowledge_block_upload(const sdo::Request& request, const Instant now) noexcept {
     if (state_ != State::block_uploading) {
         refuse_command();
         return;
@@ -166,7 +166,7 @@ void SdoServer::acknowledge_block_upload(const ByteView request, const Instant n
         return;
     }
     Frame frame = answer(static_cast<std::uint8_t>(sdo::block_upload_ended | (std::uint32_t{sent_.unused()} << 2U)));
-    write_le(MutableBytes{frame.data}, crc_position, 2U, sent_.crc());
+    set_field_le<crc_position, 2U>(frame.data, sent_.crc());
     send(frame);
     state_ = State::block_upload_ending;
 }
@@ -181,7 +181,7 @@ void SdoServer::send_segments(const Instant now) noexcept {
     // At most sdo_block_queued turns: each adds a frame to the queue.
     Frame frame = data_frame(response_id_, max_frame_length);
     while (has_segment_and_room()) {
-        MutableBytes{frame.data}.put_le<max_frame_length>(0U, sent_.next_segment());
+        set_field_le<0U, max_frame_length>(frame.data, sent_.next_segment());
         send(frame);
     }
 }

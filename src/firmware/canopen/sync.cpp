@@ -55,18 +55,17 @@ bool Sync::produce(const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007>);
-AbortCode Sync::before_write(const EntryRef& entry, const ByteView value) const noexcept {
+AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index == cob_id_index) {
         const std::uint32_t current = objects_.read(cob_id_index, 0U);
         // Bit 31 has no meaning here (CiA 301, 7.5.2.5): it is accepted and kept.
-        return cob_id::check_change(current, read_u32(value, 0U) & ~cob_id::not_valid, cob_id::produces_sync,
-                                    is_producer());
+        return cob_id::check_change(current, value & ~cob_id::not_valid, cob_id::produces_sync, is_producer());
     }
     if (entry.index != counter_overflow_index) {
         return AbortCode::none;
     }
     constexpr std::uint32_t reserved_overflow{1U};
-    if (value[0] == reserved_overflow) {
+    if (value == reserved_overflow) {
         return AbortCode::value_range;
     }
     const bool cycle_is_set = objects_.read(period_index, 0U) != 0U;

@@ -10,25 +10,21 @@
 
 namespace canproof {
 
-/// What a received frame is to the SYNC consumer.
-enum class SyncEvent : std::uint8_t {
-    none,         ///< another identifier
-    sync,         ///< the SYNC message
-    wrong_length  ///< its identifier, but a length that 1019h does not allow: error 8240h
-};
-
 class Sync {
   public:
     Sync(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
 
     /// The node entered a state in which SYNC works, or left the last one: the producer starts or stops.
     void allow(bool allowed, Instant now) noexcept;
-    SyncEvent classify(const Frame& frame) const noexcept {
-        static_assert(implements<req::CO_SYNC_001> && implements<req::CO_SYNC_002>);
-        if ((frame.id != identifier_) || frame.extended || frame.remote) {
-            return SyncEvent::none;
-        }
-        return (std::uint32_t{frame.length} == length_) ? SyncEvent::sync : SyncEvent::wrong_length;
+    /// Whether a received frame has the identifier of the SYNC message.
+    bool is_sync(const Frame& frame) const noexcept {
+        static_assert(implements<req::CO_SYNC_001>);
+        return (frame.id == identifier_) && !frame.extended && !frame.remote;
+    }
+    /// Whether it has the length that 1019h asks for; any other is error 8240h.
+    bool has_length(const Frame& sync) const noexcept {
+        static_assert(implements<req::CO_SYNC_002>);
+        return std::uint32_t{sync.length} == length_;
     }
     /// The counter that a SYNC carries; zero while 1019h is zero.
     std::uint8_t counter_of(const Frame& sync) const noexcept {
@@ -40,7 +36,7 @@ class Sync {
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 
-    AbortCode before_write(const EntryRef& entry, ByteView value) const noexcept;
+    AbortCode before_write(const EntryRef& entry, std::uint32_t value) const noexcept;
     void after_write(Instant now) noexcept { restart(now); }
 
   private:

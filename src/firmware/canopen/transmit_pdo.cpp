@@ -14,7 +14,7 @@ bool is_sampled_at_sync(const PdoParameters& parameters) noexcept {
 }
 
 constexpr Instant latest(const Instant a, const Instant b) noexcept {
-    return (a < b) ? b : a;
+    return Instant{(a.us < b.us) ? b.us : a.us};
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void TransmitPdos::reset() noexcept {
 
 void TransmitPdos::refresh(const std::size_t number) noexcept {
     TransmitPdo& tpdo = tpdos_[number];
-    tpdo.parameters = read_pdo_parameters(objects_, PdoDirection::transmit, number);
+    read_pdo_parameters(objects_, PdoDirection::transmit, number, tpdo.parameters);
     const std::size_t lines = lines_.size() / tpdos_.size();
     tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number), lines_.part(number * lines, lines));
     tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();

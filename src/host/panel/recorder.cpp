@@ -90,7 +90,7 @@ void add_entries(const SimulatedDevice& device, const Part* part, const DeviceFa
 }
 
 double number_of(const Channel& channel, const ObjectDictionary& objects) {
-    const std::uint64_t bits = objects.bits(channel.place);
+    const std::uint64_t bits = objects.bits(*channel.place.row);
     const std::string& type = channel.entry->type;
     if (type == "REAL32") {
         return static_cast<double>(bit_cast<float>(static_cast<std::uint32_t>(bits))) * channel.scale;

@@ -20,15 +20,10 @@ json read_json(const std::filesystem::path& path) {
     return in.is_open() ? json::parse(in) : json{};
 }
 
-/// A figure with what it may be; `goal` is the stricter one where there are two.
-std::string bounded(std::uint64_t value, std::uint64_t goal) {
-    return fmt::format("<td class={}>{} <small>of {}</small>", value <= goal ? "shown" : "open", grouped(value),
-                       grouped(goal));
-}
-
-std::uint64_t goal_of(const json& budgets, const char* key) {
-    return budgets.value("canopen_goals", json::object())
-        .value(key, budgets.at("canopen").at(key).get<std::uint64_t>());
+/// A figure with what it may be.
+std::string bounded(std::uint64_t value, std::uint64_t budget) {
+    return fmt::format("<td class={}>{} <small>of {}</small>", value <= budget ? "shown" : "open", grouped(value),
+                       grouped(budget));
 }
 
 std::string memory_table(const json& footprint) {
@@ -45,7 +40,7 @@ std::string memory_table(const json& footprint) {
             text += bounded(found.at(key), budget.at(key));
         }
         for (const char* key : {"code", "ram", "stack"}) {
-            text += bounded(layer.at(key), goal_of(budgets, key));
+            text += bounded(layer.at(key), budgets.at("canopen").at(key));
         }
         text += '\n';
     }
