@@ -1,0 +1,163 @@
+// Logic and math blocks of the AX130751 as its manual tells them (1.6.1, 1.6.2, 1.7), by sentences and not by tables:
+// what the firmware's blocks are held against.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace canproof::naive_blocks {
+
+enum class State { fine, error, unused };
+
+struct Argument {
+    double value{0.0};
+    State state{State::unused};
+};
+
+struct Condition {
+    Argument one;
+    Argument other;
+    int comparison{0};  ///< Table 16
+};
+
+enum class Answer { no, yes, error, not_applicable };
+
+/// Tables 16 and 17. An argument in error outweighs one that is not used.
+inline Answer answer(const Condition& condition) {
+    const double a = condition.one.value;
+    const double b = condition.other.value;
+    if (condition.one.state == State::error || condition.other.state == State::error) {
+        return Answer::error;
+    }
+    if (condition.one.state == State::unused || condition.other.state == State::unused) {
+        return Answer::not_applicable;
+    }
+    const std::array<bool, 6> all{a >= b && a <= b, a < b || a > b, a > b, a >= b, a < b, a <= b};
+    return all.at(static_cast<std::size_t>(condition.comparison)) ? Answer::yes : Answer::no;
+}
+
+struct Function {
+    std::array<Condition, 3> conditions;
+    int logical{0};  ///< Table 18
+};
+
+/// Table 19.
+inline bool selects(const Function& function) {
+    std::array<Answer, 3> answers{};
+    std::transform(function.conditions.begin(), function.conditions.end(), answers.begin(), answer);
+    const auto yes = [&](std::size_t number) { return answers.at(number - 1) == Answer::yes; };
+    const auto any = [&](Answer one) { return std::count(answers.begin(), answers.end(), one) != 0; };
+    switch (function.logical) {
+        case 0:
+            return true;
+        case 1:
+            return !any(Answer::no) && !any(Answer::error);
+        case 2:
+            return any(Answer::yes);
+        case 3:
+            return (yes(1) && yes(2)) || yes(3);
+        default:
+            return (yes(1) && yes(3)) || (yes(2) && yes(3));
+    }
+}
+
+/// 0 for table A, which it is without any function that selects.
+inline std::size_t selected(const std::array<Function, 3>& functions) {
+    const auto first = std::find_if(functions.begin(), functions.end(), selects);
+    return first == functions.end() ? 0 : static_cast<std::size_t>(first - functions.begin());
+}
+
+struct Input {
+    int value{0};
+    State state{State::unused};
+    int scaling_1{0};
+    int scaling_2{100};
+    int gain{100};        ///< per cent
+    int own_function{0};  ///< 1…3: that function's result in place of the value
+};
+
+/// Millionths of the way from scaling 1 to scaling 2, the nearest, in whole numbers.
+inline long long millionths(const Input& input) {
+    long long way = input.value - input.scaling_1;
+    long long length = input.scaling_2 - input.scaling_1;
+    if (length < 0) {
+        way = -way;
+        length = -length;
+    }
+    if (input.state == State::error || length == 0 || way <= 0) {
+        return 0;
+    }
+    return way >= length ? 1'000'000 : (2 * way * 1'000'000 + length) / (2 * length);
+}
+
+/// Table 21 on two fractions.
+inline double operate(int number, double a, double b) {
+    const bool p = a >= 0.5;
+    const bool q = b >= 0.5;
+    const std::vector<double> all{static_cast<double>(a >= b && a <= b),
+                                  static_cast<double>(a < b || a > b),
+                                  static_cast<double>(a > b),
+                                  static_cast<double>(a >= b),
+                                  static_cast<double>(a < b),
+                                  static_cast<double>(a <= b),
+                                  static_cast<double>(p || q),
+                                  static_cast<double>(!p && !q),
+                                  static_cast<double>(p && q),
+                                  static_cast<double>(!(p && q)),
+                                  static_cast<double>(p != q),
+                                  static_cast<double>(p == q),
+                                  a + b,
+                                  a - b,
+                                  a * b,
+                                  b < 0.0 || b > 0.0 ? a / b : 0.0,
+                                  std::min(a, b),
+                                  std::max(a, b)};
+    return all.at(static_cast<std::size_t>(number));
+}
+
+/// What the three functions of a math block gave; a negative difference keeps its sign for whoever feeds it back.
+class Math {
+  public:
+    /// The block's result in a cycle; nothing done gives 0.
+    double cycle(const std::array<Input, 4>& inputs, const std::array<int, 3>& operators) {
+        double chain = value_of(inputs[0]);
+        bool goes_on = inputs[0].state != State::unused && inputs[1].state != State::unused;
+        bool done = false;
+        for (std::size_t function = 0; function < 3; ++function) {
+            const Input& second = inputs.at(function + 1);
+            if (!goes_on || second.state == State::unused) {
+                signed_.at(function) = 0.0;
+                continue;
+            }
+            const bool may_be_negative = second.gain < 0 || (function == 0 && inputs[0].gain < 0);
+            const double result = held(operate(operators.at(function), chain, value_of(second)));
+            const bool is_difference = operators.at(function) == 13;
+            signed_.at(function) = result;
+            is_cut_.at(function) = is_difference && !may_be_negative;
+            chain = seen(function);
+            done = true;
+        }
+        return done ? chain : 0.0;
+    }
+
+  private:
+    /// What a loop of products or quotients stays below; the block's output ends at 1.
+    static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
+    double seen(std::size_t function) const {
+        return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);
+    }
+    double value_of(const Input& input) const {
+        const double gain = input.gain / 100.0;
+        if (input.own_function == 0) {
+            return static_cast<double>(millionths(input)) / 1.0e6 * gain;
+        }
+        const auto function = static_cast<std::size_t>(input.own_function) - 1;
+        return (input.gain < 0 ? signed_.at(function) : seen(function)) * gain;
+    }
+
+    std::array<double, 3> signed_{};
+    std::array<bool, 3> is_cut_{};
+};
+
+}  // namespace canproof::naive_blocks
