@@ -88,6 +88,10 @@ TEST(Bytes, NumbersReadFromBeyondTheEndHaveZerosThere) {
     EXPECT_EQ(get_le<2U>(four, 3U), 0x44U);
     EXPECT_EQ(get_le<2U>(four, 4U), 0U);
     EXPECT_EQ(get_le<2U>(four, 6U), 0U);
+    for (const std::size_t count : {std::size_t{1U}, std::size_t{2U}, std::size_t{3U}, std::size_t{4U}}) {
+        EXPECT_EQ(read_le(four, 5U, count), 0U);  // begins behind the end
+    }
+    EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
 
 TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
@@ -97,6 +101,9 @@ TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
     six.set_le(0U, 3U, 0x44332211U);
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
     six.put_le<2U>(7U, 0xFFFFU);  // begins behind the end
+    for (const std::size_t count : {std::size_t{1U}, std::size_t{2U}, std::size_t{3U}, std::size_t{4U}}) {
+        six.set_le(7U, count, 0xFFFFFFFFU);
+    }
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
 }
 

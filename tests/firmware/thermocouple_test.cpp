@@ -213,6 +213,24 @@ TEST(Thermocouple, FunctionsContinueBeyondTheirRange) {
     EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);
 }
 
+TEST(ThermocoupleArithmetic, TermsEndWithTheLastCoefficientThatIsNotZero) {
+    shows_rule("thermocouples in fixed point");
+    EXPECT_EQ(terms_of(std::array<double, 3>{1.0, -2.0, 0.0}), 2U);
+    EXPECT_EQ(terms_of(std::array<double, 3>{0.0, 0.0, 1e-30}), 3U);
+    EXPECT_EQ(terms_of(std::array<double, 3>{}), 0U);
+}
+
+TEST(ThermocoupleArithmetic, AnExponentTooSteepForTheRangeIsHeld) {
+    shows_rule("thermocouples in fixed point");
+    // 1024 °C from the centre 2e-4 × 1024² = 209.7 is e^-209.7 = 2^-302.6: more than the 256 halvings that a fraction
+    // holds.
+    EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
+    // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
+    const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
+    EXPECT_NEAR(static_cast<double>(exponential_term(1.0, -1e-4, 0.0).halvings) / 18446744073709551616.0, halvings,
+                1e-15);
+}
+
 TEST(Thermocouple, ExponentialNeedsNoLibrary) {
     verifies<req::TCS_CONV_008>();
     // Type K's: 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
