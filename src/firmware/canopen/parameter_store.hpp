@@ -43,8 +43,7 @@ class ParameterStore {
     /// left alone.
     void load(ParameterGroups groups, std::uint8_t node_id) noexcept;
 
-    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the
-    /// signature (else 08000020h). 06060000h
+    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
     /// when the memory failed; what was stored before is then still stored.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
