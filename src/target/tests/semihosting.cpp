@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 extern "C" {
 void initialise_monitor_handles();
@@ -25,10 +26,17 @@ int semihost(int operation, const void* block) {
 
 constexpr int sys_get_cmdline = 0x15;
 
+/// Without it newlib's abort() would end the image with 1, the status of a failed test, and without a word.
+[[noreturn]] void heap_is_used_up() {
+    std::fputs("the heap is used up\n", stderr);
+    std::_Exit(71);
+}
+
 }  // namespace
 
 std::vector<std::string> begin_image() {
     initialise_monitor_handles();
+    std::set_new_handler(heap_is_used_up);
     static std::array<char, 1024> text{};
     struct {
         char* text;
