@@ -72,7 +72,7 @@ class AuditOfASmallRegister : public testing::Test {
 
     Register content;
     Evidence evidence;
-    std::map<std::string, MutationCount> mutations;
+    CountsByItem mutations;
 };
 
 }  // namespace

@@ -102,13 +102,10 @@ int mutate(const MutateOptions& options) {
                        record->line);
         }
     }
-    const auto count = [&](const auto& which) { return std::count_if(outcomes.begin(), outcomes.end(), which); };
-    const auto open = count([](const MutationOutcome& one) { return one.open(); });
-    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", outcomes.size(),
-               options.code ? "places" : "cells",
-               count([](const MutationOutcome& one) { return !one.killed_by.empty(); }),
-               count([](const MutationOutcome& one) { return one.record != nullptr; }), open);
-    return open == 0 && (!whole || idle.empty()) ? 0 : 1;
+    const MutationCount counted = total(count_by_item(outcomes));
+    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", counted.altered,
+               options.code ? "places" : "cells", counted.noticed, counted.justified, counted.open());
+    return counted.open() == 0 && (!whole || idle.empty()) ? 0 : 1;
 }
 
 }  // namespace canproof::host

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/evidence/pages.hpp"
 
 namespace canproof::host {
@@ -124,22 +126,16 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
 }
 
 Exhibit mutation_exhibit(const MeasuredMutation& mutation) {
-    MutationCount all;
-    std::size_t items = 0;
-    for (const auto& [id, count] : mutation.items) {
-        all.altered += count.altered;
-        all.noticed += count.noticed;
-        all.justified += count.justified;
-        items += count.altered > count.noticed + count.justified ? 1 : 0;
-    }
-    const std::size_t open = all.altered - all.noticed - all.justified;
-    Exhibit made = exhibit("mutation", "Mutation of generated cells", all.altered > 0 && open == 0,
+    const MutationCount all = total(mutation.items);
+    const auto items = std::count_if(mutation.items.begin(), mutation.items.end(),
+                                     [](const auto& item) { return item.second.open() != 0; });
+    Exhibit made = exhibit("mutation", "Mutation of generated cells", all.altered > 0 && all.open() == 0,
                            fmt::format("{} cells altered one at a time, {} noticed by a test that claims their "
                                        "requirement, {} survive with a reason, {} without",
-                                       all.altered, all.noticed, all.justified, open),
+                                       all.altered, all.noticed, all.justified, all.open()),
                            "mutation.html");
-    if (open != 0) {
-        made.open.push_back(fmt::format("{} altered cells of {} items that no test notices", open, items));
+    if (all.open() != 0) {
+        made.open.push_back(fmt::format("{} altered cells of {} items that no test notices", all.open(), items));
     }
     return made;
 }

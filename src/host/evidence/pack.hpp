@@ -31,7 +31,7 @@ struct MeasuredCoverage {
 
 /// What `canproof mutate` left of the generated cells.
 struct MeasuredMutation {
-    std::map<std::string, MutationCount> items;
+    CountsByItem items;
     std::string json;
 };
 

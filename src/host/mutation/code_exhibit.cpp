@@ -27,7 +27,7 @@ std::string survivors_csv(const std::vector<MutationOutcome>& outcomes) {
     return text;
 }
 
-std::string files_csv(const std::map<std::string, MutationCount>& counts) {
+std::string files_csv(const CountsByItem& counts) {
     std::string text = csv_line({"file", "altered", "noticed", "with a reason"});
     for (const auto& [file, count] : counts) {
         text += csv_line(
@@ -39,27 +39,19 @@ std::string files_csv(const std::map<std::string, MutationCount>& counts) {
 }  // namespace
 
 std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcome>& outcomes) {
-    std::map<std::string, MutationCount> counts;
-    MutationCount all;
-    for (const MutationOutcome& outcome : outcomes) {
-        for (MutationCount* count : {&counts[outcome.cell.item], &all}) {
-            ++count->altered;
-            count->noticed += outcome.killed_by.empty() ? 0 : 1;
-            count->justified += outcome.record == nullptr ? 0 : 1;
-        }
-    }
-    const std::size_t open = all.altered - all.noticed - all.justified;
+    const CountsByItem counts = count_by_item(outcomes);
+    const MutationCount all = total(counts);
     const double share = 100.0 * static_cast<double>(all.noticed) / static_cast<double>(all.altered);
     const nlohmann::ordered_json exhibit{
         {"title", "Mutation of the firmware's operators and conditions"},
-        {"state", open == 0 ? "holds" : "open"},
+        {"state", all.open() == 0 ? "holds" : "open"},
         {"says", fmt::format("{} mutants of src/firmware, {:.1f} % noticed by a test; {} survive without a reason.",
-                             all.altered, share, open)},
+                             all.altered, share, all.open())},
         {"figures",
          {{"mutants", all.altered},
           {"noticed by a test", all.noticed},
           {"survive with a reason", all.justified},
-          {"survive without", open}}}};
+          {"survive without", all.open()}}}};
     return {{"exhibit.json", exhibit.dump(1) + "\n"},
             {"survivors.csv", survivors_csv(outcomes)},
             {"files.csv", files_csv(counts)}};

@@ -69,15 +69,21 @@ std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 
-/// Alterations and those noticed, by item: what the audit shows.
+/// Alterations, those noticed, and those that survive with a reason.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};
     std::size_t justified{0};
+    std::size_t open() const { return altered - noticed - justified; }
+    MutationCount& operator+=(const MutationCount& more);
 };
+
+using CountsByItem = std::map<std::string, MutationCount>;
+CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes);
+MutationCount total(const CountsByItem& counts);
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
 /// Empty when there is no such file. Throws InputError when it is something else.
-std::map<std::string, MutationCount> read_mutation_json(const std::filesystem::path& file);
+CountsByItem read_mutation_json(const std::filesystem::path& file);
 
 }  // namespace canproof::host

@@ -8,17 +8,35 @@
 
 namespace canproof::host {
 
+MutationCount& MutationCount::operator+=(const MutationCount& more) {
+    altered += more.altered;
+    noticed += more.noticed;
+    justified += more.justified;
+    return *this;
+}
+
+CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes) {
+    CountsByItem counts;
+    for (const MutationOutcome& outcome : outcomes) {
+        counts[outcome.cell.item] += {1, outcome.killed_by.empty() ? 0U : 1U, outcome.record == nullptr ? 0U : 1U};
+    }
+    return counts;
+}
+
+MutationCount total(const CountsByItem& counts) {
+    MutationCount all;
+    for (const auto& [item, count] : counts) {
+        all += count;
+    }
+    return all;
+}
+
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
     using Json = nlohmann::ordered_json;
-    std::map<std::string, MutationCount> counts;
-    MutationCount all;
+    const CountsByItem counts = count_by_item(outcomes);
+    const MutationCount all = total(counts);
     Json survivors = Json::array();
     for (const MutationOutcome& outcome : outcomes) {
-        for (MutationCount* count : {&counts[outcome.cell.item], &all}) {
-            ++count->altered;
-            count->noticed += outcome.killed_by.empty() ? 0 : 1;
-            count->justified += outcome.record == nullptr ? 0 : 1;
-        }
         if (outcome.killed_by.empty()) {
             survivors.push_back({{"item", outcome.cell.item},
                                  {"cell", outcome.cell.cell},
@@ -40,8 +58,8 @@ std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
            "\n";
 }
 
-std::map<std::string, MutationCount> read_mutation_json(const std::filesystem::path& file) {
-    std::map<std::string, MutationCount> counts;
+CountsByItem read_mutation_json(const std::filesystem::path& file) {
+    CountsByItem counts;
     std::ifstream in{file};
     if (!in) {
         return counts;

@@ -30,7 +30,7 @@ std::string item_line(const AuditedItem& audited) {
 }
 
 StoryTeller::StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
-                         const std::map<std::string, MutationCount>& mutations)
+                         const CountsByItem& mutations)
     : content_{content}, evidence_{evidence}, mutations_{mutations} {
     for (const auto& audit : audits) {
         for (const auto& audited : audit.items) {

@@ -17,7 +17,7 @@ struct Story {
 class StoryTeller {
   public:
     StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
-                const std::map<std::string, MutationCount>& mutations);
+                const CountsByItem& mutations);
 
     /// By the id of an item or a decision, a section ("AX130751:1.3"), a file of the code or a test ("Suite.Name");
     /// nothing when it is none of them.
@@ -35,7 +35,7 @@ class StoryTeller {
 
     const Register& content_;
     const Evidence& evidence_;
-    const std::map<std::string, MutationCount>& mutations_;
+    const CountsByItem& mutations_;
     std::map<std::string, const AuditedItem*> items_;
     std::map<std::string, const Part*> parts_;
     std::map<std::string, const Decision*> decisions_;
