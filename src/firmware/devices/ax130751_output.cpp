@@ -175,6 +175,17 @@ double UniversalOutput::control_value(const BlockSignal& control, const LinearSc
     return driven ? scale(control.value, scaling) : 0.0;
 }
 
+/// What of a value comes out at the terminals: as much current as the load lets pass; no duty cycle without pulses.
+double UniversalOutput::carried(const Kind kind, const double value, const Inputs& inputs) const noexcept {
+    if (kind == Kind::current) {
+        return loop_current(value, static_cast<double>(inputs.load[number_ - 1U]),
+                            static_cast<double>(own::compliance_voltage),
+                            static_cast<double>(own::milliamperes_per_ampere));
+    }
+    const bool stands = (kind == Kind::pwm) && (objects_.get(field::o2380_ao_output_frequency[number_]) == 0U);
+    return stands ? 0.0 : value;
+}
+
 static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && implements<req::AOR_OUT_005> &&
               implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_025>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
@@ -191,14 +202,10 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
                           milliseconds(objects_.get(field::o2331_ao_ramp_down[number_]))};
     const OutputDrive drive = drive_of(signals, cycle.shutdown, false);
     const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
-    const double load = static_cast<double>(inputs.load[number_ - 1U]);
-    const double measured = (type.kind == Kind::current)
-                                ? loop_current(state.value, load, static_cast<double>(own::compliance_voltage),
-                                               static_cast<double>(own::milliamperes_per_ampere))
-                                : state.value;
+    const double value = carried(type.kind, state.value, inputs);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
-    show(process_value(state.target, fv_digits), process_value(measured, fv_digits));
-    drive_analogue(type.kind, state.value, measured, outputs);
+    show(process_value(state.target, fv_digits), process_value(value, fv_digits));
+    drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now);
 }
 
@@ -213,15 +220,14 @@ void UniversalOutput::clear(Outputs& outputs) const noexcept {
 }
 
 static_assert(implements<req::AOR_OUT_019> && implements<req::AOR_OUT_020> && implements<req::AOR_OUT_021>);
-void UniversalOutput::drive_analogue(const Kind kind, const double value, const double measured,
-                                     Outputs& outputs) const noexcept {
+void UniversalOutput::drive_analogue(const Kind kind, const double value, Outputs& outputs) const noexcept {
     const std::size_t at = number_ - 1U;
     switch (kind) {
         case Kind::voltage:
             outputs.out_voltage[at] = static_cast<float>(value);
             break;
         case Kind::current:
-            outputs.out_current[at] = static_cast<float>(measured);
+            outputs.out_current[at] = static_cast<float>(value);
             break;
         case Kind::pwm:
             outputs.out_duty[at] = static_cast<float>(value);

@@ -51,6 +51,7 @@ class UniversalOutput {
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
     FaultAction fault_action(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
+    double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
     /// What a parameter last stood for: rarely written, and read in every cycle.
     struct KeptParameters {
         KeptPhysicalValue scaling_1_pv{};
@@ -66,7 +67,7 @@ class UniversalOutput {
     bool advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                           Outputs& outputs) noexcept;
     void advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
-    void drive_analogue(Kind kind, double value, double measured, Outputs& outputs) const noexcept;
+    void drive_analogue(Kind kind, double value, Outputs& outputs) const noexcept;
     void clear(Outputs& outputs) const noexcept;
     double level() const noexcept;
     SwitchPolarity polarity() const noexcept;

@@ -131,6 +131,29 @@ TEST_F(Ax130751Lookup, PointsStayInOrder) {
     EXPECT_EQ(write_x(9, 11, 500), "") << "nothing but its own axis limits it";
 }
 
+TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadUpward) {
+    verifies<req::AOR_LT_009, req::AOR_LT_001>();
+    connect(1, 1);
+    set8(0x3015, 1, 1);    // as intervals of time, points need no order
+    set32(0x3016, 2, 20);  // (20, 10)
+    set32(0x3016, 3, 5);   // (5, 20)
+    set32(0x3016, 4, 30);  // (30, 30)
+    set32(0x3016, 5, 40000);
+    set8(0x3015, 1, 0);
+    extra(1, 4);
+    EXPECT_EQ(output(1), 2);  // 4 of 20, to 10
+    extra(1, 20);
+    EXPECT_EQ(output(1), 10) << "point 3 lies behind";
+    extra(1, 25);
+    EXPECT_EQ(output(1), 28);  // 20 + 10 * (25 - 5) / (30 - 5)
+    EXPECT_EQ(write_x(1, 6, 50), "06090032") << "below point 5";
+    EXPECT_EQ(write_x(1, 3, 6), "06090032") << "below point 2";
+    EXPECT_EQ(write_x(1, 2, 5), "");
+    EXPECT_EQ(write_x(1, 3, 30), "");
+    extra(1, 20);
+    EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5)
+}
+
 TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
     set8(0x3020, 0, supply_source);  // 8 to 35 V

@@ -116,6 +116,21 @@ TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     EXPECT_FLOAT_EQ(level(1), 12.0F);
 }
 
+TEST_F(Ax130751Output, PwmWithoutPulsesIsOff) {
+    verifies<req::AOR_OUT_020, req::AOR_OUT_018, req::AOR_OD_2380>();
+    make(40);
+    command(1, 375);
+    set16(0x2380, 1, 0);
+    pass(1);
+    EXPECT_FLOAT_EQ(duty(1), 0.0F);
+    EXPECT_FLOAT_EQ(hertz(1), 0.0F);
+    EXPECT_EQ(get16(0x7330, 1), 375);
+    EXPECT_EQ(get16(0x2370, 1), 0);
+    set16(0x2380, 1, 1);
+    pass(1);
+    EXPECT_FLOAT_EQ(duty(1), 37.5F);
+}
+
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_016, req::AOR_K_FREQUENCY_DUTY>();
     make(500);
