@@ -19,20 +19,19 @@ constexpr std::uint32_t output_type_index = 0x6310U;
 constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
 constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
 constexpr std::uint32_t fault_value_index = 0x7341U;
-constexpr std::uint32_t first_table_index = 0x3000U;  // 3yz0h of a table "00": 3010h is that of table 1
-constexpr std::uint32_t tenth_table_index = 0x3100U;
-constexpr std::uint32_t table_index_step = 0x0010U;
+constexpr std::uint32_t table_index_step = 0x0010U;  // of 3yz0h: 3010h is that of table 1, 3100h that of table 10
+constexpr std::uint32_t place_before_tables = 0x300U;
+constexpr std::uint32_t tenth_table_place = 0x310U;
 constexpr std::uint32_t point_response_offset = 5U;
 constexpr std::uint32_t point_x_offset = 6U;
 
 constexpr ErrorId supply_error = ErrorId::first_of_device;
 constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
-constexpr std::uint32_t producer_count = 4U;  // of 1016h
+constexpr std::array<ErrorId, 4U> heartbeat_errors{
+    {ErrorId::heartbeat_1, ErrorId::heartbeat_2, ErrorId::heartbeat_3, ErrorId::heartbeat_4}};
 
 static_assert(implements<req::AOR_K_CYCLE>);
 const Duration cycle_time = milliseconds(own::cycle_ms);
-/// A cycle that changed nothing after one that changed nothing: so will all that follow, until something new comes.
-constexpr std::uint32_t cycles_to_rest = 2U;
 
 static_assert(implements<req::AOR_T22>);
 const auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
@@ -69,8 +68,8 @@ constexpr ErrorTable make_error_table() noexcept {
                 put_error(table, ErrorId::life_guarding, row);
                 break;
             case Error::heartbeat:
-                for (std::size_t producer = 0U; producer < producer_count; ++producer) {
-                    put_error(table, error_after(ErrorId::heartbeat_1, producer), row);
+                for (const ErrorId error : heartbeat_errors) {
+                    put_error(table, error, row);
                 }
                 break;
             case Error::error_reset:
@@ -94,20 +93,17 @@ const ErrorTable error_table = make_error_table();
 
 /// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
 struct TableEntry {
-    std::uint8_t table{0U};  ///< 0: none
-    std::uint16_t offset{0U};
+    std::uint8_t table{0U};    ///< 0: none
+    std::uint16_t offset{0U};  ///< 0 where there is none
 };
 
 constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
-    const auto offset = static_cast<std::uint16_t>(index % table_index_step);
-    if ((index >= tenth_table_index) && (index < (tenth_table_index + table_index_step))) {
-        return TableEntry{table_count, offset};
-    }
-    if ((index < (first_table_index + table_index_step)) || (index >= tenth_table_index)) {
-        return TableEntry{};
-    }
-    const auto table = static_cast<std::uint8_t>((index - first_table_index) / table_index_step);
-    return (table < table_count) ? TableEntry{table, offset} : TableEntry{};
+    const std::uint32_t place = index / table_index_step;
+    // What lies before the tables comes out as a greater number than any of them has.
+    const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);
+    return (table <= table_count)
+               ? TableEntry{static_cast<std::uint8_t>(table), static_cast<std::uint16_t>(index % table_index_step)}
+               : TableEntry{};
 }
 
 bool is_field_value(const std::uint16_t index) noexcept {
@@ -149,7 +145,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
 void Device::receive(const Frame& frame, const Instant now) noexcept {
     advance(now);
     node_.receive(frame, now);
-    watch_network();
+    watch_network(now);
     wake(now);
 }
 
@@ -163,22 +159,19 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 /// Cycles and deadlines of the node, in the order of their times; at the same time the cycle comes first.
 static_assert(implements<req::AOR_OUT_027>);
 void Device::advance(const Instant now) noexcept {
-    bool node_moves{true};
     Instant due = next_deadline();
     while (due <= now) {
         if (next_cycle_ <= due) {
             run_cycle(due);
         }
-        if (node_moves && (node_.next_deadline() <= due)) {
-            node_.advance(due);
-            watch_network();
-            // A deadline that stays where it is waits for something else, such as room in the queue.
-            node_moves = node_.next_deadline() > due;
-        }
-        due = node_moves ? next_deadline() : next_cycle_;
+        node_.advance(due);
+        watch_network(due);
+        // A deadline of the node that stayed where it is would wait for something else, such as room in the queue.
+        const Instant next = next_deadline();
+        due = (next > due) ? next : next_cycle_;
     }
     node_.advance(now);
-    watch_network();
+    watch_network(now);
 }
 
 Instant Device::next_deadline() const noexcept {
@@ -187,11 +180,11 @@ Instant Device::next_deadline() const noexcept {
 
 static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
-    const bool changes = run_blocks(now);
+    const bool quiet = !run_blocks(now);
     tell_errors(now);
-    quiet_cycles_ = changes ? std::uint8_t{0U} : static_cast<std::uint8_t>(quiet_cycles_ + 1U);
-    const bool rests = quiet_cycles_ >= cycles_to_rest;
-    quiet_cycles_ = rests ? cycles_to_rest : quiet_cycles_;
+    // Two such cycles in a row: so will all be that follow, until something new comes.
+    const bool rests = quiet && was_quiet_;
+    was_quiet_ = quiet;
     next_cycle_ = rests ? next_change() : (now + cycle_time);
 }
 
@@ -200,9 +193,11 @@ Instant Device::next_change() const noexcept {
     return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }
 
-/// One evaluation of all blocks. True when the next one may differ.
+/// One evaluation of all blocks. True when something changed that a block earlier in the order may yet see, or that
+/// goes on changing. Not told is what a cycle sees at once and its repetition brings to an end, as new inputs do.
 bool Device::run_blocks(const Instant now) noexcept {
-    bool changes = supervision_.advance(inputs_, objects_);
+    supervision_.advance(inputs_, objects_);
+    bool changes{false};
     sources_.set_network(overdue_, silent_);
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         changes = tables_[table - 1U].advance(table, objects_, sources_, now) || changes;
@@ -217,7 +212,8 @@ bool Device::run_blocks(const Instant now) noexcept {
     for (UniversalOutput& output : universal_) {
         changes = output.advance(cycle, inputs_, outputs_) || changes;
     }
-    return relay_.advance(cycle, outputs_) || changes;
+    relay_.advance(cycle, outputs_);
+    return changes;
 }
 
 static_assert(implements<req::AOR_DIAG_007>);
@@ -229,13 +225,17 @@ void Device::tell_errors(const Instant now) noexcept {
 }
 
 /// What makes CANopen messages faulty as sources.
-void Device::watch_network() noexcept {
+void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
-    for (std::size_t producer = 0U; producer < producer_count; ++producer) {
-        silent = silent || node_.has_error(error_after(ErrorId::heartbeat_1, producer));
+    for (const ErrorId error : heartbeat_errors) {
+        silent = silent || node_.has_error(error);
     }
-    overdue_ = node_.overdue_rpdos();
-    silent_ = silent;
+    const std::uint8_t overdue = node_.overdue_rpdos();
+    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_)) {
+        silent_ = silent;
+        overdue_ = overdue;
+        wake(now);
+    }
 }
 
 /// Something new came at `now`: the next cycle sees it.
@@ -243,7 +243,7 @@ void Device::wake(const Instant now) noexcept {
     const std::uint64_t cycles_gone = elapsed(epoch_, now).us / cycle_time.us;
     const Instant next = epoch_ + Duration{(cycles_gone + 1U) * cycle_time.us};
     next_cycle_ = earliest(next_cycle_, next);
-    quiet_cycles_ = 0U;
+    was_quiet_ = false;
 }
 
 AbortCode Device::check_access(const EntryRef&) {
@@ -253,17 +253,15 @@ AbortCode Device::check_access(const EntryRef&) {
 static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
     const TableEntry place = table_entry(entry.index);
-    if ((place.table != 0U) && (place.offset == point_x_offset)) {
+    if (place.offset == point_x_offset) {
         return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
     }
     if (is_field_value(entry.index)) {
         return universal_[entry.row->subindex - 1U].check_field_value(to_int16(value));
     }
     if (entry.index == bit_rate_index) {
-        const auto bit_rate =
-            cell_or(own::t_aor_t22::find(value[0U]), &own::t_aor_t22::Row::bit_rate, std::uint32_t{0U});
-        return (bit_rate == 0U) ? AbortCode::value_range
-                                : keep_configuration(LssConfiguration{kept_.node_id, bit_rate});
+        const auto bit_rate = cell_or(own::t_aor_t22::find(value[0U]), &own::t_aor_t22::Row::bit_rate, kept_.bit_rate);
+        return keep_configuration(LssConfiguration{kept_.node_id, bit_rate});
     }
     return (entry.index == node_id_index) ? keep_configuration(LssConfiguration{value[0U], kept_.bit_rate})
                                           : AbortCode::none;
@@ -319,7 +317,7 @@ void Device::restart(const Instant now) {
         types_[output - 1U] = objects_.get(field::o6310_ao_output_type[output]);
     }
     relay_.reset(outputs_);
-    static_cast<void>(supervision_.advance(inputs_, objects_));
+    supervision_.advance(inputs_, objects_);
     show_configuration();
     overdue_ = 0U;
     silent_ = false;
@@ -336,9 +334,8 @@ void Device::booted(const Instant now) {
     tell_errors(now);
 }
 
-void Device::communication_failed(const bool, const Instant now) {
-    watch_network();
-    wake(now);
+void Device::communication_failed(const bool, const Instant) {
+    // which of the messages fail, and when, is seen in watch_network()
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {

@@ -57,7 +57,7 @@ class Device final : private Application {
 
     void run_cycle(Instant now) noexcept;
     bool run_blocks(Instant now) noexcept;
-    void watch_network() noexcept;
+    void watch_network(Instant now) noexcept;
     void tell_errors(Instant now) noexcept;
     void wake(Instant now) noexcept;
     Instant next_change() const noexcept;
@@ -88,9 +88,9 @@ class Device final : private Application {
     std::array<std::uint16_t, output_count> types_{};  ///< 6310h as last acted upon
     Instant epoch_{};                                  ///< cycles run at whole multiples of their time after this
     Instant next_cycle_{never};
-    std::uint8_t quiet_cycles_{0U};
     std::uint8_t overdue_{0U};
     bool silent_{false};
+    bool was_quiet_{false};  ///< the last cycle: it changed nothing
 };
 
 }  // namespace canproof::ax130751

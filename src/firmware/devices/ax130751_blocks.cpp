@@ -113,7 +113,7 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
     }
     const bool changes = output.state != state_;
     state_ = output.state;
-    sources.set_lookup(number, output.state, input.is_available() ? limits_ : LookupLimits{});
+    sources.set_lookup(number, output.state, limits_);
     return replace(objects, fields.output, process_value(output.value, objects.get(fields.y_digits))) || changes ||
            table_.is_running();
 }
@@ -181,7 +181,8 @@ bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& object
     sources.set_logic(number, table.state);
     const bool reselects = std::uint32_t{objects.get(field::o3310_logic_block_selected_table[number])} != selected;
     objects.set(field::o3310_logic_block_selected_table[number], selected);
-    return replace(objects, field::o3320_logic_block_output_pv[number], process_value(output, tenths)) || reselects;
+    objects.set(field::o3320_logic_block_output_pv[number], process_value(output, tenths));
+    return reselects;
 }
 
 LogicFunction SelectionBlock::read(const std::uint8_t number, const std::size_t function,
@@ -245,8 +246,8 @@ bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& obje
                              output_scaling_1_.of(objects.get(field::o4021_math_output_scaling_1_pv[number]), digits),
                              output_scaling_2_.of(objects.get(field::o4023_math_output_scaling_2_pv[number]), digits));
     }
-    return replace(objects, field::o4030_math_output_process_value[number], process_value(output, digits)) ||
-           (!math_.is_settled());
+    objects.set(field::o4030_math_output_process_value[number], process_value(output, digits));
+    return !math_.is_settled();
 }
 
 }  // namespace canproof::ax130751

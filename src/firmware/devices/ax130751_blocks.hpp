@@ -40,7 +40,8 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, s
 /// One logic block.
 class SelectionBlock {
   public:
-    /// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when that changed.
+    /// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when it selects another
+    /// table; while it does not, its output changes only where that of a table does, which tells so itself.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
 
   private:
@@ -59,7 +60,7 @@ class SelectionBlock {
 class CalculationBlock {
   public:
     void reset() noexcept { math_.reset(); }
-    /// Evaluates math block `number` (1…4) and sets 4030h. True while it goes on changing.
+    /// Evaluates math block `number` (1…4) and sets 4030h. True while its functions give other results than before.
     bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
 
   private:

@@ -82,7 +82,7 @@ void UniversalOutput::reset() noexcept {
     enable_ = DigitalReading{};
     override_ = DigitalReading{};
     type_ = objects_.get(field::o6310_ao_output_type[number_]);
-    show(0, 0);
+    static_cast<void>(show(0, 0));
 }
 
 static_assert(implements<req::AOR_OUT_023>);
@@ -94,15 +94,11 @@ void UniversalOutput::follow_type() noexcept {
 
 bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
     follow_type();
-    changed_ = false;
     const InputSignals signals = read_inputs();
     clear(outputs);
     next_change_ = never;
-    if (is_digital(objects_, number_)) {
-        advance_digital(signals, cycle, outputs);
-        return changed_;
-    }
-    return advance_analogue(signals, cycle, inputs, outputs) || changed_;
+    return is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
+                                         : advance_analogue(signals, cycle, inputs, outputs);
 }
 
 UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
@@ -191,11 +187,6 @@ static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && im
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::t_aor_t03::Row& type = output_type(objects_, number_);
-    if (type.kind == Kind::none) {
-        analogue_.reset();
-        show(0, 0);
-        return false;
-    }
     const LinearScaling line = scaling();
     const AnalogueDemand demanded = demand(control_value(signals.control, line));
     const RampTimes times{std::fabs(line.y2 - line.y1), milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
@@ -204,9 +195,9 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
     const double value = carried(type.kind, state.value, inputs);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
-    show(process_value(state.target, fv_digits), process_value(value, fv_digits));
+    const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
     drive_analogue(type.kind, value, outputs);
-    return analogue_.is_moving(cycle.now);
+    return analogue_.is_moving(cycle.now) || changes;
 }
 
 void UniversalOutput::clear(Outputs& outputs) const noexcept {
@@ -262,27 +253,28 @@ SwitchPolarity UniversalOutput::polarity() const noexcept {
 }
 
 static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
-void UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
+bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
                                objects_.get(field::o6260_do_fault_state_1_output_line[number_])};
     const OutputDrive drive = drive_of(signals, cycle.shutdown, true);
     const Duration blink = milliseconds(objects_.get(field::o2223_do_blink_rate_1_output_line[number_]));
     const DigitalOutputState state = digital_.advance(drive, demand, polarity(), blink, cycle.now);
-    show(static_cast<std::int16_t>(state.logic ? 1 : 0), static_cast<std::int16_t>(state.drive ? 1 : 0));
     const std::size_t at = number_ - 1U;
     outputs.out_on[at] = state.drive;
     outputs.out_level[at] = static_cast<float>(level());
     outputs.out_voltage[at] = state.drive ? outputs.out_level[at] : 0.0F;
     next_change_ = digital_.next_change();
+    return show(static_cast<std::int16_t>(state.logic ? 1 : 0), static_cast<std::int16_t>(state.drive ? 1 : 0));
 }
 
-void UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {
-    changed_ = changed_ || (target != shown_target_) || (feedback != shown_feedback_);
+bool UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {
+    const bool changes = (target != shown_target_) || (feedback != shown_feedback_);
     shown_target_ = target;
     shown_feedback_ = feedback;
     objects_.set(field::o7330_ao_output_field_value[number_], target);
     objects_.set(field::o2370_ao_feedback_field_value[number_], feedback);
+    return changes;
 }
 
 static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);

@@ -66,12 +66,13 @@ class UniversalOutput {
     AnalogueDemand demand(double control) noexcept;
     bool advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                           Outputs& outputs) noexcept;
-    void advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
+    bool advance_digital(const InputSignals& signals, const OutputCycle& cycle, Outputs& outputs) noexcept;
     void drive_analogue(Kind kind, double value, Outputs& outputs) const noexcept;
     void clear(Outputs& outputs) const noexcept;
     double level() const noexcept;
     SwitchPolarity polarity() const noexcept;
-    void show(std::int16_t target, std::int16_t feedback) noexcept;
+    /// Sets 7330h and 2370h. True when they were others.
+    bool show(std::int16_t target, std::int16_t feedback) noexcept;
 
     ObjectDictionary& objects_;
     const Sources& sources_;
@@ -89,7 +90,6 @@ class UniversalOutput {
     std::int16_t shown_target_{0};
     std::int16_t shown_feedback_{0};
     Instant next_change_{never};
-    bool changed_{false};
 };
 
 }  // namespace canproof::ax130751

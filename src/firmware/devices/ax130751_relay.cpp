@@ -84,15 +84,13 @@ void RelayOutput::reset(Outputs& outputs) noexcept {
 }
 
 static_assert(implements<req::AOR_RELAY_016>);
-bool RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
+void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const RelayPolarity wanted = polarity();
     const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));
     const OutputDrive drive = drive_of(wanted, cycle.shutdown || absent);
     const RelayDemand demand{control_.on(), unlatch_.on(),
                              override_state(objects_.get(field::o2293_relay_override_state[1U]))};
-    const bool before = shown_;
     show(relay_.advance(drive, demand, wanted, times(), cycle.now), outputs);
-    return shown_ != before;
 }
 
 OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {
@@ -144,7 +142,6 @@ RelayTimes RelayOutput::times() const noexcept {
 
 static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_T_CONTACT>);
 void RelayOutput::show(const bool on, Outputs& outputs) noexcept {
-    shown_ = on;
     const auto* const row = own::t_aor_t_contact::find(on);
     outputs.relay_nc = cell_or(row, &own::t_aor_t_contact::Row::normally_closed, false);
     outputs.relay_no = cell_or(row, &own::t_aor_t_contact::Row::normally_open, false);

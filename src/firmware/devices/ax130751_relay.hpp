@@ -13,8 +13,8 @@ class RelayOutput {
         : objects_{objects}, sources_{sources} {}
 
     void reset(Outputs& outputs) noexcept;
-    /// Drives the contact. True when it changed.
-    bool advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
+    /// Drives the contact, which no other block sees.
+    void advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
     /// When it will change by itself, its inputs staying as they are.
     Instant next_change() const noexcept { return relay_.next_change(); }
 
@@ -22,7 +22,7 @@ class RelayOutput {
     RelayPolarity polarity() const noexcept;
     RelayTimes times() const noexcept;
     OutputDrive drive_of(const RelayPolarity& polarity, bool shutdown) noexcept;
-    void show(bool on, Outputs& outputs) noexcept;
+    static void show(bool on, Outputs& outputs) noexcept;
 
     const ObjectDictionary& objects_;
     const Sources& sources_;
@@ -35,7 +35,6 @@ class RelayOutput {
     DigitalReading unlatch_{};
     DigitalReading enable_{};
     DigitalReading override_{};
-    bool shown_{false};
 };
 
 }  // namespace canproof::ax130751

@@ -17,7 +17,6 @@ constexpr std::uint32_t write_state_index = 0x6220U;
 constexpr std::uint32_t process_value_index = 0x7300U;
 constexpr std::uint32_t extra_received_index = 0x2500U;
 constexpr std::uint32_t first_rpdo_mapping = 0x1600U;
-constexpr std::uint32_t rpdo_count = 4U;
 
 /// Whether RPDO number + 1 maps an entry.
 bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
@@ -255,9 +254,12 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
 static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
 SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
     bool failed = silent_;
-    for (std::uint8_t number = 0U; (overdue_ != 0U) && (number < rpdo_count); ++number) {
-        const bool overdue = ((overdue_ >> std::uint32_t{number}) & 1U) != 0U;
-        failed = failed || (overdue && maps(objects_, number, index, subindex));
+    std::uint8_t number{0U};
+    std::uint32_t overdue{overdue_};
+    while (overdue != 0U) {
+        failed = failed || (((overdue & 1U) != 0U) && maps(objects_, number, index, subindex));
+        overdue >>= 1U;
+        ++number;
     }
     return failed ? SignalState::error : SignalState::valid;
 }

@@ -19,18 +19,11 @@ bool is_beyond_hardware(const float supply) noexcept {
     return (supply < own::supply_shutdown_low) || (supply > own::supply_shutdown_high);
 }
 
-bool is_same(const float a, const float b) noexcept {
-    return (a <= b) && (a >= b);
-}
-
 }  // namespace
 
 static_assert(implements<req::AOR_DIAG_001> && implements<req::AOR_DIAG_002> && implements<req::AOR_DIAG_003> &&
               implements<req::AOR_DIAG_004> && implements<req::AOR_DIAG_005> && implements<req::AOR_DIAG_006>);
-bool Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept {
-    const bool measures_anew =
-        !(is_same(objects.get(field::o5020_power_supply_field_value), inputs.supply) &&
-          is_same(objects.get(field::o5030_processor_temperature_field_value), inputs.cpu_temperature));
+void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept {
     objects.set(field::o5020_power_supply_field_value, inputs.supply);
     objects.set(field::o5030_processor_temperature_field_value, inputs.cpu_temperature);
 
@@ -49,9 +42,7 @@ bool Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
 
     const bool supply_shuts = objects.get(field::o5025_enable_power_supply_fault_disables_outputs) != 0U;
     const bool heat_shuts = objects.get(field::o5034_enable_temperature_fault_shutdown) != 0U;
-    const bool before = shutdown_;
     shutdown_ = is_beyond_hardware(inputs.supply) || ((low || high) && supply_shuts) || (hot && heat_shuts);
-    return measures_anew || (shutdown_ != before);
 }
 
 }  // namespace canproof::ax130751

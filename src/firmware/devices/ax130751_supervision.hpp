@@ -11,8 +11,8 @@ namespace canproof::ax130751 {
 class Supervision {
   public:
     void reset() noexcept { *this = Supervision{}; }
-    /// Sets 5020h and 5030h and looks for faults. True when something changed.
-    bool advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept;
+    /// Sets 5020h and 5030h and looks for faults.
+    void advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept;
 
     bool has_supply_fault() const noexcept { return under_.is_present() || over_.is_present(); }
     bool has_temperature_fault() const noexcept { return temperature_.is_present(); }

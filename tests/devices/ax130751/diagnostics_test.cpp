@@ -185,6 +185,20 @@ TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
+TEST_F(Ax130751Diagnostics, AFaultThatPassedWithoutANodeIdIsNotTold) {
+    verifies<req::AOR_DIAG_007>();
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#11FF"), (Frames{"7E4#110000"}));
+    EXPECT_EQ(send("7E5#0400"), Frames{}) << "no node-ID, no boot-up";
+    EXPECT_EQ(supply(7.5F), Frames{});
+    EXPECT_TRUE(all_off());
+    EXPECT_EQ(supply(24.0F), Frames{});
+    EXPECT_EQ(temperature(99.0F), Frames{});
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#1120"), (Frames{"7E4#110000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"720#00", "0A0#0042010000000000"})) << "only what is there now";
+}
+
 TEST_F(Ax130751Diagnostics, UnderAndOverVoltageAreOneFault) {
     verifies<req::AOR_DIAG_007>();
     EXPECT_EQ(supply(7.5F).size(), 1U);

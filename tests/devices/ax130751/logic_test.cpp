@@ -202,6 +202,53 @@ TEST_F(Ax130751Logic, OutputIsAPercentageOfTheTable) {
     EXPECT_EQ(output(3), 0) << "limits coincide";
 }
 
+TEST_F(Ax130751Logic, ATableWithoutASourceIsNoPercentage) {
+    verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_008>();
+    set8(0x3300, 1, 1);
+    connect_table(1, 1);
+    set16(0x3017, 1, -100);  // its limits: -100 to 100
+    extra(1, 50);
+    EXPECT_EQ(selected(1), 1);
+    EXPECT_EQ(output(1), 750);
+    set8(0x3010, 0, not_used);
+    pass(1);
+    EXPECT_EQ(output(1), 0) << "not the half of its limits";
+}
+
+TEST_F(Ax130751Logic, AChainAgainstTheOrderTakesACycleForEachBlock) {
+    verifies<req::AOR_OUT_001, req::AOR_LOGIC_008>();
+    // Block 3 looks at 2500h:1, block 2 at block 3, block 1 at block 2. Each selects its table A, which gives 0, while
+    // what it looks at is there and 0, else its table B, which has no source: all outputs stay 0.
+    condition(3, 1, 1, 1, 0, 2);
+    for (const int block : {1, 2}) {
+        const std::uint16_t at = index(block, 0x11);
+        set8(at, 1, logic_source);
+        set8(at, 2, block + 1);
+        set8(at, 3, canopen);
+        set8(at, 4, 5);  // 2500h:2
+        set8(at, 5, 0);
+        set8(index(block, 2), 1, 2);  // or
+    }
+    for (int block = 1; block <= 3; ++block) {
+        connect_table((3 * block) - 2, 3);
+        set8(0x3300, block, 1);
+    }
+    pass(10);
+    for (int block = 1; block <= 3; ++block) {
+        EXPECT_EQ(get8(0x3310, block), (3 * block) - 2);
+    }
+    pass(10);
+    set16(0x2500, 1, 5);
+    pass(2);
+    EXPECT_EQ(device->objects().read(0x3310, 2), 5U);
+    EXPECT_EQ(device->objects().read(0x3310, 1), 1U);
+    pass(1);
+    for (int block = 1; block <= 3; ++block) {
+        EXPECT_EQ(get8(0x3310, block), (3 * block) - 1);
+        EXPECT_EQ(output(block), 0);
+    }
+}
+
 TEST_F(Ax130751Logic, StateOfItsTableIsItsOwn) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_009>();
     // Output 1 follows logic 1: OFF while that is not available, fault value while it is in error.

@@ -174,6 +174,41 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
+TEST_F(Ax130751Lookup, ASourceThatGivesNothingLimitsNoPoint) {
+    verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
+    set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
+    set8(0x3021, 0, 1);
+    EXPECT_EQ(write_x(2, 11, 150), "");
+    connect(1, 1);
+    set8(0x3300, 1, 1);
+    pass(2);
+    EXPECT_EQ(write_x(2, 11, 140), "06090031");
+    EXPECT_EQ(write_x(2, 11, 100), "");
+}
+
+TEST_F(Ax130751Lookup, NewLimitsReachATableBeforeItACycleLater) {
+    verifies<req::AOR_OUT_001, req::AOR_LT_007, req::AOR_LT_010>();
+    // 2500h:1 → table 2 → table 1, whose profile rises to 50 in 100 ms
+    connect(2, 1);
+    for (int point = 8; point <= 11; ++point) {
+        set16(0x3027, point, 60);
+    }
+    set8(0x3010, 0, lookup_source);
+    set8(0x3011, 0, 2);
+    set8(0x3015, 1, 1);
+    set32(0x3016, 2, 100);
+    set16(0x3017, 2, 50);
+    set8(0x3015, 3, 0);
+    extra(1, 60);
+    pass(10);
+    EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
+    pass(10);
+    set16(0x3027, 11,
+          -10);  // table 2 gives 60 of -10 to 60 now: the next cycle sets its limits, the one after sees them
+    pass(2 + 50);
+    EXPECT_EQ(output(1), 25);
+}
+
 TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012>();
     connect(3, 1);
@@ -186,6 +221,9 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     set8(0x3035, 4, 0);
     pass(5);
     EXPECT_EQ(output(3), 0);
+    extra(1, 40);
+    pass(10);
+    EXPECT_EQ(output(3), 0) << "still OFF: between the limits 0 and 100";
     extra(1, 100);  // starts in the cycle that just ran
     EXPECT_EQ(output(3), 0);
     pass(50);
@@ -228,6 +266,9 @@ TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
     set16(0x3107, 1, 77);
+    set8(0x3105, 1, 0);
+    EXPECT_EQ(get16(0x3107, 1), 77) << "data response sets nothing";
+    EXPECT_EQ(get8(0x3103, 0), 2);
     set8(0x3105, 1, 1);
     EXPECT_EQ(read(0x3106, 1), 0U);
     EXPECT_EQ(get16(0x3107, 1), 0);
@@ -244,6 +285,9 @@ TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
     set16(0x3107, 1, 60);
     set8(0x3103, 0, 3);
     set32(0x3106, 2, 100);
+    set8(0x3105, 3, 0);
+    EXPECT_EQ(get16(0x3107, 1), 60) << "the choice itself sets it, not what is written later";
+    EXPECT_EQ(get8(0x3103, 0), 3);
     extra(1, 100);
     EXPECT_EQ(output(10), 0);
     pass(50);
@@ -268,6 +312,31 @@ TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
     pass(1);
     EXPECT_EQ(output(1), 0);
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no control: OFF, not the 1 V of scaling 1";
+}
+
+TEST_F(Ax130751Lookup, AnErrorRunsThroughAChainAgainstTheOrder) {
+    verifies<req::AOR_LT_016, req::AOR_OUT_001>();
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: nothing but the state of each changes
+    connect(4, 1);
+    for (int table = 1; table <= 3; ++table) {
+        set8(index(table, 0), 0, lookup_source);
+        set8(index(table, 1), 0, table + 1);
+    }
+    no_ramps(1);
+    set8(0x2340, 1, lookup_source);
+    set8(0x2341, 1, 1);
+    set16(0x7341, 1, 2000);
+    start();
+    send("37F#280000000000");
+    pass(20);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // 40, far above the 5.000 of its scaling
+    pass(32);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F) << "the error of the 50th millisecond is as far as table 3";
+    pass(10);
+    EXPECT_FLOAT_EQ(volts(1), 2.0F);
+    EXPECT_EQ(output(1), 40);
 }
 
 TEST_F(Ax130751Lookup, AnErrorOfItsInputIsHandedOn) {

@@ -196,6 +196,10 @@ TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
     set8(0x4102, 4, 1);
     pass(1);
     EXPECT_EQ(output(1), 4000) << "no effect on another source";
+    set8(0x4102, 1, 1);
+    pass(1);
+    EXPECT_EQ(output(1), 4000) << "nor on 2500h:1 in block 1";
+    set8(0x4102, 1, 0);
     set8(0x4101, 4, 2);
     set8(0x4100, 4, math_source);
     pass(1);
@@ -216,6 +220,24 @@ TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
     pass(50);
     // x = 0.4 + x / 4 has the solution 0.5333
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
+}
+
+TEST_F(Ax130751Math, ASumGrowsAlsoWhileTheOutputStandsStill) {
+    verifies<req::AOR_MATH_009, req::AOR_OUT_001>();
+    make(1, 3);
+    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4101, 1, 1);
+    set8(0x4100, 1, math_source);
+    set8(0x4102, 1, 1);
+    values({0, 0, 50});
+    pass(10);
+    EXPECT_EQ(output(1), 0);
+    pass(10);
+    set16(0x2500, 2, 1);  // 1 % a cycle
+    pass(45);
+    EXPECT_EQ(device->objects().read(0x4030, 1), 0U);
+    pass(10);
+    EXPECT_EQ(output(1), 10000);
 }
 
 TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {

@@ -103,6 +103,17 @@ TEST_F(Ax130751Output, CurrentIsMeasuredThroughItsLoad) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
+TEST_F(Ax130751Output, NeitherLoadNorFrequencyOfAVoltageOutputMatter) {
+    verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_OUT_020>();
+    make(10);
+    set16(0x2380, 1, 0);
+    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through it
+    set_inputs();
+    command(1, 5000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    EXPECT_EQ(get16(0x2370, 1), 5000);
+}
+
 TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL>();
     make(40);
@@ -401,6 +412,30 @@ TEST_F(Ax130751Output, WithoutAControlItIsOff) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
+TEST_F(Ax130751Output, WithoutAControlItRampsToOff) {
+    verifies<req::AOR_OUT_008, req::AOR_OUT_012>();
+    command(1, 5000);
+    pass(1000);  // 5 V in a second, as shipped
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    set8(0x2340, 1, not_used);
+    pass(1 + 500);
+    EXPECT_FLOAT_EQ(volts(1), 2.5F);
+    pass(500);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+}
+
+TEST_F(Ax130751Output, AnOverrideThatIsNotUsedIsNotReadAsOff) {
+    verifies<req::AOR_OUT_008, req::AOR_T08>();
+    make(10);
+    set16(0x2300, 1, -3000);
+    set8(0x2360, 1, not_used);
+    set8(0x2362, 1, 1);  // override when OFF
+    command(1, 4000);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F);
+    connect(0x2360, 2);
+    EXPECT_FLOAT_EQ(volts(1), -3.0F);
+}
+
 TEST_F(Ax130751Output, WithoutAControlAnInverseDigitalOutputIsOffToo) {
     verifies<req::AOR_OUT_008>();
     make(1020);
@@ -415,6 +450,23 @@ TEST_F(Ax130751Output, WithoutAControlAnInverseDigitalOutputIsOffToo) {
     connect(0x2360, 1);
     extra(1, 100);
     EXPECT_TRUE(is_on(1)) << "an override needs no control";
+}
+
+TEST_F(Ax130751Output, ADisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
+    verifies<req::AOR_OUT_007, req::AOR_DO_006, req::AOR_OUT_008>();
+    make(1020);
+    set8(0x2241, 1, 0);
+    set8(0x6220, 1, 1);
+    connect(0x2350, 1);
+    set8(0x2352, 1, 5);  // enabled when OFF, else it keeps its state
+    extra(1, 0);
+    EXPECT_TRUE(is_on(1));
+    extra(1, 100);
+    set8(0x2340, 1, not_used);
+    pass(2);
+    EXPECT_TRUE(is_on(1)) << "enable comes before control";
+    extra(1, 0);
+    EXPECT_FALSE(is_on(1)) << "enabled, but without a control";
 }
 
 TEST_F(Ax130751Output, AnInputInErrorTakes7341hOrKeeps) {
@@ -478,10 +530,15 @@ TEST_F(Ax130751Output, DigitalFollows6220hWithBothValuesOfTheType) {
         set8(0x6220, 1, 0);
         command(1, 1);
         EXPECT_FALSE(is_on(1)) << "7300h does not count";
+        EXPECT_FLOAT_EQ(volts(1), 0.0F);
+        EXPECT_EQ(get16(0x7330, 1), 0);
+        EXPECT_EQ(get16(0x2370, 1), 0);
         set8(0x6220, 1, 1);
         pass(1);
         EXPECT_TRUE(is_on(1));
         EXPECT_FLOAT_EQ(volts(1), 5.0F);
+        EXPECT_EQ(get16(0x7330, 1), 1);
+        EXPECT_EQ(get16(0x2370, 1), 1);
         set8(0x2240, 1, 1);
         pass(1);
         EXPECT_FLOAT_EQ(volts(1), 12.0F);
@@ -627,6 +684,19 @@ TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
     EXPECT_FLOAT_EQ(volts(1), 3.5F);
 }
 
+TEST_F(Ax130751Output, AResetPutsBothOutputsOffWithoutARamp) {
+    verifies<req::AOR_OUT_026>();
+    command(1, 5000);
+    command(2, 5000);
+    pass(1000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    EXPECT_FLOAT_EQ(volts(2), 5.0F);
+    send("000#817F");
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    EXPECT_FLOAT_EQ(volts(2), 0.0F);
+}
+
 TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
@@ -688,6 +758,108 @@ TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
     EXPECT_EQ(get16(0x3018, 0), 70);
 }
 
+TEST_F(Ax130751Output, AnOutputFollowsABlinkingOneACycleLater) {
+    verifies<req::AOR_OUT_001, req::AOR_DO_004>();
+    make(10);
+    set8(0x2340, 1, 7);  // output 1 is 0 or 5 V with the drive state of output 2
+    set8(0x2341, 1, 2);
+    set8(0x6302, 1, 0);
+    set16(0x7322, 1, 1);
+    set16(0x6310, 2, 1020);
+    set8(0x2241, 2, 3);
+    set16(0x2223, 2, 40);
+    pass(10);
+    set8(0x6220, 2, 1);
+    pass(1);
+    EXPECT_TRUE(is_on(2));
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    for (int half = 0; half < 6; ++half) {
+        pass(1);
+        EXPECT_EQ(is_on(2), half % 2 == 0) << half;
+        EXPECT_FLOAT_EQ(volts(1), half % 2 == 0 ? 5.0F : 0.0F) << half;
+        pass(39);
+    }
+}
+
+TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
+    verifies<req::AOR_OUT_001>();
+    // Output 2 repeats what output 1 does, which is a tenth of a volt or of a milliampere more than output 2 did.
+    const auto close_loop = [this](int type, int source, int full) {
+        for (const int output : {1, 2}) {
+            set16(0x6310, output, type);
+            no_ramps(output);
+            set8(0x2341, output, 3 - output);
+            set16(0x7322, output, full);
+            set16(0x7323, output, full);
+        }
+        set16(0x7322, 1, full - 100);
+        set16(0x7321, 1, 100);
+        set8(0x2340, 2, source);
+        set8(0x2340, 1, not_used);  // OFF
+        pass(10);
+        set8(0x2340, 1, source);
+    };
+    close_loop(10, 7, 5000);
+    pass(20);
+    EXPECT_FLOAT_EQ(volts(1), 2.0F);
+    pass(10);
+    EXPECT_FLOAT_EQ(volts(2), 3.0F);
+    // Through 1 MOhm 14 V drive 0.014 mA: the feedback stands, the targets grow.
+    inputs.load = {1.0e6F, 1.0e6F};
+    set_inputs();
+    close_loop(20, 6, 20000);
+    pass(20);
+    EXPECT_EQ(get16(0x2370, 1), 14);
+    EXPECT_EQ(get16(0x7330, 1), 2000);
+    EXPECT_EQ(get16(0x7330, 2), 2000);
+}
+
+TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
+    verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
+    // Math 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a cycle.
+    extra_as_percent(2);
+    for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
+        set8(0x4200, sub, source);
+        set8(0x4201, sub, number);
+    }
+    set16(0x4222, 2, 10000);
+    set8(0x4000, 2, 1);
+    set16(0x1800, 5, 7);
+    pass(10);
+    now = now + Duration{500};
+    start();
+    set16(0x2500, 2, 1);
+    EXPECT_EQ(pass(10).size(), 1U);
+    EXPECT_EQ(device->objects().read(0x4030, 2), 1000U);
+    EXPECT_EQ(pass(10).size(), 1U);
+    EXPECT_EQ(device->objects().read(0x4030, 2), 2000U);
+}
+
+TEST_F(Ax130751Output, ALateCallMakesUpForWhatWasDue) {
+    verifies<req::AOR_OUT_027>();
+    start();                 // TPDO1 from here on each 100 ms: 2370h:1 and 2370h:2
+    send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
+    now = now + milliseconds(300);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"1FF#EF010000", "1FF#E3030000", "1FF#D7050000"}));  // 495, 995 and 1495 mV
+    pass(1000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    now = now + milliseconds(300);  // nothing moves any more
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
+}
+
+TEST_F(Ax130751Output, AFullQueueHoldsNoOutputUp) {
+    verifies<req::AOR_OUT_027>();
+    set16(0x1800, 5, 1);
+    start();
+    send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
+    now = now + milliseconds(501);
+    device->advance(now);  // 501 TPDOs, which nobody takes away
+    EXPECT_FLOAT_EQ(volts(1), 2.5F);
+    EXPECT_EQ(sent().size(), TransmitQueue::capacity);
+}
+
 TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
     verifies<req::AOR_OUT_012>();
     make(10);
@@ -710,6 +882,10 @@ TEST_F(Ax130751Output, NothingToDoNeedsNoCycle) {
     EXPECT_LE(device->next_deadline(), now + milliseconds(1)) << "a ramp is under way";
     pass(5000);
     EXPECT_EQ(device->next_deadline(), never);
+    set16(0x6310, 2, 1020);
+    set8(0x6220, 2, 1);
+    pass(10);
+    EXPECT_EQ(device->next_deadline(), never) << "nor has a digital output anything to do";
 }
 
 }  // namespace canproof::test

@@ -320,6 +320,29 @@ TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
     EXPECT_TRUE(control(1));  // the inverse latch rests ON
 }
 
+TEST_F(Ax130751Relay, ADisabledRelayThatKeepsItsStateNeedsNoControl) {
+    verifies<req::AOR_OUT_007, req::AOR_RELAY_009, req::AOR_RELAY_016>();
+    connect(0x2280, 1);
+    set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
+    EXPECT_TRUE(control(1));
+    extra(1, 100);
+    set8(0x2260, 1, not_used);
+    pass(2);
+    EXPECT_TRUE(relay_on()) << "enable comes before control";
+    extra(1, 0);
+    EXPECT_FALSE(relay_on()) << "enabled, but without a control";
+}
+
+TEST_F(Ax130751Relay, AnOverrideThatIsNotUsedIsNotReadAsOff) {
+    verifies<req::AOR_RELAY_016, req::AOR_T12>();
+    set8(0x2290, 1, not_used);
+    set8(0x2292, 1, 1);  // override when OFF
+    set8(0x2293, 1, 1);
+    EXPECT_FALSE(control(0));
+    connect(0x2290, 2);
+    EXPECT_TRUE(relay_on());
+}
+
 TEST_F(Ax130751Relay, ARelayThatIsNotImplementedIsNeverDriven) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);

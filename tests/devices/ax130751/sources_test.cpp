@@ -150,6 +150,12 @@ TEST_F(Ax130751Sources, ADigitalOutputGivesItsStates) {
     EXPECT_EQ(tenths(1, 2), 10) << "6220h:2";
     EXPECT_EQ(tenths(6, 2), 10) << "logic state";
     EXPECT_EQ(tenths(7, 2), 0) << "drive state, inverse";
+    set8(0x2241, 2, 0);
+    set8(0x6302, 2, 2);
+    set8(0x6332, 2, 2);
+    EXPECT_EQ(tenths(1, 2), 10) << "states have no decimal digits";
+    EXPECT_EQ(tenths(6, 2), 10);
+    EXPECT_EQ(tenths(7, 2), 10);
 }
 
 TEST_F(Ax130751Sources, LimitsOfTable5) {
@@ -168,7 +174,10 @@ TEST_F(Ax130751Sources, LimitsOfTable5) {
     set16(0x2522, 4, 450);
     set16(0x2520, 4, -50);
     EXPECT_EQ(limits(1, 7), (Pair{-500, 4500}));  // one digit
-    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));    // 4021h, 4023h
+    set16(0x2522, 6, 300);
+    set16(0x2520, 6, 20);
+    EXPECT_EQ(limits(1, 9), (Pair{200, 3000}));
+    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // 4021h, 4023h
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
     EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
@@ -231,6 +240,55 @@ TEST_F(Ax130751Sources, OnlyWhatTheOverdueRpdoMapsIsInError) {
     send("27F#E803000000");
     pass(2);
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
+}
+
+TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
+    verifies<req::AOR_SRC_004>();
+    for (const int output : {1, 2}) {
+        no_ramps(output);
+        set16(0x7341, output, 3000);
+    }
+    extra_as_percent(4);
+    set8(0x2340, 2, canopen);
+    set8(0x2341, 2, 7);  // 2500h:4, mapped to RPDO3
+    set8(0x6302, 2, 0);
+    set16(0x7322, 2, 100);
+    set32(0x1402, 1, 0x4000047F);
+    set16(0x1402, 5, 50);
+    set16(0x1400, 5, 100);
+    start();
+    send("27F#E803000000");
+    send("47F#320000000000");
+    pass(10);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);
+    EXPECT_FLOAT_EQ(volts(2), 2.5F);
+    pass(50);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
+    EXPECT_FLOAT_EQ(volts(2), 3.0F);
+    pass(41);  // 101 ms: nothing comes that would wake it
+    EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
+}
+
+TEST_F(Ax130751Sources, ALostHeartbeatCountsAlsoWhileAnRpdoIsOverdue) {
+    verifies<req::AOR_SRC_005>();
+    no_ramps(2);
+    set16(0x7341, 2, 3000);
+    extra_as_percent(4);
+    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x6302, 2, 0);
+    set16(0x7322, 2, 100);
+    set16(0x2500, 4, 50);
+    set32(0x1016, 2, 0x00050064);  // node 5, 100 ms
+    set16(0x1400, 5, 50);
+    start();
+    send("27F#E803000000");
+    send("705#05");
+    pass(60);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U) << "RPDO1 is overdue";
+    pass(10);
+    EXPECT_FLOAT_EQ(volts(2), 2.5F);
+    pass(31);
+    EXPECT_FLOAT_EQ(volts(2), 3.0F) << "101 ms after the heartbeat";
 }
 
 TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {

@@ -296,6 +296,10 @@ TEST_F(Ax130751Storage, AMemoryThatFailsRefusesNodeIdAndBitRate) {
     send("7E5#0401");
     EXPECT_EQ(send("7E5#1120"), (Frames{"7E4#110000"}));
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170200"}));  // 2: the storage medium failed
+    EXPECT_EQ(send("7E5#0400"), (Frames{"720#00"}));
+    node = 0x20;
+    EXPECT_EQ(read(0x5B51, 0), 127U) << "what holds after the next power-on";
+    node = 127;
     memory.restore_power();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5B51, 0), 127U);
