@@ -91,6 +91,9 @@ TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
 TEST_F(AlteredDictionary, APdoBeyondTheEighthIsAPlainObject) {
     verifies<req::CO_PDO_001, req::CO_SDO_016>();
     renumber(0x1403, 0x1408);
+    renumber(0x1603, 0x1608);
+    ship(0x1608, 0, 1);
+    ship(0x1608, 1, 0x20000308);
     power_on();
     EXPECT_EQ(send("605#2308140105050000"), Frames{"585#6008140100000000"});
     EXPECT_EQ(send("605#4008140100000000"), Frames{"585#4308140105050000"});
@@ -98,6 +101,7 @@ TEST_F(AlteredDictionary, APdoBeyondTheEighthIsAPlainObject) {
     EXPECT_TRUE(send("505#0102").empty());
     send("205#0102");
     EXPECT_EQ(send("605#4000200200000000"), Frames{"585#4F00200202000000"});
+    EXPECT_EQ(send("605#4000200300000000"), Frames{"585#4F00200300000000"});
 }
 
 TEST_F(AlteredDictionary, AnAbsentObjectInAShippedMappingIsAGapOfZeros) {
@@ -109,6 +113,33 @@ TEST_F(AlteredDictionary, AnAbsentObjectInAShippedMappingIsAGapOfZeros) {
     EXPECT_EQ(send("000#0105"), Frames{"185#000000"});
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#110000", "585#6001200100000000"}));
     EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#110022", "585#6001200200000000"}));
+}
+
+TEST_F(AlteredDictionary, AnAbsentSubindexInAShippedMappingIsAGapBesideItsObject) {
+    verifies<req::CO_PDO_028, req::CO_PDO_015>();
+    ship(0x1A00, 1, 0x20016308);  // there is no 2001h:99
+    ship(0x1A00, 2, 0x20010108);
+    power_on();
+    send("000#0105");
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#0011", "585#6001200100000000"}));
+}
+
+TEST_F(AlteredDictionary, AShippedLineShorterThanItsObjectCarriesItsLowBits) {
+    verifies<req::CO_PDO_028>();
+    ship(0x1A00, 1, 0x22070010);  // 16 of the 32 bits of 2207h
+    ship(0x1A00, 2, 0x20010108);
+    power_on();
+    send("000#0105");
+    EXPECT_EQ(send("605#2307220011223344"), (Frames{"185#112200", "585#6007220000000000"}));
+    EXPECT_EQ(send("605#2F01200155000000"), (Frames{"185#112255", "585#6001200100000000"}));
+}
+
+TEST_F(AlteredDictionary, AShippedMappingOfAnEmptyLineMapsNothing) {
+    verifies<req::CO_PDO_028>();
+    ship(0x1A00, 0, 1);
+    ship(0x1A00, 1, 0);
+    power_on();
+    EXPECT_TRUE(send("000#0105").empty());
 }
 
 TEST_F(AlteredDictionary, AnEmptyLineOfAShippedMappingTakesNoBits) {
@@ -145,6 +176,55 @@ TEST_F(AlteredDictionary, AShippedCountBeyondTheMappingObjectTakesTheLinesThatAr
     send("205#1122334455667788");
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200111000000"});
     EXPECT_EQ(send("605#4000200800000000"), Frames{"585#4F00200888000000"});
+}
+
+// CiA 301, 7.5.2.36: 64 entries of one bit fill a PDO.
+TEST_F(AlteredDictionary, SixtyFourLinesOfOneBitFillAPdo) {
+    verifies<req::CO_PDO_001, req::CO_PDO_012>();
+    extend(0x1600, 64);
+    ship(0x1600, 0, 64);
+    for (std::uint8_t line = 1; line < 64; ++line) {
+        ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
+    }
+    ship(0x1600, 64, 0x20020101);  // 2002h:1
+    power_on();
+    send("000#0105");
+    send("205#FFFFFFFFFFFFFF7F");
+    EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
+    send("205#0000000000000080");
+    EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200101000000"});
+}
+
+TEST_F(AlteredDictionary, ALineBehindThe64thTakesNoPlaceOfTheNextPdo) {
+    verifies<req::CO_PDO_011, req::CO_PDO_001>();
+    extend(0x1600, 65);
+    ship(0x1600, 0, 65);
+    ship(0x1600, 1, 0x20020101);  // 2002h:1
+    for (std::uint8_t line = 2; line <= 65; ++line) {
+        ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
+    }
+    power_on();
+    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // RPDO1 is looked at anew
+    send("000#0105");
+    send("205#0100000000000000");  // which has no room for 65 bits
+    EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
+    send("305#1122334455667788");
+    EXPECT_EQ(send("605#4000210100000000"), Frames{"585#4B00210111220000"});
+    EXPECT_EQ(send("605#4000210400000000"), Frames{"585#4B00210477880000"});
+}
+
+TEST_F(AlteredDictionary, AValueThatItsServiceRefusesSpoilsTheWholePdo) {
+    verifies<req::CO_PDO_005, req::CO_SYNC_007>();
+    ship(0x1600, 1, 0x10190008);  // 1019h, in which 1 is reserved
+    ship(0x1600, 2, 0x20000108);
+    power_on();
+    send("000#0105");
+    send("205#0155");
+    EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F19100000000000"});
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
+    send("205#0255");
+    EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F19100002000000"});
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200155000000"});
 }
 
 TEST_F(AlteredDictionary, AMappingObjectHas64LinesAtMost) {
@@ -190,12 +270,88 @@ TEST_F(AlteredDictionary, AnExpeditedDownloadLongerThanTheMemoryOfADomainIsRefus
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#4B00240001020000"});
 }
 
-TEST_F(AlteredDictionary, AnEntryOfLssIsReadAndWrittenAsAnyOther) {
+TEST_F(AlteredDictionary, AnEntryOfAServiceThatHasOtherIndicesIsReadAndWrittenAsAnyOther) {
     verifies<req::CO_SDO_016>();
-    entry(0x2207, 0).service = Service::lss;
+    for (const Service service : {Service::lss, Service::pdo}) {
+        entry(0x2207, 0).service = service;
+        power_on();
+        EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
+        EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+    }
+}
+
+// 2302h has 72 bytes, more than the 64 of the server itself.
+TEST_F(AlteredDictionary, AnEntryLongerThanTheServersMemoryGathersInThatOfTheDevice) {
+    verifies<req::CO_SDO_004, req::CO_SDO_034>();
     power_on();
-    EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
-    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+    EXPECT_EQ(send("605#2102230048000000"), Frames{"585#8002230005000405"});
+    device->lend(0x2302, 0, 72);
+    EXPECT_EQ(send("605#2102230048000000"), Frames{"585#6002230000000000"});
+    for (int segment = 0; segment < 5; ++segment) {
+        EXPECT_EQ(send("605#0041424344454647"), Frames{"585#2000000000000000"});
+        EXPECT_EQ(send("605#1041424344454647"), Frames{"585#3000000000000000"});
+    }
+    EXPECT_EQ(send("605#0B58590000000000"), Frames{"585#2000000000000000"});  // the last one, two bytes
+    EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230048000000"});
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041424344454647"});
+}
+
+TEST_F(AlteredDictionary, AValueOf64BytesIsTheLongestThatTheServerHoldsItself) {
+    verifies<req::CO_SDO_002, req::CO_SDO_004>();
+    entry(0x2302, 0).size = 64;  // "A value of …"
+    power_on();
+    device->lend(0x2302, 0, 2);  // needed by longer ones only
+    EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
+    ObjectDictionary& objects = device->objects();
+    objects.put(objects.lookup(0x2302, 0), ByteView{});
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // as it was when the upload began
+    EXPECT_EQ(send("605#2102230040000000"), Frames{"585#6002230000000000"});
+}
+
+TEST_F(AlteredDictionary, ABlockDownloadThatFillsItsPlaceMayEndWithAnEmptySegment) {
+    verifies<req::CO_SDO_026, req::CO_SDO_029>();
+    power_on();
+    device->lend(0x2400, 0, 14);
+    EXPECT_EQ(send("605#C000240000000000"), Frames{"585#A40024007F000000"});
+    EXPECT_TRUE(send("605#0101020304050607").empty());
+    EXPECT_TRUE(send("605#0208090A0B0C0D0E").empty());
+    EXPECT_EQ(send("605#8300000000000000"), Frames{"585#A2037F0000000000"});
+    EXPECT_EQ(send("605#DD00000000000000"), Frames{"585#A100000000000000"});  // C1h | 7 << 2
+    EXPECT_EQ(send("605#4000240000000000"), Frames{"585#410024000E000000"});
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0001020304050607"});
+    EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});
+}
+
+TEST_F(AlteredDictionary, AValueThatSharesAMarkWithAMappedOneIsNoEvent) {
+    verifies<req::CO_PDO_015>();
+    ASSERT_EQ(watch_mark(0x2001, 3), watch_mark(0x2003, 1));
+    ship(0x1A00, 0, 1);
+    ship(0x1A00, 1, 0x20010308);
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#00"});
+    EXPECT_EQ(send("605#2F03200101000000"), Frames{"585#6003200100000000"});
+    EXPECT_EQ(send("605#2F01200311000000"), (Frames{"185#11", "585#6001200300000000"}));
+}
+
+TEST_F(AlteredDictionary, AnEntryThatTheServerCanHoldNeedsNoMemoryOfTheDevice) {
+    verifies<req::CO_SDO_004>();
+    power_on();
+    device->lend(0x2207, 0, 2);
+    EXPECT_EQ(send("605#2107220004000000"), Frames{"585#6007220000000000"});
+    EXPECT_EQ(send("605#0711223344000000"), Frames{"585#2000000000000000"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220011223344"});
+}
+
+TEST_F(AlteredDictionary, AResetOfCommunicationEndsBeforeTheFirstManufacturerEntry) {
+    verifies<req::CO_NMT_006>();
+    EntryRow& first = entry(0x2000, 0);  // made a value like any other, as shipped 0
+    first.rights = rights::read | rights::write;
+    first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
+    description.rows.layout.image.push_back(0);
+    power_on();
+    EXPECT_EQ(send("605#2F00200007000000"), Frames{"585#6000200000000000"});
+    EXPECT_EQ(send("000#8205"), Frames{"705#00"});
+    EXPECT_EQ(send("605#4000200000000000"), Frames{"585#4F00200007000000"});
 }
 
 TEST_F(AlteredDictionary, AStoreSignatureInAPdoStoresNothing) {

@@ -172,6 +172,18 @@ TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
+    write("603#2314100085000080");  // what switches them off may name another identifier
+    write("603#2314100085000000");
+    EXPECT_EQ(overrun(false), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Errors, AResetOfCommunicationEmptiesTheListOfWhatHasBeen) {
+    verifies<req::CO_NMT_006, req::AO4_OD_1003>();
+    overrun(true);
+    EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100001000000"}));
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
+    EXPECT_EQ(error_register(), "11");  // the error lasts
+    EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100000000000"}));
 }
 
 TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {

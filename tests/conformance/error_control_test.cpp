@@ -254,6 +254,10 @@ TEST_F(ErrorControlService, BusOffActsBy1029h) {
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
+    // What arose in bus-off is told as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    inputs.can_state = 0;
+    EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
 }  // namespace canproof::test

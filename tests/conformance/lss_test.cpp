@@ -452,6 +452,30 @@ TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // 8110h, register 11h
 }
 
+TEST_F(Lss, AnErrorAtTheEndOfTheDelaysIsToldWithTheirEnd) {
+    verifies<req::CO_LSS_015, req::CO_EMCY_001>();
+    configure();
+    talk({{"7E5#150A000000000000", {}}});
+    EXPECT_EQ(pass(19), Frames{});
+    now = now + microseconds(500);
+    device->node().set_overrun(true, now);
+    EXPECT_EQ(sent(), Frames{});
+    now = now + microseconds(500);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"085#1081110100000000"}));
+}
+
+TEST_F(Lss, TheEndOfTheDelaysTellsNoErrorInStopped) {
+    verifies<req::CO_LSS_015, req::CO_EMCY_004>();
+    configure();
+    talk({{"000#0205", {}}, {"7E5#150A000000000000", {}}});
+    EXPECT_EQ(pass(20), Frames{});
+    device->node().set_overrun(true, now);
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(pass(100), Frames{});
+    talk({{"000#8005", {"085#1081110100000000"}}});
+}
+
 TEST_F(Lss, AStartDuringTheDelaysBreaksNoSilence) {
     verifies<req::CO_LSS_015>();
     configure();
@@ -661,6 +685,28 @@ class Unconfigured : public Lss {
 };
 
 }  // namespace
+
+TEST_F(Unconfigured, WhatTheControllerWentThroughBeforeTheNodeBootsIsNotTold) {
+    verifies<req::CO_LSS_030, req::CO_LSS_031>();
+    device->node().set_can_state(CanState::bus_off, now);
+    device->node().set_can_state(CanState::error_active, now);
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(device->communication_errors(), 0);
+    talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}, {"7E5#0400", {"705#00"}}});
+    EXPECT_EQ(pass(100), Frames{});
+}
+
+TEST_F(Unconfigured, AControllerThatIsPassiveWhenTheNodeBootsIsAnError) {
+    verifies<req::CO_LSS_031, req::CO_EMCY_001>();
+    device->node().set_can_state(CanState::error_passive, now);
+    EXPECT_EQ(sent(), Frames{});
+    talk({{"7E5#0401", {}},
+          {"7E5#1105", {"7E4#110000"}},
+          {"7E5#0400", {"705#00", "085#2081110100000000"}},  // 8120h
+          {"605#4001100000000000", {"585#4F01100011000000"}}});
+    device->node().set_can_state(CanState::error_active, now);
+    EXPECT_EQ(sent(), (Frames{"085#0000000100000000"}));
+}
 
 TEST_F(Unconfigured, NothingButLssIsServed) {
     verifies<req::CO_LSS_030, req::CO_K_LSS_UNCONFIGURED>();

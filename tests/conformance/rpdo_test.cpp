@@ -322,6 +322,19 @@ TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
     EXPECT_EQ(device->node().state(), NmtState::stopped);
 }
 
+TEST_F(Rpdo, AnotherFaultWhileCommunicationHasFailedIsNoNewError) {
+    verifies<req::CO_PDO_032, req::CO_PDO_020>();
+    send("605#2B00140532000000");  // RPDO1 within 50 ms
+    send("205#1122");
+    EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
+    send("000#0105");
+    const int before = device->communication_errors();
+    EXPECT_EQ(send("305#11"), (Frames{"085#1082110200000000"}));  // RPDO2 is too short
+    EXPECT_EQ(device->node().state(), NmtState::operational);
+    EXPECT_EQ(device->communication_errors(), before);
+}
+
 TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");

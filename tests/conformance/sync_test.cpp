@@ -31,6 +31,18 @@ TEST_F(SyncService, HasNoDataWithoutACounterAndOneByteWithIt) {
     EXPECT_EQ(output1(), "2200");
 }
 
+TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsOne) {
+    verifies<req::CO_SYNC_001>();
+    make_rpdo2_synchronous();
+    send("303#1100000000000000");
+    for (const char* frame : {"00000080#", "080#R0"}) {
+        EXPECT_TRUE(send(frame).empty()) << frame;
+        EXPECT_EQ(output1(), "0000") << frame;
+    }
+    send("080#");
+    EXPECT_EQ(output1(), "1100");
+}
+
 TEST_F(SyncService, FollowsTheIdentifierOf1005h) {
     verifies<req::CO_SYNC_001>();
     write("603#2305100090000000");

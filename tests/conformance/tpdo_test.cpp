@@ -223,6 +223,23 @@ TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
 }
 
+TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
+    verifies<req::CO_PDO_018, req::CO_PDO_013>();
+    // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
+    device->objects().write(0x1801, 2, 0);
+    device->objects().write(0x1A01, 0, 1);
+    device->objects().write(0x1A01, 1, 0x20010108);
+    begin();
+    device->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+    service.sync(0);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "285#11");
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+}
+
 TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
     verifies<req::CO_PDO_017>();
     device->objects().write(0x1800, 5, 5);   // 5 ms
@@ -385,6 +402,14 @@ TEST_F(Tpdo, TheStartValueSaysWhichSyncIsTheFirst) {
                 });
 }
 
+TEST_F(Tpdo, WithoutAStartValueAnySyncIsTheFirst) {
+    verifies<req::CO_PDO_019, req::CO_PDO_014>();
+    send("605#2F1910000A000000");  // 1019h: counter 1 … 10
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
+    EXPECT_EQ(send("080#07"), (Frames{"285#0000000000000000"}));  // TPDO2 is of type 1
+    EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
+}
+
 TEST_F(Tpdo, WithoutACounterTheStartValueHasNoEffect) {
     verifies<req::CO_PDO_019>();
     silence_tpdo2();
@@ -414,6 +439,29 @@ TEST_F(Tpdo, AProducedSyncAndItsCounterWorkInTheNodeItself) {
                 });
     EXPECT_EQ(pass(70), (Frames{"10:080#01", "20:080#02", "30:080#03", "40:080#01", "40:185#0000", "50:080#02",
                                 "60:080#03", "70:080#01", "70:185#0000"}));
+}
+
+TEST_F(Tpdo, AProducedSyncWithoutACounterIsTheFirstWhateverTheStartValue) {
+    verifies<req::CO_SYNC_005, req::CO_PDO_019>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180201000000", {"585#6000180200000000"}},
+                    {"605#2F00180604000000", {"585#6000180600000000"}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"605#2306100010270000", {"585#6006100000000000"}},  // 10 ms
+                    {"605#2305100080000040", {"585#6005100000000000"}},
+                });
+    EXPECT_EQ(pass(20), (Frames{"10:080#", "10:185#0000", "20:080#", "20:185#0000"}));
+}
+
+TEST_F(Tpdo, AnEventTimerSendsNoSynchronousPdo) {
+    verifies<req::CO_PDO_014, req::CO_PDO_013>();
+    send("000#0105");
+    EXPECT_EQ(send("605#2B01180564000000"), (Frames{"585#6001180500000000"}));  // TPDO2, type 1: 100 ms
+    EXPECT_TRUE(pass(1000).empty());
+    EXPECT_EQ(send("080#"), (Frames{"285#0000000000000000"}));
 }
 
 TEST_F(Tpdo, ASyncOfWrongLengthTriggersNothing) {
@@ -458,6 +506,16 @@ TEST_F(Tpdo, Type253IsSentOnRequestAlone) {
                     {"185#R8", {"185#2200"}},
                 });
     EXPECT_TRUE(pass(100).empty());
+}
+
+TEST_F(Tpdo, Type252IsSentAtNoSync) {
+    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("FC");
+    send("000#0105");
+    for (int syncs = 0; syncs < 300; ++syncs) {  // 252 of them, and more
+        EXPECT_TRUE(send("080#").empty()) << syncs;
+    }
 }
 
 TEST_F(Tpdo, Type252GivesTheValuesOfTheLastSync) {

@@ -2,6 +2,8 @@
 // of a node and a dictionary used by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generated/canopen/requirements.hpp"
 #include "support/altered_slave.hpp"
 #include "support/verifies.hpp"
@@ -13,14 +15,18 @@ namespace {
 /// A device that lends memory for a DOMAIN but does not say what to do with it, and stores nothing.
 class PlainApplication final : public Application {
   public:
-    AbortCode check_access(const EntryRef&) override { return AbortCode::none; }
-    AbortCode before_write(const EntryRef&, ByteView) override { return AbortCode::none; }
+    AbortCode check_access(const EntryRef&) override { return access; }
+    AbortCode before_write(const EntryRef&, ByteView) override { return last_word; }
     void after_write(const EntryRef&, Instant) override {}
     void put_factory_values(ParameterGroup) override {}
     void restart(Instant) override {}
     void booted(Instant) override {}
     void communication_failed(bool, Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
+
+    /// What it answers when it is asked.
+    AbortCode access{AbortCode::none};
+    AbortCode last_word{AbortCode::none};
 
   private:
     std::array<std::uint8_t, 4> memory_{};
@@ -38,6 +44,15 @@ class PlainNode {
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
     Instant next_deadline() const { return node_.next_deadline(); }
+
+    PlainApplication& application() { return application_; }
+    /// Gives an object of one entry to a service.
+    void give(std::uint16_t index, Service service) {
+        const auto is_wanted = [index](const ObjectRow& row) { return row.index == index; };
+        const auto& objects = description_.rows.objects;
+        const auto wanted = std::find_if(objects.begin(), objects.end(), is_wanted);
+        description_.rows.entries.at(wanted->first_entry).service = service;
+    }
 
   private:
     host::GenericDescription description_{slave()};
@@ -70,6 +85,27 @@ TEST_F(Plain, ADomainThatNobodyTakesIsRefusedAndHoldsNothing) {
     verifies<req::CO_SDO_032, req::CO_SDO_033>();
     EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
+}
+
+TEST_F(Plain, TheDeviceIsAskedForAccessToEntriesOfAProgramAlone) {
+    verifies<req::CO_SDO_016, req::CO_SDO_011>();
+    device->application().access = AbortCode::device_state;
+    EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+    device->give(0x2207, Service::program);
+    EXPECT_EQ(send("605#2307220005060708"), Frames{"585#8007220022000008"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#8007220022000008"});
+    device->application().access = AbortCode::none;
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+}
+
+TEST_F(Plain, OnEntriesOfAProgramTheDeviceHasTheLastWord) {
+    verifies<req::CO_SDO_016, req::CO_SDO_011>();
+    device->application().last_word = AbortCode::device_state;
+    EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
+    device->give(0x2207, Service::program);
+    EXPECT_EQ(send("605#2307220005060708"), Frames{"585#8007220022000008"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
 }
 
 TEST_F(Plain, WithoutAStoreLssAnswersThatItCannot) {

@@ -18,8 +18,11 @@ class FaultyMemory final : public NonVolatileMemory {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// A worn memory takes every write and keeps none.
-    bool write(const std::size_t at, const ByteView bytes) override { return worn || sound.write(at, bytes); }
+    /// A worn memory takes every write and keeps none. A write that fails is kept all the same.
+    bool write(const std::size_t at, const ByteView bytes) override {
+        ++writes;
+        return (worn || sound.write(at, bytes)) && writes != failing_write;
+    }
 
     /// The n-th read from now on fails, the others succeed.
     void fail_read(const std::size_t n) {
@@ -27,10 +30,18 @@ class FaultyMemory final : public NonVolatileMemory {
         failing_read = n;
     }
 
+    /// The same for writes.
+    void fail_write(const std::size_t n) {
+        writes = 0;
+        failing_write = n;
+    }
+
     host::Memory sound;
     bool worn{false};
     std::size_t failing_read{0};
     mutable std::size_t reads{0};
+    std::size_t failing_write{0};
+    std::size_t writes{0};
 };
 
 }  // namespace canproof::test

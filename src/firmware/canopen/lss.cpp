@@ -65,9 +65,9 @@ constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step,
 }  // namespace
 
 std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
-    for (std::size_t i = 0U; i < count_; ++i) {
-        if (std::uint32_t{bit_rates_[i].index} == index) {
-            return bit_rates_[i].bit_rate;
+    for (const LssBitRate& row : bit_rates_) {
+        if (std::uint32_t{row.index} == index) {
+            return row.bit_rate;
         }
     }
     return 0U;
@@ -144,7 +144,8 @@ bool Lss::execute(const LssCommand command, const Request& request, const Instan
     const auto number = static_cast<std::uint32_t>(field_le<1U, sizeof(std::uint32_t)>(request));
     switch (command) {
         case LssCommand::switch_state_global:
-            return switch_globally(request[1]);
+            switch_globally(request[1]);
+            return true;
         case LssCommand::configure_node_id:
             said = static_cast<std::uint32_t>(configure_node_id(request[1]));
             return true;
@@ -188,15 +189,14 @@ bool Lss::execute(const LssCommand command, const Request& request, const Instan
 }
 
 static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
-bool Lss::switch_globally(const std::uint8_t mode) noexcept {
+void Lss::switch_globally(const std::uint8_t mode) noexcept {
     if (mode == static_cast<std::uint32_t>(LssState::waiting)) {
         state_ = LssState::waiting;
     } else if (mode == static_cast<std::uint32_t>(LssState::configuration)) {
         state_ = LssState::configuration;
     } else {
-        return false;
+        // no mode: ignored
     }
-    return true;
 }
 
 static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);

@@ -51,7 +51,7 @@ class LssProfile {
     /// LSS configuration to LSS waiting.
     template <std::size_t N>
     constexpr LssProfile(const std::array<LssBitRate, N>& bit_rates, const bool resets_when_left) noexcept
-        : bit_rates_{bit_rates.data()}, count_{N}, offered_{true}, resets_when_left_{resets_when_left} {}
+        : bit_rates_{table_view(bit_rates)}, offered_{true}, resets_when_left_{resets_when_left} {}
 
     constexpr bool is_offered() const noexcept { return offered_; }
     constexpr bool resets_when_left() const noexcept { return resets_when_left_; }
@@ -59,8 +59,7 @@ class LssProfile {
     std::uint32_t bit_rate(std::uint8_t index) const noexcept;
 
   private:
-    const LssBitRate* bit_rates_{nullptr};
-    std::size_t count_{0U};
+    TableView<LssBitRate> bit_rates_{};
     bool offered_{false};
     bool resets_when_left_{false};
 };
@@ -132,7 +131,7 @@ class Lss {
     bool is_served(Served when, NmtState nmt) const noexcept;
     /// Whether the request came to something, and `said`: what the answer says after its command specifier.
     bool execute(LssCommand command, const Request& request, Instant now, std::uint32_t& said) noexcept;
-    bool switch_globally(std::uint8_t mode) noexcept;
+    void switch_globally(std::uint8_t mode) noexcept;
     bool select(std::uint32_t number, std::uint32_t wanted) noexcept;
     bool identify(std::uint32_t step, std::uint32_t bound) noexcept;
     bool scan(const Request& request) noexcept;

@@ -63,9 +63,7 @@ void Node::reset_node(const Instant now) noexcept {
     communication_failed_ = false;
     application_.restart(now);
     emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
-    // What outlasts the reset is an error of the new life as well.
-    emcy_.set(ErrorId::can_overrun, overrun_, now);
-    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
+    emcy_.set(ErrorId::can_overrun, overrun_, now);  // what outlasts the reset is an error of the new life as well
     boot_up(now);
 }
 
@@ -93,6 +91,7 @@ void Node::boot_up(const Instant now) noexcept {
         emcy_.enable(false, now);
         return;
     }
+    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);  // initialising told of none
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
@@ -357,9 +356,9 @@ void Node::announce(const CommunicationFaults faults, const Instant now) noexcep
     emcy_.set(ErrorId::rpdo_timeout, faults.has(Faults::rpdo_overdue), now);
 }
 
+/// An entry that is absent reads as zero: to pre-operational.
 std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
-    return objects_.has(error_behaviour_index, subindex) ? objects_.read(error_behaviour_index, subindex)
-                                                         : to_pre_operational;
+    return objects_.read(error_behaviour_index, subindex);
 }
 
 void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {

@@ -119,7 +119,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     std::uint32_t total{0U};
     std::size_t count{0U};
     all_free_ = true;
-    for (std::uint32_t number = 1U; (number <= wanted) && (count < places.size()) && (total <= max_bits); ++number) {
+    for (std::uint32_t number = 1U; (number <= wanted) && (count < places.size()); ++number) {
         const PdoLine line = find_line(objects, objects.read(index, static_cast<std::uint8_t>(number)));
         total += line.bits;
         if (line.bits != 0U) {

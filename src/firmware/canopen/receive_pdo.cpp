@@ -35,9 +35,9 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
 
 static_assert(implements<req::CO_PDO_003>);
 void ReceivePdos::stop() noexcept {
-    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
-        rpdos_[number].waits = false;
-        rpdos_[number].due = never;
+    for (ReceivePdo& rpdo : rpdos_) {
+        rpdo.waits = false;
+        rpdo.due = never;
     }
     next_ = never;
 }
@@ -92,8 +92,7 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
 
 static_assert(implements<req::CO_PDO_002>);
 void ReceivePdos::sync(const Instant now) noexcept {
-    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
-        ReceivePdo& rpdo = rpdos_[number];
+    for (ReceivePdo& rpdo : rpdos_) {
         if (rpdo.waits) {
             rpdo.waits = false;
             rpdo.mapping.apply(rpdo.waiting, objects_, access_, now);
@@ -113,8 +112,8 @@ void ReceivePdos::find_overdue(const Instant now) noexcept {
 
 void ReceivePdos::schedule() noexcept {
     next_ = never;
-    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
-        next_ = earliest(next_, rpdos_[number].due);
+    for (const ReceivePdo& rpdo : rpdos_) {
+        next_ = earliest(next_, rpdo.due);
     }
 }
 

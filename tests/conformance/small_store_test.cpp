@@ -1,0 +1,155 @@
+// Store and restore where little is stored (CiA 301, 7.5.2.13): each byte of the memory and each access to it counts.
+// The slave as node 5 with one stored value, the 4 bytes of 2207h: a bank has a header of 16, the value and a CRC of 4,
+// 24 bytes in all; there are two.
+#include <algorithm>
+#include <numeric>
+
+#include "generated/canopen/requirements.hpp"
+#include "support/altered_slave.hpp"
+#include "support/faulty_memory.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class SmallStore : public testing::Test, public AlteredSlaveBench {
+  protected:
+    SmallStore() {
+        for (EntryRow& row : description.rows.entries) {
+            row.rights = static_cast<std::uint8_t>(row.rights & ~rights::stored);
+        }
+        keep(0x2207);
+        memory.bytes().resize(2 * bank_size);
+    }
+    void keep(std::uint16_t index) {
+        EntryRow& row = entry(index, 0);
+        row.rights = static_cast<std::uint8_t>(row.rights | rights::stored);
+    }
+    Frames power_on_with(NonVolatileMemory& other, std::uint8_t node_id = 5) {
+        queue = TransmitQueue{};
+        device = std::make_unique<host::GenericDevice>(description, other, queue);
+        return switch_on([this, node_id] { device->power_on(node_id, now); });
+    }
+    void set_value(const std::string& value) {
+        EXPECT_EQ(send("605#23072200" + value), Frames{"585#6007220000000000"});
+    }
+    std::string value() { return send("605#4007220000000000").at(0).substr(12); }
+    std::string save(const std::string& group = "01") { return send("605#231010" + group + "73617665").at(0); }
+
+    static constexpr std::size_t bank_size = 24;
+    static constexpr const char* saved = "585#6010100100000000";
+    static constexpr const char* hardware_error = "585#8010100100000606";
+    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one in 1003h
+};
+
+}  // namespace
+
+TEST_F(SmallStore, TwoBanksAreAllThatItNeeds) {
+    verifies<req::CO_STORE_001>();
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    for (const char* number : {"11223344", "55667788", "99AABBCC"}) {
+        set_value(number);
+        EXPECT_EQ(save(), saved);
+        EXPECT_EQ(power_on(), Frames{"705#00"});
+        EXPECT_EQ(value(), number);
+    }
+}
+
+TEST_F(SmallStore, AByteLessIsRefusedBeforeAnythingIsWritten) {
+    verifies<req::CO_STORE_005>();
+    memory.bytes().resize(2 * bank_size - 1);
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    EXPECT_EQ(save(), hardware_error);
+    EXPECT_EQ(memory.written(), 0U);
+}
+
+TEST_F(SmallStore, WhatLiesBehindTheBanksIsNotTheirs) {
+    verifies<req::CO_STORE_001>();
+    memory.bytes().resize(3 * bank_size, 0x55);
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+}
+
+TEST_F(SmallStore, AHeaderOfEqualBytesIsABlankOneOnlyOfZerosOrOnes) {
+    verifies<req::CO_STORE_005>();
+    std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
+    EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
+}
+
+TEST_F(SmallStore, ABankWhoseHeaderCannotBeReadIsNotUsed) {
+    verifies<req::CO_STORE_005>();
+    FaultyMemory faulty{2 * bank_size};
+    power_on_with(faulty);
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_read(1);  // the header of the first bank; that of the second is blank
+    EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
+    EXPECT_EQ(value(), "00000000");
+}
+
+TEST_F(SmallStore, AStoredValueThatCannotBeReadLeavesTheDefault) {
+    verifies<req::CO_NMT_005, req::CO_STORE_005>();
+    FaultyMemory faulty{2 * bank_size};
+    power_on_with(faulty);
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_read(0);
+    power_on_with(faulty);
+    EXPECT_EQ(value(), "11223344");
+    faulty.fail_read(faulty.reads);  // the last one: the value, after the headers and the check of the CRC
+    EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
+    EXPECT_EQ(value(), "00000000");
+}
+
+TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
+    verifies<req::CO_STORE_005>();
+    for (const std::size_t n : {1U, 2U, 3U}) {  // header, value, CRC
+        FaultyMemory faulty{2 * bank_size};
+        power_on_with(faulty);
+        faulty.fail_write(n);
+        EXPECT_EQ(save(), hardware_error) << n;
+    }
+}
+
+TEST_F(SmallStore, AFirstSaveNeedsNothingThatWasThereBefore) {
+    verifies<req::CO_STORE_001>();
+    FaultyMemory faulty{2 * bank_size};
+    power_on_with(faulty);
+    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 bytes and 8; no more
+    EXPECT_EQ(save("02"), "585#6010100200000000");
+    EXPECT_EQ(faulty.reads, 2U);
+}
+
+TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
+    verifies<req::CO_STORE_001>();
+    keep(0x2300);  // 40 bytes
+    memory.bytes().resize(2 * (bank_size + 40));
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    std::array<std::uint8_t, 40> text{};
+    std::iota(text.begin(), text.end(), std::uint8_t{'A'});
+    ObjectDictionary& objects = device->objects();
+    objects.put(objects.lookup(0x2300, 0), ByteView{text});
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    objects.put(objects.lookup(0x2300, 0), ByteView{});
+    set_value("55667788");
+    EXPECT_EQ(save("02"), "585#6010100200000000");
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    EXPECT_EQ(value(), "11223344");
+    const ByteView found = device->objects().value(device->objects().lookup(0x2300, 0));
+    ASSERT_EQ(found.size(), text.size());
+    EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
+}
+
+// The value is the node-ID of the node that saved: by chance, for its default has no node-ID in it.
+TEST_F(SmallStore, AValueThatIsNoIdentifierFollowsNoNodeId) {
+    verifies<req::CO_PDO_030, req::CO_NMT_005>();
+    description.profile.stored_node_id = StoredNodeId::follows;
+    power_on();
+    set_value("05000000");
+    EXPECT_EQ(save(), saved);
+    EXPECT_EQ(power_on_with(memory, 6), Frames{"706#00"});
+    EXPECT_EQ(send("606#4007220000000000"), Frames{"586#4307220005000000"});
+}
+
+}  // namespace canproof::test
