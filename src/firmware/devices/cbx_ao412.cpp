@@ -116,25 +116,20 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
         node_.power_on(node_id_, now);
-        set_inputs(inputs, now);
     }
-    drive_leds(now);
+    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
-    if (runs_) {
-        node_.receive(frame, now);
-    }
+    node_.receive(frame, now);
     drive_leds(now);
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
-    if (runs_) {
-        node_.set_controller(inputs.can_state, inputs.can_overrun, now);
-        watch_internal_fault(now);
-        set_failed(communication_failed_, inputs.internal_fault);
-    }
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
+    watch_internal_fault(now);
+    set_failed(communication_failed_, inputs.internal_fault);
     drive_leds(now);
 }
 
@@ -146,14 +141,12 @@ void Device::watch_internal_fault(const Instant now) noexcept {
 }
 
 void Device::advance(const Instant now) noexcept {
-    if (runs_) {
-        node_.advance(now);
-    }
+    node_.advance(now);
     drive_leds(now);
 }
 
 Instant Device::next_deadline() const noexcept {
-    return runs_ ? earliest(node_.next_deadline(), next_led_change_) : next_led_change_;
+    return earliest(node_.next_deadline(), next_led_change_);
 }
 
 static_assert(implements<req::AO4_PROG_001>);
@@ -315,7 +308,7 @@ IndicatorState Device::can_error_indicator() const noexcept {
         default:
             break;
     }
-    return led_of(table::find(!runs_, can, runs_ && node_.has_error(ErrorId::guard_or_heartbeat)));
+    return led_of(table::find(!runs_, can, node_.has_error(ErrorId::guard_or_heartbeat)));
 }
 
 bool Device::show(const IndicatorState state, const Duration shift, const Instant now) noexcept {

@@ -36,7 +36,8 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Reads the coding switches and starts. With an invalid node-ID only the LEDs work.
+    /// Reads the coding switches and starts. With an invalid node-ID the node is not switched on: it stays in
+    /// initialising, where it is silent, and only the LEDs work.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// The physical inputs as they are from `now` on. The switches are read at power-on only.

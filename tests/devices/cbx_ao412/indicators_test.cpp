@@ -122,6 +122,21 @@ TEST_F(Leds, AnInvalidNodeIdShowsOnStatusAndCanError) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
+TEST_F(Leds, AnInternalFailureShowsWithAnInvalidNodeIdToo) {
+    verifies<req::AO4_LED_003, req::AO4_SW_002>();
+    inputs.switch_high = 8;  // 83h
+    power_on();
+    EXPECT_EQ(watch(m, 40), dark);
+    inputs.internal_fault = true;
+    EXPECT_EQ(set_inputs(), Frames{});
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    for (int output = 1; output <= 4; ++output) {
+        EXPECT_EQ(volts(output), 0.0F);
+    }
+    EXPECT_EQ(power_on(), Frames{});  // one that was there before
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+}
+
 TEST_F(Leds, RedAndGreenFlashInTurn) {
     verifies<req::AO4_LED_006>();
     // stopped: green flashes once each 1.6 s; warning limit: red does so too

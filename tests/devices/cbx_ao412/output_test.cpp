@@ -119,6 +119,43 @@ TEST_F(OutputInError, BusOffFollowsTheErrorMode) {
     expect_error_outputs();
 }
 
+TEST_F(OutputInError, WhatIsNoSuchErrorMovesNoOutput) {
+    verifies<req::AO4_AOUT_006>();
+    inputs.can_overrun = true;
+    set_inputs();
+    inputs.can_state = 2;
+    set_inputs();
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1024);
+    }
+}
+
+TEST_F(OutputInError, AnotherErrorOnTopOfTheFirstMovesNone) {
+    verifies<req::AO4_AOUT_006>();
+    inputs.internal_fault = true;
+    set_inputs();
+    write("603#2344640200000060");  // for the next error
+    inputs.can_state = 3;
+    set_inputs();
+    expect_error_outputs();
+    inputs = {};
+    inputs.switch_low = 3;
+    set_inputs();
+    expect_error_outputs();
+    inputs.internal_fault = true;
+    set_inputs();
+    expect_steps(2, 3072);  // 6000h = 24576
+}
+
+TEST_F(OutputInError, NoVoltageIsNoneWhateverTheCalibration) {
+    verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
+    write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
+    expect_steps(1, 1040);
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_EQ(volts(1), 0.0F);
+}
+
 TEST_F(OutputInError, StaysUntilTheNextWriteAfterTheErrorHasEnded) {
     verifies<req::AO4_AOUT_008>();
     inputs.internal_fault = true;
@@ -142,6 +179,8 @@ TEST_F(Output, FactoryCalibrationComesBackWithLoad) {
     power_on();
     EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240214000000"}));
     EXPECT_EQ(send("603#4005240200000000"), (Frames{"583#4B052402FEFF0000"}));
+    EXPECT_EQ(send("603#4004240400000000"), (Frames{"583#4B04240428000000"}));
+    EXPECT_EQ(send("603#4005240400000000"), (Frames{"583#4B052404FCFF0000"}));
     for (const char* group : {"01", "04"}) {
         write("603#2B04240263000000");
         write("603#2310100173617665");
@@ -176,6 +215,18 @@ TEST_F(OutputInError, CalibrationMovesTheValueThatTheOutputHolds) {
     EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still what the error put out, at most a step moved
     write("603#2B04240108000000");
     EXPECT_NEAR(volts(1), error_value, 0.0026F);
+}
+
+TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
+    verifies<req::AO4_OD_6411, req::AO4_STORE_003, req::AO4_AOUT_010>();
+    for (int output = 1; output <= 4; ++output) {
+        set(output, "0020");  // 2000h = 8192: 1024 steps
+    }
+    write("603#2310100173617665");
+    power_on();
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1024);
+    }
 }
 
 TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
