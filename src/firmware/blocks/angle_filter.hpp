@@ -19,7 +19,9 @@ enum class AngleFilterKind : std::uint8_t {
 
 class AngleFilter {
   public:
-    /// Begins anew with a window of `samples`, 1…60000 (0 counts as 1).
+    /// Power-on: nothing has been put out yet. restart() follows.
+    void forget() noexcept { output_ = 0.0F; }
+    /// Begins anew with a window of `samples`, 1…60000 (0 counts as 1). The output stays until there is a sample.
     void restart(AngleFilterKind kind, std::uint16_t samples) noexcept;
     /// Takes one sample, -180…180 degrees. It is understood as the nearest turn to the sample before, so that averages
     /// go the short way round.

@@ -256,6 +256,9 @@ void Device::restart(const Instant now) {
     }
     drive_slew_rate();
     inclination_.restart();
+    for (AngleFilter& filter : filters_) {
+        filter.forget();
+    }
     take_sample();
     restart_filters(now);
     publish();
@@ -309,12 +312,14 @@ void Device::measure_due(const Instant now) noexcept {
     if (had_failed && inclination_.is_measuring()) {
         restart_filters(now);
     }
-    publish();
     if (samples) {
+        publish();
         run_functions();
         if (node_.state() != NmtState::initialising) {
             tell_errors(now);
         }
+    } else {
+        publish_angles();  // nothing else was measured
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/inclinometer_bench.hpp"
 #include "support/verifies.hpp"
 
@@ -125,6 +126,18 @@ TEST_F(Ax060805Errors, AFailedSensorsValuesStay) {
     EXPECT_EQ(pitch(), -60);
 }
 
+TEST_F(Ax060805Errors, AResetWithAFailedSensorShowsWhatPowerOnShows) {
+    verifies<req::INC_FV_007, req::CO_NMT_005>();
+    turn(30.0, 0.0);
+    pass(1000);
+    fail_accelerometer();
+    send("000#8100");
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // there has been no sample since
+    EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
+    power_on();
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
+}
+
 TEST_F(Ax060805Errors, SensorErrorsChangeTheStateBy1029hSub2) {
     verifies<req::INC_ERR_011, req::INC_OD_1029>();
     const auto state_after = [this](std::uint32_t reaction, bool by_heat) {
@@ -150,6 +163,53 @@ TEST_F(Ax060805Errors, SensorErrorsChangeTheStateBy1029hSub2) {
     send("000#8000");
     EXPECT_EQ(refusal(0x1029, 1, 3, 1), "06090031");
     EXPECT_EQ(refusal(0x1029, 2, 3, 1), "06090031");
+}
+
+TEST_F(Ax060805Errors, TheMasterMayStartANodeWhoseErrorLasts) {
+    verifies<req::INC_ERR_011>();
+    send("000#0100");
+    fail_accelerometer();
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    send("000#0100");
+    pass(50);  // ten more samples of the same error
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
+TEST_F(Ax060805Errors, AHotSensorHoldsTheNodeBackAfterAResetOfTheCommunication) {
+    verifies<req::INC_ERR_011, req::INC_START_001>();
+    write(0x5555, 0, 1, 1);
+    write(0x1029, 2, 0, 1);
+    write(0x1010, 1, 0x65766173, 4);
+    heat(130.0F);
+    EXPECT_EQ(send("000#8200"), (Frames{"77F#00"}));
+    pass(50);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    heat(25.0F);
+    send("000#8200");
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
+TEST_F(Ax060805Errors, OneThatCameAndWentWithoutANodeIdIsNotTold) {
+    verifies<req::INC_ERR_007, req::INC_LSS_002>();
+    for (const char* request : {"7E5#0401", "7E5#11FF", "7E5#17"}) {
+        send(request);
+    }
+    EXPECT_EQ(power_on(), Frames{});
+    EXPECT_EQ(heat(130.0F), Frames{});
+    EXPECT_EQ(heat(25.0F), Frames{});
+    send("7E5#0401");
+    send("7E5#1105");
+    EXPECT_EQ(send("7E5#0400"), (Frames{"705#00"}));
+}
+
+TEST_F(Ax060805Errors, AreToldWithASampleNotWithTheFilters) {
+    verifies<req::INC_ERR_005, req::INC_FILTER_001>();
+    write(0x2052, 0, 7, 2);
+    pass(6);
+    inputs.sensor_temperature = 130.0F;
+    set_inputs();
+    EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10, not at 7
 }
 
 TEST_F(Ax060805Errors, OneThatLastsThroughAResetIsToldAgain) {

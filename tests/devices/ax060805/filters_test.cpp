@@ -144,6 +144,20 @@ TEST_F(Filters, AveragesForgetWhatWasBeforeAnAccelerometerError) {
     EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter as well
 }
 
+TEST_F(Filters, AFailedSensorLeavesTheAveragesAsTheyAre) {
+    verifies<req::INC_FV_007, req::INC_AVG_007>();
+    switch_filter_off();
+    set_filter(1, 1, 4);
+    pass(2);
+    EXPECT_EQ(pitches({40.0}, 10), (Row{2000}));  // 0 and 40
+    inputs.accelerometer_fault = true;
+    set_inputs();
+    pass(30);
+    EXPECT_EQ(pitch(), 2000);  // no third sample
+    write(0x2051, 1, 8, 2);
+    EXPECT_EQ(pitch(), 2000);  // the restart has nothing to begin with
+}
+
 TEST_F(Filters, MovingAverageOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
@@ -292,6 +306,9 @@ TEST_F(Filters, LatencyIsThatOfTheSlowestAngle) {
     set_filter(2, 0, 1);
     set_filter(1, 0, 1);
     EXPECT_EQ(read(0x4010), 0U);
+    write(0x2052, 0, 30, 2);
+    set_filter(3, 1, 11);
+    EXPECT_EQ(read(0x4010), 150U);  // 10 / 2 * 30
 }
 
 TEST_F(Filters, ALateCallTakesOneSampleAndGoesOnFromThere) {
@@ -300,6 +317,39 @@ TEST_F(Filters, ALateCallTakesOneSampleAndGoesOnFromThere) {
     now = now + milliseconds(52);  // ten samples late
     device->advance(now);
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
+}
+
+TEST_F(Filters, ALittleLateCallMovesNeitherSamplesNorFilters) {
+    verifies<req::INC_FILTER_001, req::INC_AVG_004>();
+    write(0x2052, 0, 7, 2);
+    now = now + milliseconds(9);  // 4 ms behind the sample at 5, 2 ms behind the filters at 7
+    device->advance(now);
+    EXPECT_EQ(device->next_deadline().us, 10000U);
+    pass(1);
+    EXPECT_EQ(device->next_deadline().us, 14000U);
+}
+
+TEST_F(Filters, WhatIsMeasuredShowsWithTheNextSample) {
+    verifies<req::INC_FILTER_001, req::INC_FV_006, req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
+    write(0x2052, 0, 7, 2);
+    inputs.sensor_temperature = 20.0F;
+    inputs.supply_voltage = 12.0F;
+    inputs.processor_temperature = 40.0F;
+    set_inputs();
+    pass(6);
+    inputs.sensor_temperature = 60.0F;
+    inputs.supply_voltage = 24.0F;
+    inputs.processor_temperature = 80.0F;
+    set_inputs();
+    for (int ms = 6; ms < 10; ++ms) {  // the additional filters take their sample at 7
+        EXPECT_EQ(value(0x4060), 20) << ms;
+        EXPECT_EQ(real(0x5020), 12.0F) << ms;
+        EXPECT_EQ(real(0x5030), 40.0F) << ms;
+        pass(1);
+    }
+    EXPECT_EQ(value(0x4060), 60);
+    EXPECT_EQ(real(0x5020), 24.0F);
+    EXPECT_EQ(real(0x5030), 80.0F);
 }
 
 }  // namespace canproof::test

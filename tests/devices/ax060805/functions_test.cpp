@@ -97,6 +97,19 @@ TEST_F(Functions, EverySourceOfTable1) {
     EXPECT_EQ(refusal(at(1, 0), 1, 29, 1), "06090031");
 }
 
+TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
+    verifies<req::INC_BIN_001, req::INC_BIN_009, req::INC_STORE_001>();
+    for (const int function : {1, 10}) {
+        operate(function, 1);
+        connect(function, 1, 26);  // 1.0
+        connect(function, 2, 26);
+    }
+    write(0x1010, 1, 0x65766173, 4);
+    power_on();
+    EXPECT_EQ(output(1), 2);
+    EXPECT_EQ(output(10), 2);
+}
+
 TEST_F(Functions, EachOfTheTenIsASource) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
