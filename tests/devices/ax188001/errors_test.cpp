@@ -263,6 +263,18 @@ TEST_F(Ax188001Errors, TheMessageGoesOutBeforeTheNodeStops) {
     expect_state(NmtState::stopped);  // it does not go back by itself
 }
 
+TEST_F(Ax188001Errors, TheMasterMayStartANodeWhoseErrorLasts) {
+    verifies<req::TCS_ERR_010>();
+    write(0x1029, 2, 1, 0);
+    send("000#017F");
+    heat(1, 130.0);
+    read_once();
+    expect_state(NmtState::pre_operational);
+    send("000#017F");
+    pass(10 * period_ms);
+    expect_state(NmtState::operational);
+}
+
 TEST_F(Ax188001Errors, AStoppedNodeIsNotWoken) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
@@ -298,6 +310,17 @@ TEST_F(Ax188001Errors, AreToldWhenTheirDelayEndsBetweenTwoReadingsOfALateCall) {
     now = now + milliseconds(5 * period_ms);  // one call for five readings: the first begins the delay
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
+}
+
+TEST_F(Ax188001Errors, AreToldBeforeTheReadingOfALateCallThatEndsThem) {
+    verifies<req::TCS_ERR_002, req::TCS_FD_004>();
+    write(0x5051, 2, 2, 100);
+    run(20.0F, 55.0F);  // seen at 165, to be told at 265
+    inputs.supply = 24.0F;
+    set_inputs();
+    now = now + milliseconds(period_ms);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
 }  // namespace canproof::test

@@ -1,5 +1,6 @@
 // Limits of the channels, their status and delays; FD1 to FD3 (AX188001, 1.1, 1.4, 3.3.6, 3.4.13 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "support/tcs_bench.hpp"
 #include "support/verifies.hpp"
 
@@ -49,6 +50,18 @@ TEST_F(Limits, ClearOneDegreeInside) {
     EXPECT_EQ(status_at(-21.0), 0x04);
     EXPECT_EQ(status_at(-19.012), 0x04);
     EXPECT_EQ(status_at(-18.988), 0x00);
+}
+
+TEST_F(Limits, AResetOfTheNodeForgetsThem) {
+    verifies<req::TCS_LIM_002, req::CO_NMT_005>();
+    write(0x4030, 1, 2, 0);
+    heat(1, 126.0);
+    read_once();
+    heat(1, 124.5);
+    read_once();
+    EXPECT_EQ(status(1), 0x02);  // not yet a degree inside
+    EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
+    EXPECT_EQ(status(1), 0x00);  // a new life never saw it above 125.0
 }
 
 TEST_F(Limits, AreToldWhenTheyHaveLasted) {
@@ -246,12 +259,16 @@ TEST_F(Limits, AVoltageBeyondTheTypesRangeIsAFault) {
     EXPECT_EQ(status_at(20880.0), 0);
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20884.0), 0x03);
+    read_once();
+    EXPECT_EQ(status(1), 0x03);  // it lasts, though 400 degC are far inside the limit
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20000.0), 0);
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
     EXPECT_EQ(status_at(-6266.0), 0);
     EXPECT_EQ(status_at(-6267.7), 0);     // step -10515: -6267.45, 9.45 uV beyond
     EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05
+    read_once();
+    EXPECT_EQ(status(1), 0x04);
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 

@@ -111,6 +111,23 @@ TEST_F(Ax188001Startup, AFaultHoldsTheNodeAndItsCommandBack) {
     EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"}));
 }
 
+TEST_F(Ax188001Startup, AFaultOfAChannelHoldsTheNodeBackToo) {
+    verifies<req::TCS_START_005>();
+    for (const int channel : {1, 2}) {
+        write(0x4030, channel, 2, 0);
+    }
+    EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);
+    start_with(1);
+    for (const int channel : {1, 2}) {
+        inputs = {};
+        heat(channel, 130.0);
+        EXPECT_EQ(power_on(), (Frames{"77F#00", channel == 1 ? "0FF#11F0010110000000" : "0FF#11F0010210000000"}));
+        EXPECT_EQ(device->state(), NmtState::pre_operational);
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+        EXPECT_EQ(device->state(), NmtState::pre_operational);
+    }
+}
+
 TEST_F(Ax188001Startup, DelayOfTheCommand) {
     verifies<req::TCS_START_004, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
@@ -326,6 +343,17 @@ TEST_F(LssSession, WithoutANodeIdItMeasuresAndStaysSilent) {
     talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}});
     // The fault that lasted is told once there is a node-ID to tell it with.
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00", "085#11F0010110000000"}));
+}
+
+TEST_F(LssSession, AFaultThatCameAndWentWithoutANodeIdIsNotTold) {
+    verifies<req::TCS_LSS_002, req::TCS_ERR_002>();
+    talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
+    EXPECT_EQ(power_on(), Frames{});
+    heat(1, 130.0);
+    EXPECT_EQ(pass(6000), Frames{});
+    heat(1, 20.0);
+    EXPECT_EQ(pass(1000), Frames{});
+    talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}, {"7E5#0400", {"705#00"}}});
 }
 
 TEST_F(Pdos, Tpdo1EachSecond) {

@@ -221,6 +221,13 @@ TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
     EXPECT_EQ(read(0x2010, 1).value, before);
+    inputs.cold_junction = 60.0F;
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x2010, 1).value, before);  // not the old reading with another compensation
+    inputs.cold_junction = 25.0F;
+    set_inputs();
+    read_once();
     EXPECT_EQ(status(1), 0);  // 4030h has not passed
     EXPECT_EQ(process_value(2), 4768);
     cut(1, false);
@@ -307,6 +314,18 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
         ASSERT_NE(table::find(filter, table::MainsHz::none), nullptr);
         EXPECT_EQ(table::find(filter, table::MainsHz::none)->left, 0.0F);
     }
+}
+
+TEST_F(Values, HumFallsOnEitherSideInTurn) {
+    verifies<req::TCS_IN_007, req::TCS_IN_001>();
+    inputs.tc_hum[0] = 1000000.0F;
+    inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
+    power_on();
+    // J at the 25 degC of the cold junction: 1277 uV. The first of the nine conversions of the start sees the upper
+    // side, so that the ninth does too.
+    EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
+    read_once();
+    EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
 }
 
 TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
@@ -406,6 +425,12 @@ TEST_F(Values, AverageWithoutAValidChannelSaysWhy) {
     write(0x6112, 2, 1, 1);
     EXPECT_EQ(read(0x2100).value, not_a_number);
     EXPECT_EQ(read(0x2130).value, 0xFE00U);
+    cut(1);
+    cut(2, false);
+    settle();
+    write(0x6112, 1, 1, 1);
+    write(0x6112, 2, 1, 0);
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the first channel's as well
 }
 
 TEST_F(Values, ColdJunctionHasItsOwnValues) {
@@ -452,6 +477,18 @@ TEST_F(Values, OneChannelLeavesTheOtherAlone) {
     EXPECT_EQ(status(2), 0);
     write(0x6112, 2, 1, 0);
     EXPECT_NE(field_value(1).value, not_a_number);
+}
+
+TEST_F(Values, ALateCallMakesUpForEightReadings) {
+    verifies<req::TCS_IN_001>();
+    write(0x2000, 1, 1, 0);
+    microvolts(1, 60000.0);  // two gains to go down: the ninth reading shows it
+    now = now + milliseconds(9 * period_ms);
+    device->advance(now);
+    EXPECT_EQ(device->outputs().tc_gain[0], 32);
+    EXPECT_EQ(read(0x2010, 1).value, 0U);
+    read_once();
+    EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
 TEST_F(Values, ALateCallReadsWhatWasMissedButNotWithoutEnd) {
