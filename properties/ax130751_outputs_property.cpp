@@ -136,6 +136,7 @@ RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
     const Duration on_delay = some_ms(0, 50);
     const Duration off_delay = some_ms(0, 50);
     DelayedState state;
+    bool is = false;
     Instant now{};
     std::uint64_t asked_for = 0;  // ms for which the present wish has stood against the state
     for (int step = 0; step < 200; ++step) {
@@ -143,8 +144,8 @@ RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
         const int stay = *rc::gen::inRange(1, 60);
         asked_for = 0;
         for (int ms = 0; ms < stay; ++ms) {
-            const bool before = state.state();
-            const bool is = state.follow(wanted, on_delay, off_delay, now);
+            const bool before = is;
+            is = state.follow(wanted, on_delay, off_delay, now);
             const std::uint64_t delay = (wanted ? on_delay : off_delay).us / 1000U;
             if (before != wanted) {
                 RC_ASSERT((is == wanted) == (asked_for >= delay));
@@ -155,8 +156,8 @@ RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
             now = now + milliseconds(1);
         }
         // The next wish may be the same again: what is pending then goes on, so its time is not counted here.
-        if (state.is_pending()) {
-            state.follow(state.state(), on_delay, off_delay, now);
+        if (state.due() != never) {
+            state.follow(is, on_delay, off_delay, now);
         }
     }
 }

@@ -58,6 +58,19 @@ TEST_F(DigitalOutputTest, BlinksWhileOnBeginningWithOn) {
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
+TEST_F(DigitalOutputTest, KnowsWhenItWillChangeByItself) {
+    verifies<req::AOR_DO_004>();
+    EXPECT_EQ(output.next_change(), never);
+    run("#", blinking);  // ON at 0 ms, for 3 ms
+    EXPECT_EQ(output.next_change().us, 3000U);
+    run("#", blinking, OutputDrive::override_value, true);
+    EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
+    run("##", blinking);  // 2 and 3 ms: the same blinking goes on
+    EXPECT_EQ(output.next_change().us, 6000U);
+    run("#", normal);
+    EXPECT_EQ(output.next_change(), never);
+}
+
 TEST_F(DigitalOutputTest, LogicStateIsBeforePolarity) {
     verifies<req::AOR_DO_007>();
     EXPECT_TRUE(logic(true, inverse));

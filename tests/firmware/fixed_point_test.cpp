@@ -5,9 +5,17 @@
 
 #include <cmath>
 
+#include "firmware/blocks/thermocouple.hpp"
 #include "support/shows_rule.hpp"
 
 namespace canproof::test {
+
+namespace {
+
+/// As long as those of the firmware, whose functions are then the ones that run here.
+using Coefficients = std::array<double, InversePiece::size>;
+
+}  // namespace
 
 TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
     shows_rule("numbers in fixed point");
@@ -46,7 +54,7 @@ TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
 TEST(FixedPoint, APolynomialIsTakenAboutItsMiddle) {
     shows_rule("numbers in fixed point");
     // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the furthest is 3 away: 2^2.
-    const auto made = fixed_polynomial(std::array<double, 4>{5.0, -3.0, 1.0, 0.0}, 3U, -1.0, 5.0);
+    const auto made = fixed_polynomial(Coefficients{5.0, -3.0, 1.0}, 3U, -1.0, 5.0);
     EXPECT_EQ(made.centre, to_fixed(2.0));
     EXPECT_EQ(made.reach, 2U);
     EXPECT_EQ(made.coefficients[0], to_fixed(3.0));
@@ -60,9 +68,18 @@ TEST(FixedPoint, APolynomialIsTakenAboutItsMiddle) {
     EXPECT_NEAR(from_fixed(made.value(to_fixed(-1000.0))), 15.0, 1e-11);
 }
 
+TEST(FixedPoint, TheEndsOfItsRangeLieWithinItsReach) {
+    shows_rule("numbers in fixed point");
+    // x itself, from -1 to 1: a reach of 2^0 would end before them.
+    const auto made = fixed_polynomial(Coefficients{0.0, 1.0}, 2U, -1.0, 1.0);
+    EXPECT_EQ(made.reach, 1U);
+    EXPECT_EQ(made.value(to_fixed(1.0)), to_fixed(1.0));
+    EXPECT_EQ(made.value(to_fixed(-1.0)), to_fixed(-1.0));
+}
+
 TEST(FixedPoint, WithoutTermsItIsZero) {
     shows_rule("numbers in fixed point");
-    EXPECT_EQ(fixed_polynomial(std::array<double, 2>{}, 0U, 0.0, 1.0).value(to_fixed(0.3)), 0);
+    EXPECT_EQ(fixed_polynomial(Coefficients{}, 0U, 0.0, 1.0).value(to_fixed(0.3)), 0);
 }
 
 }  // namespace canproof::test

@@ -67,11 +67,11 @@ TEST_F(Converter, RaisesItsGainWhenTheVoltageFitsWithTenPercentToSpare) {
     ASSERT_EQ(adc.gain(circuit), 32);
     convert(35157.0);  // 90 % of 39062.5 is 35156.25
     EXPECT_EQ(adc.gain(circuit), 32);
-    convert(35156.0);
+    convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.0, 78125.0 / 32768 / 2);  // the reading that showed it counts
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that showed it counts
     convert(5.0, 3);
-    EXPECT_NEAR(adc.microvolts(), 35156.0, 78125.0 / 32768 / 2);
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
     EXPECT_NEAR(adc.microvolts(), 5.0, 1.2);
     EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest

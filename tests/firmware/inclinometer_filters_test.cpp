@@ -122,6 +122,14 @@ TEST(AngleFilter, AveragesTheShortWayRound) {
     EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 is 190
 }
 
+TEST(AngleFilter, HalfATurnIsPositive) {
+    verifies<req::INC_AVG_006, req::INC_ANGLE_013>();
+    AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
+    EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
+    AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // either way round is as short: by +180, 90 to 270
+}
+
 TEST(AngleFilter, TurnsForEverWithoutLosingItsPlace) {
     verifies<req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
@@ -144,6 +152,29 @@ TEST(AngleFilter, RestartForgets) {
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
     filter.restart(AngleFilterKind::repeating, 2);
     EXPECT_EQ(outputs(filter, {8.0F}).back(), 8.0F);
+}
+
+TEST(AngleFilter, AWindowOf64ForgetsTheSampleBefore) {
+    verifies<req::INC_AVG_001, req::INC_AVG_002>();
+    for (const int samples : {63, 64}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
+        filter.add(static_cast<float>(samples));
+        for (int sample = 1; sample < samples; ++sample) {
+            filter.add(0.0F);
+        }
+        EXPECT_EQ(filter.output(), 1.0F) << samples;
+        filter.add(0.0F);
+        EXPECT_EQ(filter.output(), 0.0F) << samples;
+    }
+}
+
+TEST(AngleFilter, WhatDoesNotDivideByARunIsNotLost) {
+    verifies<req::INC_AVG_002>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
+    for (int sample = 0; sample < 3200; ++sample) {
+        filter.add(sample % 50 == 0 ? 0.000049F : 0.0F);
+    }
+    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree, the nearest is 1
 }
 
 TEST(AngleFilter, LongWindowsAverageAConstantToItself) {

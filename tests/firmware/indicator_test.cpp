@@ -63,6 +63,15 @@ TEST(Indicator, NextChangeIsTheEndOfThePhase) {
     EXPECT_EQ(indicator_phase(pattern(State::on), Instant{} + milliseconds(700), Duration{}).next_change, never);
 }
 
+TEST(Indicator, WithoutFlashesItIsSteadyWhateverThePause) {
+    verifies<req::AO4_LED_005>();
+    const IndicatorPattern lit{0U, milliseconds(1), Duration{}, milliseconds(500)};
+    for (const std::uint64_t time : {0U, 1U, 499U, 500U, 1234U}) {
+        EXPECT_TRUE(indicator_phase(lit, Instant{} + milliseconds(time), Duration{}).lit) << time;
+        EXPECT_EQ(indicator_phase(lit, Instant{} + milliseconds(time), Duration{}).next_change, never) << time;
+    }
+}
+
 TEST(Indicator, APatternThatTakesNoTimeIsSteady) {
     shows_rule("work is bounded");
     const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};

@@ -45,6 +45,8 @@ TEST(DecimalDigits, DivideTheInteger) {
     EXPECT_DOUBLE_EQ(physical_value(-1234, 2), -12.34);
     EXPECT_DOUBLE_EQ(physical_value(1234, 3), 1.234);
     EXPECT_DOUBLE_EQ(physical_value(1234, 4), 0.1234);
+    EXPECT_DOUBLE_EQ(physical_value(1234, 5), 0.1234) << "more than four, which no object holds, count as four";
+    EXPECT_DOUBLE_EQ(physical_value(1234, 255), 0.1234);
 }
 
 TEST(DecimalDigits, EqualValuesAreEqualWhateverTheirDigits) {

@@ -125,6 +125,7 @@ TEST(LogicBlock, OutputIsAPercentageOfTheTablesLimits) {
     EXPECT_DOUBLE_EQ(percentage_of_limits({-50.0, -200.0, 400.0, SignalState::valid}), 25.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({400.0, -200.0, 400.0, SignalState::valid}), 100.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({7.0, 7.0, 7.0, SignalState::valid}), 0.0);
+    EXPECT_DOUBLE_EQ(percentage_of_limits({9.0, 7.0, 7.0, SignalState::valid}), 0.0) << "also above them";
 }
 
 }  // namespace canproof::test

@@ -127,9 +127,19 @@ TEST(LookupTable, IntervalsFollowEachOther) {
     EXPECT_EQ(profile_length(profile).us, 100'000U);
 }
 
+TEST(LookupTable, PointOneIsTheStartWhateverItsX) {
+    verifies<req::AOR_LT_014>();
+    auto profile = short_profile();
+    profile.x[0] = 7e3;
+    EXPECT_DOUBLE_EQ(after(5, profile), 25.0);
+    EXPECT_DOUBLE_EQ(after(20, profile), 100.0);
+    EXPECT_EQ(profile_length(profile).us, 100'000U);
+}
+
 TEST(LookupTable, RepeatedRoundsEndWithTheLastPoint) {
     verifies<req::AOR_LT_013>();
     const auto profile = short_profile();  // 100 ms
+    EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
     EXPECT_DOUBLE_EQ(after(100, profile, true), 40.0);
     EXPECT_DOUBLE_EQ(after(101, profile, true), 5.0);
     EXPECT_DOUBLE_EQ(after(120, profile, true), 100.0);
@@ -190,8 +200,12 @@ TEST(LookupTable, OnStartsTheProfileAndOffStopsIt) {
     EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(1011)).value, 0.0);
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1012)).value, 0.0) << "from the first point";
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1022)).value, 50.0);
-    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(9000)).value, 40.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1111)).value, 40.0);
+    EXPECT_TRUE(table.is_running()) << "1 ms before its end";
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1112)).value, 40.0);
     EXPECT_FALSE(table.is_running()) << "at its end";
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(9000)).value, 40.0);
+    EXPECT_FALSE(table.is_running());
 }
 
 TEST(LookupTable, RepeatRunsOnUntilOff) {

@@ -12,6 +12,8 @@ constexpr std::uint8_t plus = 12;
 constexpr std::uint8_t minus = 13;
 constexpr std::uint8_t times = 14;
 constexpr std::uint8_t divided_by = 15;
+constexpr std::uint8_t minimum = 16;
+constexpr std::uint8_t maximum = 17;
 
 /// A percentage as an input, 0 to 100 % scaled, as shipped.
 MathInput percent(double value, double gain = 1.0) {
@@ -89,6 +91,8 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
     EXPECT_DOUBLE_EQ(fraction(-50.0, -40.0, 210.0), 0.0);
     EXPECT_DOUBLE_EQ(fraction(75.0, 100.0, 0.0), 0.25) << "falling";
     EXPECT_DOUBLE_EQ(fraction(5.0, 5.0, 5.0), 0.0) << "no span";
+    EXPECT_DOUBLE_EQ(fraction(6.0, 5.0, 5.0), 0.0);
+    EXPECT_DOUBLE_EQ(fraction(4.0, 5.0, 5.0), 0.0);
 }
 
 TEST(MathBlock, EqualInputsAreEqualAfterDifferentScalings) {
@@ -198,6 +202,82 @@ TEST(MathBlock, AnEarlierFunctionCountsWithThisCyclesValue) {
     verifies<req::AOR_MATH_009>();
     // function 1 = 0.6; function 2 = 0.6 * 0.5 = 0.3; function 3 = 0.3 + function 1 = 0.9
     EXPECT_DOUBLE_EQ(run({percent(60), percent(0), percent(50), result_of(1)}, {plus, times, plus}), 0.9);
+}
+
+TEST(MathBlock, AMovingFunction1MovesTheNextCycle) {
+    verifies<req::AOR_MATH_009>();
+    MathBlock block;
+    const std::array<std::uint8_t, 3> operators{plus, plus, plus};
+    // Function 1 = itself + 0.1; the others are not used.
+    const MathConfig counts{{result_of(1), percent(10), unused, unused}, operators};
+    EXPECT_DOUBLE_EQ(block.advance(counts).value, 0.1);
+    EXPECT_FALSE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(counts).value, 0.2);
+    EXPECT_FALSE(block.is_settled());
+    const MathConfig stays{{result_of(1), percent(0), unused, unused}, operators};
+    EXPECT_DOUBLE_EQ(block.advance(stays).value, 0.2);
+    EXPECT_TRUE(block.is_settled());
+}
+
+TEST(MathBlock, AMovingFunction2MovesTheNextCycle) {
+    verifies<req::AOR_MATH_009>();
+    MathBlock block;
+    // Function 1 = the greater of function 2 and 0.5; function 2 = that + input 3.
+    const auto config = [](double third) {
+        return MathConfig{{result_of(2), percent(50), percent(third), unused}, {maximum, plus, plus}};
+    };
+    EXPECT_DOUBLE_EQ(block.advance(config(0)).value, 0.5);
+    EXPECT_DOUBLE_EQ(block.advance(config(0)).value, 0.5);
+    EXPECT_TRUE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.6) << "0.5, as before, + 0.1";
+    EXPECT_FALSE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7) << "0.6 + 0.1";
+}
+
+TEST(MathBlock, AMovingFunction3MovesTheNextCycle) {
+    verifies<req::AOR_MATH_009>();
+    MathBlock block;
+    // Function 1 = the greater of function 3 and 0.5; function 2 = that; function 3 = that + input 4.
+    const auto config = [](double fourth) {
+        return MathConfig{{result_of(3), percent(50), percent(0), percent(fourth)}, {maximum, plus, plus}};
+    };
+    EXPECT_DOUBLE_EQ(block.advance(config(0)).value, 0.5);
+    EXPECT_DOUBLE_EQ(block.advance(config(0)).value, 0.5);
+    EXPECT_TRUE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.6);
+    EXPECT_FALSE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7);
+}
+
+TEST(MathBlock, ADifferenceThatMovesBelow0MovesTheNextCycle) {
+    verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
+    MathBlock block;
+    // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = that - input 3; function 3 = that +
+    // function 1.
+    const auto config = [](double third) {
+        return MathConfig{{result_of(2, -1.0), percent(20), percent(third), result_of(1)}, {minimum, minus, plus}};
+    };
+    EXPECT_DOUBLE_EQ(block.advance(config(50)).value, 0.0) << "0; 0 - 0.5; 0 + 0";
+    EXPECT_DOUBLE_EQ(block.advance(config(50)).value, 0.2) << "0.2 of 0.5; 0.2 - 0.5; 0 + 0.2";
+    EXPECT_DOUBLE_EQ(block.advance(config(50)).value, 0.2) << "0.2 of 0.3; 0.2 - 0.5; 0 + 0.2";
+    EXPECT_TRUE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(config(30)).value, 0.2) << "0.2 of 0.3; 0.2 - 0.3; 0 + 0.2";
+    EXPECT_FALSE(block.is_settled()) << "-0.1 after -0.3, though both count as 0 to function 3";
+    EXPECT_DOUBLE_EQ(block.advance(config(30)).value, 0.1) << "0.1 of 0.1; 0.1 - 0.3; 0 + 0.1";
+}
+
+TEST(MathBlock, ADifferenceThatGetsItsSignMovesTheNextCycle) {
+    verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
+    MathBlock block;
+    // Function 1 = function 2 + 0.2; function 2 = that less 0.5: first a difference, held at 0, then a sum.
+    const MathConfig difference{{result_of(2), percent(20), percent(50), unused}, {plus, minus, plus}};
+    const MathConfig sum{{result_of(2), percent(20), percent(50, -1.0), unused}, {plus, plus, plus}};
+    EXPECT_DOUBLE_EQ(block.advance(difference).value, 0.0);
+    EXPECT_DOUBLE_EQ(block.advance(difference).value, 0.0);
+    EXPECT_TRUE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(sum).value, 0.2 - 0.5);
+    EXPECT_FALSE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(sum).value, -0.1 - 0.5) << "function 1 = -0.3 + 0.2";
 }
 
 TEST(MathBlock, OutputLiesBetweenItsScalings) {

@@ -73,6 +73,20 @@ TEST(Ramp, NewTimesApplyFromNowOn) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(740)), 4.0);
 }
 
+TEST(Ramp, HowOftenItIsAskedDoesNotMatter) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
+    const RampTimes odd{10.0, milliseconds(7000), milliseconds(7000)};  // 10 / 7000 a millisecond: no binary number
+    Ramp often;
+    Ramp once;
+    often.follow(10.0, odd, at(0));
+    once.follow(10.0, odd, at(0));
+    for (std::uint64_t ms = 1; ms <= 6000; ++ms) {
+        often.follow(10.0, odd, at(ms));
+    }
+    EXPECT_EQ(once.follow(10.0, odd, at(6000)), 60000.0 / 7000.0);
+    EXPECT_EQ(often.value_at(at(6000)), 60000.0 / 7000.0) << "to the last bit";
+}
+
 TEST(Ramp, NoTimeOrNoSpanSteps) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;

@@ -18,6 +18,7 @@ constexpr RelayPolarity not_implemented{{Row{off, off}, Row{off, off}}, UnlatchE
 constexpr RelayPolarity normal{{Row{off, on}, Row{off, on}}, UnlatchEffect::ignored};
 constexpr RelayPolarity inverse{{Row{on, off}, Row{on, off}}, UnlatchEffect::ignored};
 constexpr RelayPolarity latched{{Row{keep, change}, Row{keep, keep}}, UnlatchEffect::to_off};
+constexpr RelayPolarity never_unlatched{{Row{keep, change}, Row{keep, keep}}, UnlatchEffect::ignored};
 constexpr RelayPolarity inverse_latched{{Row{keep, keep}, Row{change, keep}}, UnlatchEffect::to_on};
 constexpr RelayPolarity toggle{{Row{off, blink}, Row{off, blink}}, UnlatchEffect::ignored};
 
@@ -111,6 +112,20 @@ TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
     EXPECT_EQ(run(".##.", normal, "####"), ".##.");
     EXPECT_EQ(run(".##.", inverse, "####"), "#..#");
     EXPECT_EQ(run("##", toggle, "##"), "##");
+    EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
+}
+
+TEST_F(RelayTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+    verifies<req::AOR_RELAY_017>();
+    EXPECT_EQ(run(".#.", latched), ".##");
+    for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
+        EXPECT_EQ(run("..##", latched, "", drive), "....") << "overridden with OFF, disabled, in error";
+        EXPECT_EQ(run("#.", latched), "##") << "one edge passed by, the control is still ON";
+    }
+    EXPECT_EQ(run("#.", latched), "..");
+    EXPECT_EQ(run("#.#", inverse_latched), "#..");
+    EXPECT_EQ(run("#.", inverse_latched, "", OutputDrive::shut_off), "..");
+    EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
 TEST_F(RelayTest, DisabledIsOffWhateverThePolarity) {

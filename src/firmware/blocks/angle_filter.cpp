@@ -58,11 +58,10 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     run_length_ = ((samples_ + capacity) - 1) / capacity;
     runs_.fill(0);
     newest_ = 0U;
-    run_count_ = 0U;
+    seen_ = 0;
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;
-    started_ = false;
     block_complete_ = false;
 }
 
@@ -85,9 +84,7 @@ void AngleFilter::add(const float degrees) noexcept {
 
 static_assert(implements<req::INC_AVG_006>);
 std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
-    const std::int64_t units = to_units(degrees);
-    turned_ = started_ ? (turned_ + wrapped(units - turned_)) : units;
-    started_ = true;
+    turned_ += wrapped(to_units(degrees) - turned_);
     if ((turned_ > (most_turns * full_turn)) || (turned_ < (-most_turns * full_turn))) {
         rebase();
     }
@@ -107,10 +104,10 @@ void AngleFilter::rebase() noexcept {
 void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
     sum_ += turned;
     ++collected_;
+    seen_ = std::min(seen_ + 1, samples_);
     if (collected_ == run_length_) {
         newest_ = (newest_ + 1U) % run_capacity;
         runs_[newest_] = sum_;
-        run_count_ = (run_count_ < run_capacity) ? (run_count_ + 1U) : run_capacity;
         sum_ = 0;
         collected_ = 0;
     }
@@ -119,16 +116,12 @@ void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
 static_assert(implements<req::INC_AVG_001> && implements<req::INC_AVG_002>);
 std::int64_t AngleFilter::mean_of_window() const noexcept {
     std::int64_t sum = sum_;
-    std::int32_t count = collected_;
     std::size_t at = newest_;
-    for (std::size_t run = 0U; (run < run_count_) && (count < samples_); ++run) {
-        const std::int32_t missing = samples_ - count;
-        const std::int32_t taken = (missing < run_length_) ? missing : run_length_;
-        sum += share_of(runs_[at], taken, run_length_);
-        count += taken;
-        at = (at + run_capacity - 1U) % run_capacity;
+    for (std::int32_t missing = seen_ - collected_; missing >= 1; missing -= run_length_) {
+        sum += share_of(runs_[at], std::min(missing, run_length_), run_length_);
+        at = (at == 0U) ? (run_capacity - 1U) : (at - 1U);
     }
-    return rounded_quotient(sum, count);
+    return rounded_quotient(sum, seen_);
 }
 
 static_assert(implements<req::INC_AVG_003>);

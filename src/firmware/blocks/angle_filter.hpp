@@ -40,15 +40,14 @@ class AngleFilter {
 
     std::array<std::int64_t, run_capacity> runs_{};  ///< sums of whole runs, a ring
     std::size_t newest_{0U};                         ///< where the latest whole run stands
-    std::size_t run_count_{0U};
-    std::int64_t sum_{0};        ///< of the run or block that is being collected
-    std::int32_t collected_{0};  ///< samples in it
-    std::int64_t turned_{0};     ///< latest sample with the turns before it, microdegrees
+    std::int64_t sum_{0};                            ///< of the run or block that is being collected
+    std::int32_t collected_{0};                      ///< samples in it
+    std::int32_t seen_{0};                           ///< samples so far, at most those of a window
+    std::int64_t turned_{0};                         ///< latest sample with the turns before it, microdegrees
     float output_{0.0F};
     std::int32_t samples_{1};
     std::int32_t run_length_{1};
     AngleFilterKind kind_{AngleFilterKind::none};
-    bool started_{false};
     bool block_complete_{false};
 };
 

@@ -28,9 +28,7 @@ class DelayedState {
         state_ = state;
         pending_ = false;
     }
-    bool state() const noexcept { return state_; }
-    bool is_pending() const noexcept { return pending_; }
-    /// When what is pending will be done.
+    /// When what is pending will be done; never when nothing is.
     Instant due() const noexcept { return pending_ ? due_ : never; }
 
   private:

@@ -40,7 +40,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
 static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_004>);
 bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink, const Instant now) noexcept {
     const bool blinks = drive == SwitchDrive::blink;
-    if (blinks && !blinking_) {
+    if (!blinking_) {
         blinking_since_ = now;
     }
     blinking_ = blinks;

@@ -14,10 +14,8 @@ struct IndicatorPattern {
     Duration pause{};
 
     constexpr bool is_steady() const noexcept { return flashes == 0U; }
-    constexpr Duration period() const noexcept {
-        const std::uint64_t gaps = is_steady() ? 0U : (flashes - std::uint64_t{1U});
-        return Duration{(flashes * on.us) + (gaps * gap.us) + pause.us};
-    }
+    /// Of what is not steady: behind the last flash stands the pause in place of the gap.
+    constexpr Duration period() const noexcept { return Duration{((flashes * (on.us + gap.us)) - gap.us) + pause.us}; }
 };
 
 struct IndicatorPhase {

@@ -151,7 +151,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
     // Function n works on the chain so far and on input n + 1; the chain begins with input 1.
     const MathInput& first = config.inputs[0U];
     bool chained = first.signal.is_available();
-    double chain = chained ? input_value(first) : 0.0;
+    double chain = input_value(first);
     bool negative_gain = first.gain < 0.0;
     MathResult result{};
     const std::array<MathFunction, math_functions> before{results_};

@@ -7,7 +7,7 @@
 namespace canproof {
 
 static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011> &&
-              implements<req::AOR_RELAY_014>);
+              implements<req::AOR_RELAY_014> && implements<req::AOR_RELAY_017>);
 bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity,
                     const RelayTimes& times, const Instant now) noexcept {
     choose_polarity(polarity);
@@ -84,7 +84,7 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
     // While a change to OFF is delayed the relay goes on with what it did: steady or toggling.
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
-    if (blinks && (!blinking_)) {
+    if (!blinking_) {
         blinking_since_ = now;
     }
     blinking_ = blinks;

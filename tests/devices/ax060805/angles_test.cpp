@@ -133,6 +133,8 @@ TEST_F(Angles, WithoutGravityTheyKeepTheirLastValue) {
     EXPECT_EQ(read(0x4020), 1U);
     EXPECT_EQ(angles_at(0.0, -0.101, 0.0), (Row{0, 9000, 9000}));
     EXPECT_EQ(read(0x4020), 0U);
+    EXPECT_EQ(angles_at(0.0, 0.0, -0.1), (Row{0, 0, 0})) << "0.1 g is not below 0.1 g";
+    EXPECT_EQ(read(0x4020), 0U);
 }
 
 TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
@@ -225,9 +227,26 @@ TEST_F(Angles, AutoNullIsRefusedWhereThereIsNoRollOrNoDirection) {
     expect_refused("gimbal lock");
     angles_at(0.0, 0.0, 0.05);
     expect_refused("weightless");
+    angles_of(20.0, 20.0);
     inputs.accelerometer_fault = true;
     angles_of(10.0, 10.0);
     expect_refused("accelerometer error");
+}
+
+TEST_F(Angles, AFailedSensorKeepsItsAccelerationsWhateverTheFrame) {
+    verifies<req::INC_FV_007>();
+    feel(0.25, -0.5, 0.75);
+    pass(5);
+    inputs.accelerometer_fault = true;
+    feel(0.25, -0.5, 0.75);
+    pass(5);
+    write_real(0x2210, 0, 90.0F);
+    pass(5);
+    EXPECT_EQ(accelerations(), (Row{250, -500, 750}));
+    inputs.accelerometer_fault = false;
+    feel(0.25, -0.5, 0.75);
+    pass(5);
+    EXPECT_EQ(accelerations(), (Row{250, -750, -500})) << "rolled by 90 degrees: y = -z, z = y of the unit";
 }
 
 TEST_F(Angles, AutoNullIsLostWithAResetUnlessStored) {

@@ -164,9 +164,10 @@ class Rewriter:
 
     # Walking.
 
-    def children(self, cursor):
+    def children(self, cursor, first=0):
         for child in cursor.get_children():
-            self.visit(child)
+            if child.extent.start.offset >= first:
+                self.visit(child)
 
     def visit(self, cursor):
         kind = cursor.kind
@@ -176,6 +177,9 @@ class Rewriter:
             return
         if kind == K.DECL_REF_EXPR:
             return  # below it are arguments of a template only: constants
+        if kind == K.VAR_DECL:
+            self.children(cursor, cursor.location.offset)  # what stands before its name is its type
+            return
         operation = self.operator_of(cursor)
         if operation:
             sign = operation[0]

@@ -1,4 +1,6 @@
 // What schemata_check.cpp has mutated: one operator or condition a function.
+#include <type_traits>
+
 namespace canproof {
 
 bool less(const unsigned a, const unsigned b) noexcept {
@@ -37,6 +39,11 @@ unsigned plus_constant(const unsigned a) noexcept {
 }
 unsigned of_a_template(const unsigned a) noexcept {
     return plus_constant<2U * 2U>(a);
+}
+template <unsigned N>
+unsigned of_a_type(const unsigned a) noexcept {
+    const std::conditional_t<(N == 4U), unsigned char, unsigned> held = a;
+    return held;
 }
 unsigned of_a_constant() noexcept {
     constexpr unsigned eight = twice(4U);
