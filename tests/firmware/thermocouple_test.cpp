@@ -119,15 +119,18 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
     }
 }
 
-TEST(Thermocouple, ConversionErrsByLessThanAMillionthOfADegree) {
+TEST(Thermocouple, ConversionErrsByAMillionthOfADegree) {
     verifies<req::TCS_CONV_002>();
+    // 0.02 degC are promised. The two published functions of type J lie 7.5e-8 mV apart where they meet, at 760 degC:
+    // over a slope of 0.0639 mV/degC that is 1.17e-6 degC, and a rounding decides which of them a voltage comes from.
+    constexpr double most = 1.18e-6;
     for (const auto& type : its90_types()) {
         double worst = 0.0;
         for (long double celsius = lowest_convertible(type); celsius <= type.highest(); celsius += 0.1L) {
             const double back = exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius)));
             worst = std::max(worst, std::fabs(back - static_cast<double>(celsius)));
         }
-        EXPECT_LT(worst, 1e-6) << type.letter;  // 0.02 degC are promised
+        EXPECT_LT(worst, most) << type.letter;
     }
 }
 
