@@ -12,11 +12,12 @@ namespace {
 namespace own = generated::ax130751;
 namespace field = generated::ax130751::field;
 
-/// The protection of the hardware, which nothing configures.
+/// The protection of the hardware, which nothing configures. What is no number is no supply within its range either.
 static_assert(implements<req::AOR_DIAG_008> && implements<req::AOR_K_SUPPLY_SHUTDOWN_LOW> &&
               implements<req::AOR_K_SUPPLY_SHUTDOWN_HIGH>);
 bool is_beyond_hardware(const float supply) noexcept {
-    return (supply < own::supply_shutdown_low) || (supply > own::supply_shutdown_high);
+    const bool within = (supply >= own::supply_shutdown_low) && (supply <= own::supply_shutdown_high);
+    return !within;
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Supply, temperature and errors of the AX130751 (1.8, 3.2.4, chapter 4).
+#include <limits>
+
 #include "generated/ax130751/requirements.hpp"
 #include "support/ax130751_blocks.hpp"
 #include "support/verifies.hpp"
@@ -140,6 +142,10 @@ TEST_F(Ax130751Diagnostics, HardwareProtectionHasTheLastWord) {
     EXPECT_TRUE(all_run());
     supply(39.1F);
     EXPECT_TRUE(all_off());
+    supply(24.0F);
+    EXPECT_TRUE(all_run());
+    supply(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_TRUE(all_off()) << "what cannot be measured protects too";
 }
 
 TEST_F(Ax130751Diagnostics, ShutdownComesBeforeEverything) {
