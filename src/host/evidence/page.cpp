@@ -16,7 +16,7 @@ const char* const style = R"(
 *{box-sizing:border-box}
 body{margin:0;background:var(--back);color:var(--text);font:16px/1.55 system-ui,sans-serif}
 nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;padding:.7rem max(1rem,calc(50vw - 37rem));background:var(--head);border-bottom:1px solid var(--line)}
-nav a{color:inherit;text-decoration:none;padding:.15rem 0;white-space:nowrap}nav a[aria-current]{font-weight:650;box-shadow:0 2px var(--link)}
+nav a{color:inherit;text-decoration:none;padding:.15rem 0}nav a[aria-current]{font-weight:650;box-shadow:0 2px var(--link)}
 main{max-width:76rem;margin:0 auto;padding:1rem}
 h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem}h2{font-size:1.3rem;margin:2.2rem 0 .6rem}h3{font-size:1.05rem;margin:1.6rem 0 .4rem}
 p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
