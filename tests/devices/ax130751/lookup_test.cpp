@@ -203,9 +203,8 @@ TEST_F(Ax130751Lookup, NewLimitsReachATableBeforeItACycleLater) {
     pass(10);
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
-    set16(0x3027, 11,
-          -10);  // table 2 gives 60 of -10 to 60 now: the next cycle sets its limits, the one after sees them
-    pass(2 + 50);
+    set16(0x3027, 11, -10);  // table 2 gives 60 of -10 to 60 now
+    pass(2 + 50);            // the next cycle sets its limits, the one after sees them
     EXPECT_EQ(output(1), 25);
 }
 

@@ -35,6 +35,18 @@ class Ax130751Sources : public Ax130751Blocks {
         pass(2);
         return volts(1) < 0.5F;
     }
+    /// Output 1 follows 7300h:1 of RPDO1 as shipped, output 2 2500h:4 of RPDO3; without ramps, and 3 V in a fault.
+    void control_by_two_rpdos() {
+        for (const int output : {1, 2}) {
+            no_ramps(output);
+            set16(0x7341, output, 3000);
+        }
+        extra_as_percent(4);
+        set8(0x2340, 2, canopen);
+        set8(0x2341, 2, 7);
+        set8(0x6302, 2, 0);
+        set16(0x7322, 2, 100);
+    }
     /// The lowest and highest X that a source lets a point have, in hundredths.
     std::pair<int, int> limits(int source, int number) {
         set8(0x3020, 0, source);
@@ -218,15 +230,7 @@ TEST_F(Ax130751Sources, WhatWasNeverReceivedIsValid) {
 
 TEST_F(Ax130751Sources, OnlyWhatTheOverdueRpdoMapsIsInError) {
     verifies<req::AOR_SRC_004>();
-    for (const int output : {1, 2}) {
-        no_ramps(output);
-        set16(0x7341, output, 3000);
-    }
-    extra_as_percent(4);
-    set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // 2500h:4, mapped to RPDO3
-    set8(0x6302, 2, 0);
-    set16(0x7322, 2, 100);
+    control_by_two_rpdos();
     set16(0x2500, 4, 50);
     set16(0x1400, 5, 50);
     start();
@@ -244,15 +248,7 @@ TEST_F(Ax130751Sources, OnlyWhatTheOverdueRpdoMapsIsInError) {
 
 TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
     verifies<req::AOR_SRC_004>();
-    for (const int output : {1, 2}) {
-        no_ramps(output);
-        set16(0x7341, output, 3000);
-    }
-    extra_as_percent(4);
-    set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // 2500h:4, mapped to RPDO3
-    set8(0x6302, 2, 0);
-    set16(0x7322, 2, 100);
+    control_by_two_rpdos();
     set32(0x1402, 1, 0x4000047F);
     set16(0x1402, 5, 50);
     set16(0x1400, 5, 100);
