@@ -22,7 +22,8 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     static std::string format = "eds";
     auto* eds = app.add_subcommand("eds", "electronic data sheet of a device");
     eds->add_option("DEVICE", device)->required();
-    eds->add_option("--format", format, "eds, xdd, json or md")->check(CLI::IsMember({"eds", "xdd", "json", "md"}));
+    eds->add_option("--format", format, "eds, eds-lely (reals as bits, for Lely's tools), xdd, json or md")
+        ->check(CLI::IsMember({"eds", "eds-lely", "xdd", "json", "md"}));
     eds->callback([&chosen] { chosen = [] { return print_eds(device, format); }; });
 
     static std::string folder = "spec";

@@ -97,6 +97,7 @@ struct Object : Item {
     std::uint16_t index{0};
     std::string name;
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
+    bool alike{false};  ///< `array = N` wrote its entries: one type, one field of the firmware
     std::string unit;
     std::vector<Entry> entries;
 };
