@@ -52,7 +52,7 @@ std::vector<std::string> item_row(const AuditedItem& audited, const PackInput& i
         decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
     }
     return {fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
-            fmt::format("{}<br><small>{}</small>", escaped(item.text), joined(item.sources)),
+            fmt::format("{}<br><small>{}</small>", escaped(item.text), escaped(joined(origins(item)))),
             decisions,
             places_of(code_of(item.id, input.evidence)),
             tests_of(item.id, input.evidence) + mutants_of(item.id, input),

@@ -270,8 +270,12 @@ void read_id(TomlItem& item, Item& into) {
 void read_common(TomlItem& item, Item& into, bool text_required) {
     into.place = item.place();
     into.text = text_required ? item.text("text") : item.text_or("text", "");
-    into.sources = item.texts("source", true);
-    into.source_place = item.place("source");
+    const bool derived = item.boolean_or("derived", false);
+    if (derived) {
+        into.derived = item.text("reason");
+    }
+    into.sources = item.texts("source", !derived);
+    into.source_place = item.place(item.has("source") ? "source" : "derived");
 }
 
 Register read_register(const SpecFiles& files, Faults& faults) {

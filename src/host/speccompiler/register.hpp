@@ -22,10 +22,13 @@ struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
+    std::string derived;  ///< why the item stands without a manual's sentence; empty: a source says it
     Place place;
     Place id_place;      ///< of `id`, or of an object's `index`
-    Place source_place;  ///< of `source`
+    Place source_place;  ///< of `source`, or of `derived`
 };
+/// The sources, and `derived: …` with the reason where the item is derived.
+std::vector<std::string> origins(const Item& item);
 
 struct Section {
     std::string ref;

@@ -72,6 +72,9 @@ std::string StoryTeller::sections_of(const AuditedItem& audited) const {
         }
         text += line("source", source + (title.empty() ? "" : ":" + title));
     }
+    if (!audited.item->derived.empty()) {
+        text += line("derived", audited.item->derived);
+    }
     return text;
 }
 
