@@ -123,7 +123,9 @@ void add_audit(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("SUBJECT", options.subject,
                         "a device, id, section (AX130751:1.3), source file or test; all without it");
     command->add_option("--section", options.filter.section, "list items from there: AX130751:1 takes 1.3 as well");
-    command->add_option("--kind", options.filter.kind, "list items of a kind: timing, storage, table, constant …");
+    command->add_option("--kind", options.filter.kind,
+                        "list items of a kind: timing, storage, table, constant …; condition-of-use: what the manuals "
+                        "ask of installers");
     command->add_option("--status", options.filter.status, "list items that are failed, open, suspect or shown")
         ->check(CLI::IsMember({"failed", "open", "suspect", "shown"}));
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();

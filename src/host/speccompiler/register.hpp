@@ -36,6 +36,7 @@ struct Section {
     bool normative{false};
     std::string reason;
     std::vector<std::string> objects;
+    std::vector<std::string> conditions;  ///< of use: what installer and operator must keep, each a sentence
     Place place;
 };
 

@@ -166,6 +166,9 @@ const std::vector<Broken> other_cases{
     {"SectionTwice", manual_file,
      small_register().at(manual_file) + "[[section]]\nref = \"1\"\ntitle = \"again\"\ndisposition = \"normative\"\n",
      20, "section 1 stands already in line 6", "register each section once"},
+    {"ConditionOfUseWithoutCondition", manual_file,
+     replaced(small_register().at(manual_file), "disposition = \"informative\"", "disposition = \"condition-of-use\""),
+     11, "section 2.1 gives no condition of use", "add `conditions = "},
     {"InformativeWithoutReason", manual_file,
      replaced(small_register().at(manual_file), "reason = \"a drawing\"\n", ""), 11,
      "informative section 2.1 gives no reason", "add `reason = …`"},
@@ -227,6 +230,17 @@ TEST(RegisterFaults, DerivedRequirementNeedsNoSource) {
     Requirement cites_manual = read;
     cites_manual.derived.clear();
     EXPECT_NE(fingerprint(cites_manual), fingerprint(read)) << "a review must expire when an item becomes derived";
+}
+
+TEST(RegisterFaults, SectionWithConditionsOfUseKeepsThem) {
+    const std::string condition = "disposition = \"condition-of-use\"\nconditions = [\"The box stays dry.\"]";
+    const LoadResult loaded =
+        load_register(with(manual_file, replaced(small_register().at(manual_file),
+                                                 "disposition = \"informative\"\nreason = \"a drawing\"", condition)));
+    EXPECT_EQ(all_faults(loaded), "");
+    const Section& housing = loaded.content.manuals.front().sections.at(1);
+    EXPECT_EQ(housing.conditions, std::vector<std::string>{"The box stays dry."});
+    EXPECT_FALSE(housing.normative) << "no item has to cover it";
 }
 
 TEST(RegisterFaults, AllComeInOneRunSortedByPlace) {
