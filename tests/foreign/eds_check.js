@@ -47,7 +47,8 @@ function compareEntry(where, found, entry) {
         compare(where, 'default', number(found.defaultValue), Number(entry.default));
     }
     for (const [key, limit] of [['minimum', found.lowLimit], ['maximum', found.highLimit]]) {
-        if (typeof entry[key] === 'number' && !entry.zero) {
+        // A sheet gives no limit of a real, see write_eds.cpp.
+        if (typeof entry[key] === 'number' && !entry.zero && !entry.type.startsWith('REAL')) {
             compare(where, key, number(limit) ?? 0, entry[key]);  // this parser forgets a limit that is 0
         }
     }

@@ -41,9 +41,9 @@ class AuditOfASmallRegister : public testing::Test {
     AuditOfASmallRegister() {
         Manual manual;
         manual.key = "M";
-        manual.sections = {{"1", "rules", true, "", {"6411h"}, {}},
-                           {"2", "more", true, "", {}, {}},
-                           {"3", "cables", false, "wiring", {}, {}}};
+        manual.sections = {{"1", "rules", true, "", {"6411h"}, {}, {}},
+                           {"2", "more", true, "", {}, {}, {}},
+                           {"3", "cables", false, "wiring", {}, {}, {}}};
         content.manuals = {manual};
         Part part;
         part.name = "device";
@@ -210,7 +210,7 @@ double cost_of(std::size_t count) {
         const std::string id = "D-A-" + std::to_string(i);
         part.requirements.push_back(requirement(id, "M:" + section + " Table 1", {"test"}));
         if (i % 10 == 0) {
-            manual.sections.push_back({section, "section", true, "", {}, {}});
+            manual.sections.push_back({section, "section", true, "", {}, {}, {}});
         }
         evidence.verdicts[id] = {{"S.T" + id, "test", true}};
         evidence.implemented[id] = {"src/firmware/a.cpp:1"};

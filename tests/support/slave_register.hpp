@@ -232,6 +232,7 @@ repeat = { first = 1, last = 4, step = 1 }
 name = "RPDO{n} Mapping"
 type = "UNSIGNED32"
 array = 8
+kind = "record"
 access = "rw"
 default = { 1 = [0x20000108, 0x20000208, 0, 0, 0, 0, 0, 0], 2 = [0x21000110, 0x21000210, 0x21000310, 0x21000410, 0, 0, 0, 0], 3 = [0, 0, 0, 0, 0, 0, 0, 0], 4 = [0, 0, 0, 0, 0, 0, 0, 0] }
 service = "pdo"
@@ -291,6 +292,7 @@ repeat = { first = 1, last = 4, step = 1 }
 name = "TPDO{n} Mapping"
 type = "UNSIGNED32"
 array = 8
+kind = "record"
 access = "rw"
 default = { 1 = [0x20010108, 0x20010208, 0, 0, 0, 0, 0, 0], 2 = [0x21010110, 0x21010210, 0x21010310, 0x21010410, 0, 0, 0, 0], 3 = [0, 0, 0, 0, 0, 0, 0, 0], 4 = [0, 0, 0, 0, 0, 0, 0, 0] }
 service = "pdo"

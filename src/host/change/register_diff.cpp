@@ -117,7 +117,7 @@ void describe_all(const Items& items, const char* word, std::map<std::string, De
         DescribedItem& described = all[item.id];
         described.word = word;
         described.facets["text"] = one_line(item.text);
-        described.facets["source"] = joined(item.sources);
+        described.facets["source"] = joined(origins(item));
         add(described.facets, item);
     }
 }

@@ -42,6 +42,28 @@ int list_items(const std::vector<PartAudit>& audits, const AuditFilter& filter) 
     return not_shown == 0 ? 0 : 1;
 }
 
+/// Lists what installers and operators must keep, by section of the device's manual, or of all manuals.
+int list_conditions(const Register& content, const std::string& device) {
+    if (!device.empty() && content.part(device) == nullptr) {
+        throw InputError{fmt::format("`{}` is no device; `canproof devices` lists them", device)};
+    }
+    std::size_t found = 0;
+    for (const Part& part : content.parts) {
+        const Manual* manual = content.manual(part.info.manual);
+        if (manual == nullptr || (!device.empty() && part.name != device)) {
+            continue;
+        }
+        for (const auto& section : manual->sections) {
+            for (const auto& condition : section.conditions) {
+                fmt::print("{}:{} {}\n", manual->key, section.ref, condition);
+                ++found;
+            }
+        }
+    }
+    fmt::print("{} condition(s) of use\n", found);
+    return 0;
+}
+
 /// The parts that an audit of this device is about: a device rests on the shared rules. All without a name.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
@@ -56,6 +78,9 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
 int audit(const AuditOptions& options) {
     const std::filesystem::path root{options.root};
     const Register content = sound_register(root / "spec");
+    if (options.filter.kind == "condition-of-use") {
+        return list_conditions(content, options.subject);
+    }
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, content);
     std::vector<PartAudit> audits = audit_all(content, evidence);

@@ -53,10 +53,11 @@ int list_signals(const std::string& device) {
 
 int print_eds(const std::string& device, const std::string& format) {
     const Part& part = described_device(device);
-    std::cout << (format == "json"  ? write_object_json(part)
-                  : format == "md"  ? write_object_markdown(part)
-                  : format == "xdd" ? write_xdd(built_in_register(), part)
-                                    : write_eds(built_in_register(), part));
+    std::cout << (format == "json"       ? write_object_json(part)
+                  : format == "md"       ? write_object_markdown(part)
+                  : format == "xdd"      ? write_xdd(built_in_register(), part)
+                  : format == "eds-lely" ? write_eds(built_in_register(), part, Reals::bits)
+                                         : write_eds(built_in_register(), part));
     return 0;
 }
 

@@ -22,7 +22,8 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     static std::string format = "eds";
     auto* eds = app.add_subcommand("eds", "electronic data sheet of a device");
     eds->add_option("DEVICE", device)->required();
-    eds->add_option("--format", format, "eds, xdd, json or md")->check(CLI::IsMember({"eds", "xdd", "json", "md"}));
+    eds->add_option("--format", format, "eds, eds-lely (reals as bits, for Lely's tools), xdd, json or md")
+        ->check(CLI::IsMember({"eds", "eds-lely", "xdd", "json", "md"}));
     eds->callback([&chosen] { chosen = [] { return print_eds(device, format); }; });
 
     static std::string folder = "spec";
@@ -122,7 +123,9 @@ void add_audit(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("SUBJECT", options.subject,
                         "a device, id, section (AX130751:1.3), source file or test; all without it");
     command->add_option("--section", options.filter.section, "list items from there: AX130751:1 takes 1.3 as well");
-    command->add_option("--kind", options.filter.kind, "list items of a kind: timing, storage, table, constant …");
+    command->add_option("--kind", options.filter.kind,
+                        "list items of a kind: timing, storage, table, constant …; condition-of-use: what the manuals "
+                        "ask of installers");
     command->add_option("--status", options.filter.status, "list items that are failed, open, suspect or shown")
         ->check(CLI::IsMember({"failed", "open", "suspect", "shown"}));
     command->add_option("--root", options.root, "the project's folder")->capture_default_str();

@@ -52,6 +52,11 @@ void assign_services(Part& part) {
             entry.service = service;
             entry.live = is_live(object.index);
             entry.stored = entry.access == "rw" && !is_command && entry.type != "DOMAIN";
+            if (object.index == 0x1003 && object.kind != Object::Kind::var && entry.subindex == 0) {
+                // CiA 301, 7.5.2.4: 0 empties the list; a data sheet gives the counts that may be read.
+                entry.range = Range{};
+                entry.range.values = {std::int64_t{0}};
+            }
         }
     }
 }

@@ -29,7 +29,7 @@ std::string write_requirements_csv(const std::vector<PartAudit>& audits, const E
         csv_line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
     for (const auto& audit : audits) {
         for (const auto& one : audit.items) {
-            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text, joined(one.item->sources),
+            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text, joined(origins(*one.item)),
                               joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
                               tests_of(one.item->id, evidence), one.status()});
         }

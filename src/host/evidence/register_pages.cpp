@@ -52,7 +52,7 @@ std::vector<std::string> item_row(const AuditedItem& audited, const PackInput& i
         decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
     }
     return {fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
-            fmt::format("{}<br><small>{}</small>", escaped(item.text), joined(item.sources)),
+            fmt::format("{}<br><small>{}</small>", escaped(item.text), escaped(joined(origins(item)))),
             decisions,
             places_of(code_of(item.id, input.evidence)),
             tests_of(item.id, input.evidence) + mutants_of(item.id, input),
@@ -83,6 +83,19 @@ std::string audit_page(const PackInput& input) {
                              rows, Search::yes);
 }
 
+/// What installers and operators must keep: it is not the firmware's to keep, so no test shows it.
+std::string conditions_table(const Manual& manual) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& section : manual.sections) {
+        for (const auto& condition : section.conditions) {
+            rows.push_back({escaped(section.ref), escaped(section.title), escaped(condition)});
+        }
+    }
+    return rows.empty() ? ""
+                        : "<h3>Conditions of use</h3>\n" +
+                              html_table({{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
+}
+
 std::string sections_page(const PackInput& input) {
     std::string text = "<p>Each section of the manuals that asks for something, and what covers it.</p>\n";
     for (const auto& audit : input.audits) {
@@ -103,6 +116,7 @@ std::string sections_page(const PackInput& input) {
                             covered.empty() ? html_state("open") : covered});
         }
         text += html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
+        text += conditions_table(*manual);
     }
     return text;
 }

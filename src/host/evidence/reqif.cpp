@@ -106,7 +106,7 @@ class ReqifWriter {
         add_value(values, id_of, item.id);
         add_value(values, text_of, item.text);
         add_value(values, kind_of, kind);
-        add_value(values, source_of, fmt::format("{}", fmt::join(item.sources, ", ")));
+        add_value(values, source_of, fmt::format("{}", fmt::join(origins(item), ", ")));
         add_value(values, state_of, state);
     }
 

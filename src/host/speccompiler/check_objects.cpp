@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "host/speccompiler/checker.hpp"
 #include "host/speccompiler/literals.hpp"
@@ -32,6 +33,35 @@ void check_subindices(const Object& object, Faults& faults) {
         faults.push_back({object.place,
                           fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
                           "a PDO carries at most 64"});
+    }
+}
+
+/// Objects of CiA 301, 7.5.2, whose object code the standard fixes.
+struct FixedKind {
+    unsigned first;
+    unsigned last;
+    Object::Kind kind;
+};
+constexpr std::array<FixedKind, 11> fixed_kinds{{{0x1003, 0x1003, Object::Kind::array},
+                                                 {0x1010, 0x1011, Object::Kind::array},
+                                                 {0x1016, 0x1016, Object::Kind::array},
+                                                 {0x1018, 0x1018, Object::Kind::record},
+                                                 {0x1020, 0x1020, Object::Kind::array},
+                                                 {0x1028, 0x1029, Object::Kind::array},
+                                                 {0x1200, 0x12FF, Object::Kind::record},
+                                                 {0x1400, 0x15FF, Object::Kind::record},
+                                                 {0x1600, 0x17FF, Object::Kind::record},
+                                                 {0x1800, 0x19FF, Object::Kind::record},
+                                                 {0x1A00, 0x1BFF, Object::Kind::record}}};
+
+void check_kind(const Object& object, Faults& faults) {
+    for (const FixedKind& row : fixed_kinds) {
+        if (object.index >= row.first && object.index <= row.last && object.kind != row.kind) {
+            const bool array = row.kind == Object::Kind::array;
+            faults.push_back({object.place,
+                              fmt::format("{:04X}h is {} in CiA 301", object.index, array ? "an ARRAY" : "a RECORD"),
+                              fmt::format("add kind = \"{}\"", array ? "array" : "record")});
+        }
     }
 }
 
@@ -116,6 +146,7 @@ void check_image_size(const Part& part, Faults& faults) {
 void check_objects(const Part& part, Faults& faults) {
     for (const Object& object : part.objects) {
         check_subindices(object, faults);
+        check_kind(object, faults);
         for (const Entry& entry : object.entries) {
             if (is_known_type(entry.type)) {
                 check_use(object, entry, faults);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -52,6 +53,7 @@ class ReferenceCheck {
             content_.for_each_item(part, [&](const Item& item, const char*) {
                 take_id(part, item.id, item.id_place);
                 check_sources(item.sources, item.source_place);
+                check_origin(part, item);
             });
             for (const auto& decision : part.decisions) {
                 take_id(part, decision.id, decision.id_place);
@@ -128,6 +130,20 @@ class ReferenceCheck {
     void check_sources(const std::vector<std::string>& sources, const Place& place) {
         for (const auto& source : sources) {
             check_source(source, place);
+        }
+    }
+
+    /// An item of a device says what its manual says, or it is derived and gives the reason.
+    void check_origin(const Part& part, const Item& item) {
+        const bool cites_manual = std::any_of(item.sources.begin(), item.sources.end(),
+                                              [](const std::string& one) { return one.rfind("CiA", 0) != 0; });
+        if (!item.derived.empty() && cites_manual) {
+            fault(item.source_place, fmt::format("{} is derived and cites a manual", item.id),
+                  "remove the section if it does not say this, else remove `derived`");
+        }
+        if (part.is_device() && item.derived.empty() && !item.sources.empty() && !cites_manual) {
+            fault(item.source_place, fmt::format("{} cites no section of a manual", item.id),
+                  "add the section that says it, or write `derived = true` with `reason = …`");
         }
     }
 

@@ -83,7 +83,8 @@ std::string one_line(const std::string& text) {
 std::string item_comment(const Item& item, const std::string& unit) {
     const std::string in = unit.empty() ? "" : " [" + unit + "]";
     const std::string text = item.text.empty() ? "" : one_line(item.text) + " ";
-    return fmt::format("/// {}({}; {}){}\n", text, item.id, fmt::join(item.sources, ", "), in);
+    const std::string origin = item.sources.empty() ? "derived" : fmt::format("{}", fmt::join(item.sources, ", "));
+    return fmt::format("/// {}({}; {}){}\n", text, item.id, origin, in);
 }
 
 }  // namespace canproof::host

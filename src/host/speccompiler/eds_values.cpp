@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <map>
 
 #include "host/speccompiler/literals.hpp"
@@ -23,12 +24,33 @@ std::string number_text(const Value& value, const std::string& type) {
     return to_text(value);
 }
 
-std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bool lowest) {
+/// Returns the bits of a REAL32 or REAL64 as a hexadecimal number.
+std::string real_bits(double value, const std::string& type) {
+    if (type == "REAL32") {
+        const auto single = static_cast<float>(value);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &single, sizeof bits);
+        return fmt::format("0x{:08X}", bits);
+    }
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    return fmt::format("0x{:016X}", bits);
+}
+
+std::string value_text(const Value& value, const std::string& type, Reals reals) {
+    const auto number = number_of(value);
+    return reals == Reals::bits && is_real_type(type) && number ? real_bits(*number, type) : number_text(value, type);
+}
+
+std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bool lowest, Reals reals) {
+    if (reals == Reals::without_limits && is_real_type(entry.type)) {
+        return std::nullopt;
+    }
     if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
         return "0";  // a data sheet cannot say that the values next to it are refused
     }
     if (limit.kind == Limit::Kind::number) {
-        return number_text(limit.number, entry.type);
+        return value_text(limit.number, entry.type, reals);
     }
     const auto& values = entry.range.values;
     if (values.empty()) {
@@ -36,7 +58,7 @@ std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bo
     }
     const auto less = [](const Value& a, const Value& b) { return number_of(a) < number_of(b); };
     const auto [low, high] = std::minmax_element(values.begin(), values.end(), less);
-    return number_text(lowest ? *low : *high, entry.type);
+    return value_text(lowest ? *low : *high, entry.type, reals);
 }
 
 }  // namespace
@@ -56,7 +78,19 @@ unsigned object_code(const Object& object) {
     return domain ? 2U : static_cast<unsigned>(object.kind);
 }
 
-std::string eds_default(const Entry& entry) {
+Object as_in_sheet(const Object& object) {
+    Object sheet = object;
+    if (object.index == 0x1003 && object.kind != Object::Kind::var) {
+        Range counted;
+        counted.minimum.kind = counted.maximum.kind = Limit::Kind::number;
+        counted.minimum.number = std::int64_t{0};
+        counted.maximum.number = static_cast<std::int64_t>(object.entries.size()) - 1;
+        sheet.entries.front().range = counted;
+    }
+    return sheet;
+}
+
+std::string eds_default(const Entry& entry, Reals reals) {
     if (entry.node_id) {
         return fmt::format("$NODEID+0x{:X}", std::get<std::int64_t>(entry.value));
     }
@@ -67,15 +101,15 @@ std::string eds_default(const Entry& entry) {
         }
         return digits;
     }
-    return number_text(entry.value, entry.type);
+    return value_text(entry.value, entry.type, reals);
 }
 
-std::optional<std::string> eds_low_limit(const Entry& entry) {
-    return limit_text(entry, entry.range.minimum, true);
+std::optional<std::string> eds_low_limit(const Entry& entry, Reals reals) {
+    return limit_text(entry, entry.range.minimum, true, reals);
 }
 
-std::optional<std::string> eds_high_limit(const Entry& entry) {
-    return limit_text(entry, entry.range.maximum, false);
+std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals) {
+    return limit_text(entry, entry.range.maximum, false, reals);
 }
 
 std::string eds_access(const Entry& entry) {

@@ -12,11 +12,21 @@ namespace canproof::host {
 unsigned data_type_number(const std::string& type);
 /// CiA 301 object code: VAR 7, ARRAY 8, RECORD 9; a VAR of type DOMAIN is 2.
 unsigned object_code(const Object& object);
+/// The object as a data sheet shows it. A data sheet gives the values that an entry may have, where the register gives
+/// those that may be written: 1003h sub-index 0 (number of errors) takes a write of 0 only and counts up to its
+/// entries.
+Object as_in_sheet(const Object& object);
+/// How a data sheet spells REAL32 and REAL64.
+enum class Reals {
+    decimal,         ///< defaults and limits as decimal numbers
+    without_limits,  ///< defaults as decimal numbers, no limits: tools that take reals as bits refuse decimal limits
+    bits             ///< defaults and limits as the bits of IEEE 754, `0x…`, as the tools of Lely read them
+};
 /// Decimal, `0x…` for unsigned 32-bit values, `$NODEID+0x…`, a text as it is, octets in hexadecimal. Empty: no default.
-std::string eds_default(const Entry& entry);
+std::string eds_default(const Entry& entry, Reals reals = Reals::decimal);
 /// Lowest and highest value by numbers; nothing where the type or another object limits.
-std::optional<std::string> eds_low_limit(const Entry& entry);
-std::optional<std::string> eds_high_limit(const Entry& entry);
+std::optional<std::string> eds_low_limit(const Entry& entry, Reals reals);
+std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals);
 /// ro, wo, rw, const; rwr and rww for what only a TPDO or only an RPDO may carry.
 std::string eds_access(const Entry& entry);
 /// How many objects lie in [first, last].

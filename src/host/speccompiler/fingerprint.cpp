@@ -21,6 +21,8 @@ class Print {
     }
     Print& add(std::int64_t number) { return add(std::to_string(number)); }
     Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
+    /// A derived item has its reason in place of a section.
+    Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
     std::string text() const { return fmt::format("{:08x}", hash_); }
 
   private:
@@ -66,7 +68,7 @@ void add_row(Print& print, const Table::Row& row) {
 }  // namespace
 
 std::string fingerprint(const Requirement& requirement) {
-    return Print{}.add(requirement.text).text();
+    return Print{}.add(requirement.text).add_origin(requirement).text();
 }
 
 std::string fingerprint(const Object& object) {
@@ -76,7 +78,7 @@ std::string fingerprint(const Object& object) {
     for (const Entry& entry : object.entries) {
         add_entry(print, entry);
     }
-    return print.text();
+    return print.add_origin(object).text();
 }
 
 std::string fingerprint(const Table& table) {
@@ -90,7 +92,7 @@ std::string fingerprint(const Table& table) {
     for (const Table::Row& row : table.rows) {
         add_row(print, row);
     }
-    return print.text();
+    return print.add_origin(table).text();
 }
 
 std::string fingerprint(const Enumeration& enumeration) {
@@ -99,18 +101,24 @@ std::string fingerprint(const Enumeration& enumeration) {
     for (const auto& [word, number] : enumeration.values) {
         print.add(word).add(number);
     }
-    return print.text();
+    return print.add_origin(enumeration).text();
 }
 
 std::string fingerprint(const Constant& constant) {
-    return Print{}.add(constant.name).add(constant.type).add(constant.unit).add(constant.value).text();
+    return Print{}
+        .add(constant.name)
+        .add(constant.type)
+        .add(constant.unit)
+        .add(constant.value)
+        .add_origin(constant)
+        .text();
 }
 
 std::string fingerprint(const Signal& signal) {
     Print print;
     print.add(signal.name).add(std::int64_t{signal.count}).add(std::int64_t{signal.input ? 1 : 0});
     print.add(signal.type).add(signal.unit).add(signal.minimum).add(signal.maximum).add(signal.value).add(signal.text);
-    return print.text();
+    return print.add_origin(signal).text();
 }
 
 std::string fingerprint(const Decision& decision) {

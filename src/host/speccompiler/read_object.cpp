@@ -278,9 +278,9 @@ void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
     for (TomlItem& sub : item.items("entry")) {
         Entry entry = read_entry_fields(sub);
         entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
-        if (object.kind == Object::Kind::array && entry.subindex != 0) {
+        if (object.alike && entry.subindex != 0) {
             sub.fault(sub.place("sub"), fmt::format("an array lists entry {}", entry.subindex),
-                      "list entry 0 only, or make it a record without `array`");
+                      "list entry 0 only, or list all entries without `array`");
         }
         entry.name = numbered(sub.text("name"), member.n);
         check_family_default(sub, member);
@@ -307,6 +307,15 @@ void add_sub_zero(Object& object) {
     });
 }
 
+/// Reads `kind`, which names the object code of CiA 301 where the way of writing the entries does not give it.
+Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
+    const std::string word = item.text_or("kind", usual == Object::Kind::array ? "array" : "record");
+    if (word != "array" && word != "record") {
+        item.fault(item.place("kind"), fmt::format("kind \"{}\" is unknown", word), "write \"array\" or \"record\"");
+    }
+    return word == "array" ? Object::Kind::array : Object::Kind::record;
+}
+
 Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, const Member& member) {
     Object object;
     read_common(item, object, false);
@@ -317,12 +326,13 @@ Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, c
     object.unit = item.text_or("unit", "");
     const auto count = static_cast<std::size_t>(item.integer_or("array", 0, 1, 254));
     if (count > 0) {
-        object.kind = Object::Kind::array;
+        object.alike = true;
+        object.kind = read_kind(item, Object::Kind::array);
         read_elements(item, object, member.n, count);
         read_listed_entries(item, object, member);
         add_sub_zero(object);
     } else if (item.has("entry")) {
-        object.kind = Object::Kind::record;
+        object.kind = read_kind(item, Object::Kind::record);
         read_listed_entries(item, object, member);
         add_sub_zero(object);
     } else {

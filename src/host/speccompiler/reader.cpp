@@ -25,10 +25,15 @@ Manual read_manual(TomlItem& item) {
         section.place = one.place();
         section.ref = one.text("ref");
         section.title = one.text("title");
-        section.normative = one.word("disposition", {"normative", "informative"}, "") == "normative";
+        const std::string disposition = one.word("disposition", {"normative", "informative", "condition-of-use"}, "");
+        section.normative = disposition == "normative";
         section.reason = one.text_or("reason", "");
         section.objects = one.texts("objects", false);
-        if (!section.normative && section.reason.empty()) {
+        section.conditions = one.texts("conditions", false);
+        if (disposition == "condition-of-use" && section.conditions.empty()) {
+            one.fault(fmt::format("section {} gives no condition of use", section.ref),
+                      "add `conditions = [\"…\"]`, or give it another disposition");
+        } else if (disposition == "informative" && section.reason.empty()) {
             one.fault(fmt::format("informative section {} gives no reason", section.ref),
                       "add `reason = …` or call it normative");
         }
@@ -270,8 +275,12 @@ void read_id(TomlItem& item, Item& into) {
 void read_common(TomlItem& item, Item& into, bool text_required) {
     into.place = item.place();
     into.text = text_required ? item.text("text") : item.text_or("text", "");
-    into.sources = item.texts("source", true);
-    into.source_place = item.place("source");
+    const bool derived = item.boolean_or("derived", false);
+    if (derived) {
+        into.derived = item.text("reason");
+    }
+    into.sources = item.texts("source", !derived);
+    into.source_place = item.place(item.has("source") ? "source" : "derived");
 }
 
 Register read_register(const SpecFiles& files, Faults& faults) {

@@ -15,6 +15,14 @@ std::string Fault::text() const {
     return fmt::format("{}:{}: {}; {}", place.file, place.line, what, mend);
 }
 
+std::vector<std::string> origins(const Item& item) {
+    std::vector<std::string> all = item.sources;
+    if (!item.derived.empty()) {
+        all.push_back("derived: " + item.derived);
+    }
+    return all;
+}
+
 std::string to_text(const Value& value) {
     struct Printer {
         std::string operator()(std::monostate) const { return ""; }

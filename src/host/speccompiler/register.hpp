@@ -22,10 +22,13 @@ struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
+    std::string derived;  ///< why the item stands without a manual's sentence; empty: a source says it
     Place place;
     Place id_place;      ///< of `id`, or of an object's `index`
-    Place source_place;  ///< of `source`
+    Place source_place;  ///< of `source`, or of `derived`
 };
+/// The sources, and `derived: …` with the reason where the item is derived.
+std::vector<std::string> origins(const Item& item);
 
 struct Section {
     std::string ref;
@@ -33,6 +36,7 @@ struct Section {
     bool normative{false};
     std::string reason;
     std::vector<std::string> objects;
+    std::vector<std::string> conditions;  ///< of use: what installer and operator must keep, each a sentence
     Place place;
 };
 
@@ -97,6 +101,7 @@ struct Object : Item {
     std::uint16_t index{0};
     std::string name;
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
+    bool alike{false};  ///< `array = N` wrote its entries: one type, one field of the firmware
     std::string unit;
     std::vector<Entry> entries;
 };

@@ -101,7 +101,8 @@ std::string write_object_json(const Part& part) {
                   {"text", one_line(object.text)},
                   {"unit", object.unit},
                   {"source", object.sources}};
-        for (const Entry& entry : object.entries) {
+        const Object sheet = as_in_sheet(object);
+        for (const Entry& entry : sheet.entries) {
             json["entries"].push_back(entry_json(entry));
         }
         objects.push_back(json);
@@ -116,7 +117,8 @@ std::string write_object_markdown(const Part& part) {
     text += "| Index | Sub | Name | Type | Access | Default | Range | PDO | Stored | Id |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Object& object : part.objects) {
-        for (const Entry& entry : object.entries) {
+        const Object sheet = as_in_sheet(object);
+        for (const Entry& entry : sheet.entries) {
             const std::string name = object.kind == Object::Kind::var ? object.name : object.name + ": " + entry.name;
             text +=
                 fmt::format("| {:04X}h | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", object.index, entry.subindex,

@@ -1,4 +1,6 @@
-// CiA 306: electronic data sheet of a device.
+// CiA 306: electronic data sheet of a device. The tools read reals in two ways: python-canopen and CANopenEditor take
+// decimal numbers, Lely's take the bits of IEEE 754 and refuse a decimal limit. Hence `Reals`: the usual sheet has
+// decimal defaults and no limits of reals, and all three take it; the other sheet has everything, for Lely.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,8 @@ constexpr const char* end = "\r\n";
 
 class EdsWriter {
   public:
-    EdsWriter(const Register& content, const Part& device) : content_{content}, device_{device} {}
+    EdsWriter(const Register& content, const Part& device, Reals reals)
+        : content_{content}, device_{device}, reals_{reals} {}
 
     std::string text() {
         file_info();
@@ -111,7 +114,7 @@ class EdsWriter {
             line(fmt::format("{}", i + 1), fmt::format("0x{:04X}", list[i]->index));
         }
         for (const Object* one : list) {
-            object(*one);
+            object(as_in_sheet(*one));
         }
     }
 
@@ -139,11 +142,11 @@ class EdsWriter {
         if (entry.type == "DOMAIN") {
             return;  // CiA 306 has neither default nor mapping of a DOMAIN
         }
-        line("DefaultValue", eds_default(entry));
-        if (const auto low = eds_low_limit(entry)) {
+        line("DefaultValue", eds_default(entry, reals_));
+        if (const auto low = eds_low_limit(entry, reals_)) {
             line("LowLimit", *low);
         }
-        if (const auto high = eds_high_limit(entry)) {
+        if (const auto high = eds_high_limit(entry, reals_)) {
             line("HighLimit", *high);
         }
         line("PDOMapping", entry.mapping == "none" ? 0 : 1);
@@ -151,13 +154,14 @@ class EdsWriter {
 
     const Register& content_;
     const Part& device_;
+    Reals reals_;
     std::string out_;
 };
 
 }  // namespace
 
-std::string write_eds(const Register& content, const Part& part) {
-    return EdsWriter{content, part}.text();
+std::string write_eds(const Register& content, const Part& part, Reals reals) {
+    return EdsWriter{content, part, reals}.text();
 }
 
 }  // namespace canproof::host

@@ -91,7 +91,7 @@ bool has_field(const Entry& entry, const Placement& place) {
 std::string field_for(const Object& object, const std::vector<Placement>& places) {
     std::string text;
     const std::string base = fmt::format("o{:04x}_{}", object.index, snake_case(object.name));
-    if (object.kind == Object::Kind::array && object.entries.size() > 1 && has_field(object.entries[1], places[1])) {
+    if (object.alike && object.entries.size() > 1 && has_field(object.entries[1], places[1])) {
         text +=
             fmt::format("inline constexpr ArrayField<{}, {}U> {}{{{}U}};  // {}\n", cpp_type(object.entries[1].type),
                         object.entries.size() - 1, base, places[1].offset, object.id);

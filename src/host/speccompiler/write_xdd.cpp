@@ -85,10 +85,10 @@ void add_entry(pugi::xml_node& node, const Entry& entry) {
     if (entry.type != "DOMAIN") {
         add(node, "defaultValue", eds_default(entry));
     }
-    if (const auto low = eds_low_limit(entry)) {
+    if (const auto low = eds_low_limit(entry, Reals::decimal)) {
         add(node, "lowLimit", *low);
     }
-    if (const auto high = eds_high_limit(entry)) {
+    if (const auto high = eds_high_limit(entry, Reals::decimal)) {
         add(node, "highLimit", *high);
     }
     const bool both = entry.mapping == "both";
@@ -155,7 +155,7 @@ std::string write_xdd(const Register& content, const Part& part) {
     add(list, "optionalObjects", fmt::format("{}", part.objects.size() - mandatory - manufacturer));
     add(list, "manufacturerObjects", fmt::format("{}", manufacturer));
     for (const Object& object : part.objects) {
-        add_object(list, object);
+        add_object(list, as_in_sheet(object));
     }
     add_network(network_body, part);
     std::ostringstream out;

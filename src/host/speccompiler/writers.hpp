@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/speccompiler/dictionary_rows.hpp"
+#include "host/speccompiler/eds_values.hpp"
 
 namespace canproof::host {
 
@@ -27,7 +28,7 @@ void write_all(const Register& content, const SpecFiles& files, const std::files
                Cells cells = Cells::constant);
 
 /// CiA 306 electronic data sheet, CRLF line ends.
-std::string write_eds(const Register& content, const Part& part);
+std::string write_eds(const Register& content, const Part& part, Reals reals = Reals::without_limits);
 /// The dictionary as JSON, one object an element.
 std::string write_object_json(const Part& part);
 /// The dictionary as a Markdown table.

@@ -72,6 +72,9 @@ std::string StoryTeller::sections_of(const AuditedItem& audited) const {
         }
         text += line("source", source + (title.empty() ? "" : ":" + title));
     }
+    if (!audited.item->derived.empty()) {
+        text += line("derived", audited.item->derived);
+    }
     return text;
 }
 
@@ -148,9 +151,14 @@ std::optional<Story> StoryTeller::section(const std::string& subject) const {
             continue;
         }
         const auto ids = SectionIndex{content_}.items_of(manual->key, one);
-        Story story = list(fmt::format("{} {} ({}{})\n", subject, one.title,
-                                       one.normative ? "normative" : "informative: ", one.reason),
-                           ids);
+        const char* disposition = one.normative        ? "normative"
+                                  : one.reason.empty() ? "condition of use"
+                                                       : "informative: ";
+        std::string head = fmt::format("{} {} ({}{})\n", subject, one.title, disposition, one.reason);
+        for (const auto& condition : one.conditions) {
+            head += line("condition", condition);
+        }
+        Story story = list(head, ids);
         story.open = story.open || (one.normative && ids.empty());
         return story;
     }

@@ -27,7 +27,8 @@ class Pack : public ::testing::Test {
         Manual manual;
         manual.key = "M";
         manual.title = "Manual <of> a device";
-        manual.sections = {{"1", "rules", true, "", {}, {}}};
+        manual.sections = {{"1", "rules", true, "", {}, {}, {}},
+                           {"2", "housing", false, "", {}, {"It <stays> dry."}, {}}};
         content_.manuals = {manual};
         Part part;
         part.name = "device";
@@ -135,6 +136,10 @@ TEST_F(Pack, TextOfTheRegisterIsNoMarkup) {
     const PackFiles files = make();
     EXPECT_THAT(files.at("audit.html"), HasSubstr("a &lt; b &amp; &quot;c&quot;, d"));
     EXPECT_THAT(files.at("sections.html"), Not(HasSubstr("<of>")));
+}
+
+TEST_F(Pack, SectionsShowTheConditionsOfUse) {
+    EXPECT_THAT(make().at("sections.html"), HasSubstr("It &lt;stays&gt; dry."));
 }
 
 TEST_F(Pack, CsvIsQuotedWhereItMustBe) {

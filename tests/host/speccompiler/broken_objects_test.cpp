@@ -142,9 +142,22 @@ const std::vector<Broken> cases{
     {"SecondElementOutsideLimit", items_file, rw16 + "array = 2\nrange = { max = 5 }\ndefault = [\n  1,\n  6,\n]\n", 11,
      "2000h:2 default 6 exceeds its limit (5)", "lower it or raise the limit"},
     {"TooManyMappingEntries", items_file,
-     "[[object]]\nindex = 0x1600\nname = \"m\"\nsource = [\"M1:1\"]\ntype = \"UNSIGNED32\"\narray = 65\naccess = "
+     "[[object]]\nindex = 0x1600\nname = \"m\"\nsource = [\"M1:1\"]\ntype = \"UNSIGNED32\"\narray = 65\nkind = "
+     "\"record\"\naccess = "
      "\"rw\"\ndefault = 0\n",
      1, "1600h has 65 mapping entries", "a PDO carries at most 64"},
+    {"MappingAsArray", items_file,
+     "[[object]]\nindex = 0x1A00\nname = \"m\"\nsource = [\"M1:1\"]\ntype = \"UNSIGNED32\"\narray = 4\naccess = "
+     "\"rw\"\ndefault = 0\n",
+     1, "1A00h is a RECORD in CiA 301", "add kind = \"record\""},
+    {"VerifyConfigurationAsRecord", items_file,
+     "[[object]]\nindex = 0x1020\nname = \"v\"\nsource = [\"M1:1\"]\n[[object.entry]]\nsub = 1\nname = \"a\"\ntype = "
+     "\"UNSIGNED32\"\naccess = \"rw\"\ndefault = 0\n",
+     1, "1020h is an ARRAY in CiA 301", "add kind = \"array\""},
+    {"UnknownKind", items_file, rw16 + "array = 2\nkind = \"list\"\ndefault = 0\n", 8, "kind \"list\" is unknown",
+     "write \"array\" or \"record\""},
+    {"KindOfAVar", items_file, rw16 + "kind = \"array\"\ndefault = 0\n", 7, "unknown key `kind`",
+     "correct its spelling"},
     {"DuplicateSubindex", items_file,
      var + "[[object.entry]]\nsub = 1\nname = \"a\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n"
            "[[object.entry]]\nsub = 1\nname = \"b\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n",

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "host/speccompiler/fingerprint.hpp"
+
 namespace canproof::host::test {
 
 namespace {
@@ -53,6 +55,14 @@ const std::vector<Broken> requirement_cases{
      "add `source = …`"},
     {"EmptySource", items_file, replaced(requirement, "[\"M1:1\"]", "[]"), 4,
      "source is not a list of strings, not empty", "write a list of strings"},
+    {"DerivedWithoutReason", items_file, replaced(requirement, "source = [\"M1:1\"]\n", "derived = true\n"), 1,
+     "missing reason", "add `reason = …`"},
+    {"DerivedWithAManual", items_file, requirement + "derived = true\nreason = \"a bound of the design\"\n", 4,
+     "AO4-R-1 is derived and cites a manual", "else remove `derived`"},
+    {"DeviceWithCiaOnly", items_file, replaced(requirement, "M1:1", "CiA301:7.2.4"), 4,
+     "AO4-R-1 cites no section of a manual", "write `derived = true`"},
+    {"ReasonWithoutDerived", items_file, requirement + "reason = \"a bound of the design\"\n", 7,
+     "unknown key `reason`", "remove it"},
     {"SourceWithoutSection", items_file, replaced(requirement, "M1:1", "M1"), 4, "source \"M1\" names no section",
      "write KEY:section"},
     {"SourceOfUnknownManual", items_file, replaced(requirement, "M1:1", "M2:1"), 4,
@@ -156,6 +166,9 @@ const std::vector<Broken> other_cases{
     {"SectionTwice", manual_file,
      small_register().at(manual_file) + "[[section]]\nref = \"1\"\ntitle = \"again\"\ndisposition = \"normative\"\n",
      20, "section 1 stands already in line 6", "register each section once"},
+    {"ConditionOfUseWithoutCondition", manual_file,
+     replaced(small_register().at(manual_file), "disposition = \"informative\"", "disposition = \"condition-of-use\""),
+     11, "section 2.1 gives no condition of use", "add `conditions = "},
     {"InformativeWithoutReason", manual_file,
      replaced(small_register().at(manual_file), "reason = \"a drawing\"\n", ""), 11,
      "informative section 2.1 gives no reason", "add `reason = …`"},
@@ -206,6 +219,28 @@ TEST(RegisterFaults, SoundRegisterHasNone) {
     EXPECT_EQ(all_faults(loaded), "");
     ASSERT_EQ(loaded.content.parts.size(), 2U);
     EXPECT_EQ(loaded.content.parts[1].requirements.at(0).text, "The box is square.");
+}
+
+TEST(RegisterFaults, DerivedRequirementNeedsNoSource) {
+    const std::string derived = "derived = true\nreason = \"a bound of the design\"\n";
+    const LoadResult loaded = load_register(with(items_file, replaced(requirement, "source = [\"M1:1\"]\n", derived)));
+    EXPECT_EQ(all_faults(loaded), "");
+    const Requirement& read = loaded.content.part("box")->requirements.front();
+    EXPECT_EQ(origins(read), std::vector<std::string>{"derived: a bound of the design"});
+    Requirement cites_manual = read;
+    cites_manual.derived.clear();
+    EXPECT_NE(fingerprint(cites_manual), fingerprint(read)) << "a review must expire when an item becomes derived";
+}
+
+TEST(RegisterFaults, SectionWithConditionsOfUseKeepsThem) {
+    const std::string condition = "disposition = \"condition-of-use\"\nconditions = [\"The box stays dry.\"]";
+    const LoadResult loaded =
+        load_register(with(manual_file, replaced(small_register().at(manual_file),
+                                                 "disposition = \"informative\"\nreason = \"a drawing\"", condition)));
+    EXPECT_EQ(all_faults(loaded), "");
+    const Section& housing = loaded.content.manuals.front().sections.at(1);
+    EXPECT_EQ(housing.conditions, std::vector<std::string>{"The box stays dry."});
+    EXPECT_FALSE(housing.normative) << "no item has to cover it";
 }
 
 TEST(RegisterFaults, AllComeInOneRunSortedByPlace) {
