@@ -38,6 +38,8 @@ class SourceChoice {
         }
         return ref_;
     }
+    /// Whether a source is chosen (not 0) and gives no value: the block behind it is off, or there is no such number.
+    bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
     static constexpr std::uint8_t not_yet = 0xFFU;  // no source has this number
