@@ -113,6 +113,13 @@ BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
     return BlockSignal{value(read.ref, read.digits), 0.0, 0.0, state(read.ref)};
 }
 
+double Sources::minimum(const SourceRef& ref) const noexcept {
+    namespace table = own::t_aor_t05;
+    const Place read = place(ref);
+    return lesser(lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits),
+                  upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits));
+}
+
 std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) const noexcept {
     switch (digits) {
         case Digits::o6302:

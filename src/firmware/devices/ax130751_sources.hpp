@@ -62,6 +62,8 @@ class Sources {
     BlockSignal signal(const SourceRef& ref) const noexcept;
     /// The same without its limits, where nothing depends on them: they cost more than the rest.
     BlockSignal reading(const SourceRef& ref) const noexcept;
+    /// The lower limit alone, whether there is a value or not; not for a lookup table, whose points decide.
+    double minimum(const SourceRef& ref) const noexcept;
 
   private:
     using Lower = generated::ax130751::t_aor_t05::Lower;
