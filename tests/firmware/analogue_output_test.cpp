@@ -26,13 +26,18 @@ OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool over
 
 }  // namespace
 
-TEST(OutputPriority, ShutdownBeforeErrorBeforeOverrideBeforeEnable) {
-    verifies<req::AOR_OUT_007>();
+TEST(OutputPriority, ShutdownBeforeOverrideBeforeEnableBeforeError) {
+    verifies<req::AOR_OUT_007, req::AOR_OUT_029>();
     const auto fault = FaultAction::fault_value;
     EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);
     EXPECT_EQ(chosen(true, false, fault, false, EnableAction::run), OutputDrive::shutdown);
-    EXPECT_EQ(chosen(false, true, fault, true, EnableAction::shut_off), OutputDrive::fault_value);
-    EXPECT_EQ(chosen(false, true, FaultAction::keep, true, EnableAction::shut_off), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, true, fault, true, EnableAction::shut_off), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, FaultAction::keep, true, EnableAction::run), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::keep), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::run), OutputDrive::fault_value);
+    EXPECT_EQ(chosen(false, true, FaultAction::keep, false, EnableAction::run), OutputDrive::keep);
     EXPECT_EQ(chosen(false, false, fault, true, EnableAction::shut_off), OutputDrive::override_value);
     EXPECT_EQ(chosen(false, false, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
     EXPECT_EQ(chosen(false, false, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);

@@ -28,10 +28,13 @@ OutputDrive choose_drive(const OutputConditions& conditions) noexcept {
     if (conditions.shutdown) {
         return OutputDrive::shutdown;
     }
-    if (conditions.input_in_error) {
+    if (conditions.overridden) {
+        return OutputDrive::override_value;
+    }
+    if (conditions.input_in_error && (conditions.enable == EnableAction::run)) {
         return (conditions.on_error == FaultAction::keep) ? OutputDrive::keep : OutputDrive::fault_value;
     }
-    return conditions.overridden ? OutputDrive::override_value : drive_of(conditions.enable);
+    return drive_of(conditions.enable);
 }
 
 }  // namespace canproof

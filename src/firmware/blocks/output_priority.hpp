@@ -12,11 +12,11 @@ enum class EnableAction : std::uint8_t { run, shut_off, ramp_off, keep };
 enum class FaultAction : std::uint8_t { keep, fault_value };
 
 struct OutputConditions {
-    bool shutdown{false};        ///< a diagnostic fault shuts all outputs off
+    bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off
     bool input_in_error{false};  ///< control, enable or override
     FaultAction on_error{FaultAction::fault_value};
-    bool overridden{false};
-    EnableAction enable{EnableAction::run};
+    bool overridden{false};                  ///< by a valid override input
+    EnableAction enable{EnableAction::run};  ///< what a valid enable input asks for
 };
 
 /// What drives the output.

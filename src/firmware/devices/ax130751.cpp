@@ -19,9 +19,6 @@ constexpr std::uint32_t output_type_index = 0x6310U;
 constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
 constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
 constexpr std::uint32_t fault_value_index = 0x7341U;
-constexpr std::uint32_t table_index_step = 0x0010U;  // of 3yz0h: 3010h is that of table 1, 3100h that of table 10
-constexpr std::uint32_t place_before_tables = 0x300U;
-constexpr std::uint32_t tenth_table_place = 0x310U;
 constexpr std::uint32_t point_response_offset = 5U;
 constexpr std::uint32_t point_x_offset = 6U;
 
@@ -90,21 +87,6 @@ constexpr ErrorTable make_error_table() noexcept {
     return table;
 }
 const ErrorTable error_table = make_error_table();
-
-/// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
-struct TableEntry {
-    std::uint8_t table{0U};    ///< 0: none
-    std::uint16_t offset{0U};  ///< 0 where there is none
-};
-
-constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
-    const std::uint32_t place = index / table_index_step;
-    // What lies before the tables comes out as a greater number than any of them has.
-    const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);
-    return (table <= table_count)
-               ? TableEntry{static_cast<std::uint8_t>(table), static_cast<std::uint16_t>(index % table_index_step)}
-               : TableEntry{};
-}
 
 bool is_field_value(const std::uint16_t index) noexcept {
     return (index == override_value_index) || (index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
@@ -284,6 +266,16 @@ void Device::after_write(const EntryRef& entry, const Instant) {
             universal_[output - 1U].take_type_defaults();
         }
     }
+    follow_minima(entry);
+}
+
+/// Once a write, and not in each cycle: a minimum depends on parameters alone.
+void Device::follow_minima(const EntryRef& entry) noexcept {
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        if (first_points_[table - 1U].follow(table, entry, objects_, sources_)) {
+            tables_[table - 1U].reread();
+        }
+    }
 }
 
 static_assert(implements<req::AOR_ID_002>);
@@ -306,8 +298,9 @@ void Device::restart(const Instant now) {
     outputs_ = Outputs{};
     supervision_.reset();
     sources_.reset();
-    for (TableBlock& table : tables_) {
-        table.reset();
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        tables_[table - 1U].reset();
+        first_points_[table - 1U].begin(table, objects_, sources_);
     }
     for (CalculationBlock& calculation : calculations_) {
         calculation.reset();

@@ -10,6 +10,7 @@
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/node.hpp"
 #include "firmware/devices/ax130751_blocks.hpp"
+#include "firmware/devices/ax130751_first_point.hpp"
 #include "firmware/devices/ax130751_output.hpp"
 #include "firmware/devices/ax130751_relay.hpp"
 #include "firmware/devices/ax130751_sources.hpp"
@@ -61,6 +62,7 @@ class Device final : private Application {
     void tell_errors(Instant now) noexcept;
     void wake(Instant now) noexcept;
     Instant next_change() const noexcept;
+    void follow_minima(const EntryRef& entry) noexcept;
     AbortCode keep_configuration(const LssConfiguration& configuration) noexcept;
     void show_configuration() noexcept;
 
@@ -79,6 +81,7 @@ class Device final : private Application {
     // In the order in which a cycle runs through them.
     Supervision supervision_{};
     Sources sources_;
+    std::array<FirstPoint, table_count> first_points_{};
     std::array<TableBlock, table_count> tables_{};
     std::array<SelectionBlock, logic_count> selections_{};
     std::array<CalculationBlock, math_count> calculations_{};

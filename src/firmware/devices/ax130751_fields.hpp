@@ -17,6 +17,24 @@ constexpr std::uint32_t table_count = 10U;
 constexpr std::uint32_t logic_count = 3U;
 constexpr std::uint32_t math_count = 4U;
 
+/// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
+struct TableEntry {
+    std::uint8_t table{0U};    ///< 0: none
+    std::uint16_t offset{0U};  ///< 0 where there is none
+};
+
+constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
+    constexpr std::uint32_t index_step = 0x0010U;  // of 3yz0h: 3010h is that of table 1, 3100h that of table 10
+    constexpr std::uint32_t place_before_tables = 0x300U;
+    constexpr std::uint32_t tenth_table_place = 0x310U;
+    const std::uint32_t place = index / index_step;
+    // What lies before the tables comes out as a greater number than any of them has.
+    const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);
+    return (table <= table_count)
+               ? TableEntry{static_cast<std::uint8_t>(table), static_cast<std::uint16_t>(index % index_step)}
+               : TableEntry{};
+}
+
 /// 3yz0h to 3yz8h.
 struct LookupFields {
     Field<std::uint8_t> source;

@@ -130,19 +130,22 @@ FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
     return keeps ? FaultAction::keep : FaultAction::fault_value;
 }
 
-static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_SPEC_001>);
+static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> &&
+              implements<req::AOR_SPEC_001>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
-    conditions.shutdown = shutdown;
+    conditions.shutdown =
+        shutdown || enable_choice_.lacks(signals.enable) || override_choice_.lacks(signals.override_input);
     conditions.input_in_error =
         signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
     conditions.on_error = fault_action(digital);
-    conditions.overridden = signals.override_input.is_available() &&
+    conditions.overridden = signals.override_input.is_valid() &&
                             is_overridden(objects_.get(field::o2362_ao_override_response[number_]), override_.on());
-    conditions.enable = signals.enable.is_available()
+    conditions.enable = signals.enable.is_valid()
                             ? enable_action(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
                             : EnableAction::run;
-    if (digital && (!signals.control.is_available()) && (conditions.enable == EnableAction::run)) {
+    const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
+    if (digital && runs && (!signals.control.is_available())) {
         conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
     }
     return choose_drive(conditions);

@@ -83,7 +83,7 @@ void RelayOutput::reset(Outputs& outputs) noexcept {
     show(false, outputs);
 }
 
-static_assert(implements<req::AOR_RELAY_016>);
+static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_018>);
 void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const RelayPolarity wanted = polarity();
     const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));
@@ -107,9 +107,11 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
     const bool enabled = enable_.read(enable);
     const bool override_on = override_.read(forced);
     OutputConditions conditions{};
-    conditions.shutdown = shutdown;
-    conditions.input_in_error = control.is_in_error() || enable.is_in_error() || forced.is_in_error() ||
-                                (unlatch.is_in_error() && (polarity.unlatch != UnlatchEffect::ignored));
+    const bool unlatches = polarity.unlatch != UnlatchEffect::ignored;
+    const bool in_error =
+        control.is_in_error() || enable.is_in_error() || forced.is_in_error() || (unlatch.is_in_error() && unlatches);
+    conditions.shutdown = shutdown || in_error || enable_choice_.lacks(enable) || override_choice_.lacks(forced) ||
+                          (unlatch_choice_.lacks(unlatch) && unlatches);
     conditions.overridden =
         forced.is_available() && is_overridden(objects_.get(field::o2292_relay_override_response[1U]), override_on);
     conditions.enable = enable.is_available()

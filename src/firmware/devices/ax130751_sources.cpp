@@ -113,6 +113,13 @@ BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
     return BlockSignal{value(read.ref, read.digits), 0.0, 0.0, state(read.ref)};
 }
 
+double Sources::minimum(const SourceRef& ref) const noexcept {
+    namespace table = own::t_aor_t05;
+    const Place read = place(ref);
+    return lesser(lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits),
+                  upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits));
+}
+
 std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) const noexcept {
     switch (digits) {
         case Digits::o6302:
@@ -190,7 +197,7 @@ double Sources::upper(const Upper limit, const std::uint8_t channel, const std::
     }
 }
 
-static_assert(implements<req::AOR_SRC_003> && implements<req::AOR_SRC_008>);
+static_assert(implements<req::AOR_SRC_003> && implements<req::AOR_SRC_008> && implements<req::AOR_SRC_010>);
 double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:
@@ -198,7 +205,7 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
                                                   digits);
         case Quantity::digital_command:
         case Quantity::relay_command:
-            return static_cast<double>(objects_.get(field::o6220_do_write_state_1_output_line[ref.channel]));
+            return (objects_.get(field::o6220_do_write_state_1_output_line[ref.channel]) != 0U) ? 1.0 : 0.0;
         case Quantity::extra_received:
             return received_[ref.channel - 1U].of(
                 objects_.get(field::o2500_ec_extra_received_process_value[ref.channel]), digits);

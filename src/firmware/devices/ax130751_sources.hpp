@@ -38,6 +38,8 @@ class SourceChoice {
         }
         return ref_;
     }
+    /// Whether a source is chosen (not 0) and gives no value: the block behind it is off, or there is no such number.
+    bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
     static constexpr std::uint8_t not_yet = 0xFFU;  // no source has this number
@@ -60,6 +62,8 @@ class Sources {
     BlockSignal signal(const SourceRef& ref) const noexcept;
     /// The same without its limits, where nothing depends on them: they cost more than the rest.
     BlockSignal reading(const SourceRef& ref) const noexcept;
+    /// The lower limit alone, whether there is a value or not; not for a lookup table, whose points decide.
+    double minimum(const SourceRef& ref) const noexcept;
 
   private:
     using Lower = generated::ax130751::t_aor_t05::Lower;

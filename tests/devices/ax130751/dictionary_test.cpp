@@ -96,7 +96,7 @@ TEST_F(Ax130751Dictionary, DigitalOutputs) {
         {0x2230, 2, u16, Access::rw, {0}, none, none},
         {0x2240, 2, u8, Access::rw, {0}, 0, 1},
         {0x2241, 2, u8, Access::rw, {0}, 0, 3},
-        {0x6220, 3, u8, Access::rw, {0}, 0, 1, Map::both, false},
+        {0x6220, 3, u8, Access::rw, {0}, none, none, Map::both, false},
         {0x6250, 2, u8, Access::rw, {1}, 0, 1},
         {0x6260, 2, flag, Access::rw, {1}, none, none},
     });

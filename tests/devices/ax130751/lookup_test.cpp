@@ -158,7 +158,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
     set8(0x3020, 0, supply_source);  // 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
-        EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "a new source changes nothing";
+        EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
     }
     EXPECT_EQ(write_x(2, 1, 7), "06090032");
     EXPECT_EQ(write_x(2, 1, 8), "");

@@ -224,13 +224,50 @@ TEST_F(Ax130751Pdo, AnRpdoTooShortChangesNothingAndIsTold) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
-    verifies<req::AOR_OD_6220>();
+// 1.2: ON is any value but 0
+TEST_F(Ax130751Pdo, AnyWriteStateButZeroIsOn) {
+    verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
+    EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();
-    send("27F#E803E80302");  // the relay knows 0 and 1
+    for (const int state : {1, 2, 0x80, 0xFF}) {
+        SCOPED_TRACE(state);
+        send(fmt::format("27F#E8030000{:02X}", state));  // RPDO1: 7300h:1, 7300h:2, 6220h:3
+        send(fmt::format("57F#{:02X}00", state));        // RPDO4: 6220h:1, 6220h:2
+        pass(2);
+        EXPECT_EQ(read(0x7300, 1), 1000U) << "the whole RPDO is taken";
+        EXPECT_TRUE(device->outputs().relay_nc);
+        EXPECT_TRUE(device->outputs().out_on[0]);
+        EXPECT_EQ(read(0x7330, 1), 1U) << "a logic state";
+        EXPECT_EQ(read(0x6220, 1), static_cast<std::uint64_t>(state)) << "as it was written";
+        send("27F#0000000000");
+        send("57F#0000");
+        pass(2);
+        EXPECT_TRUE(device->outputs().relay_no);
+        EXPECT_FALSE(device->outputs().out_on[0]);
+        EXPECT_EQ(write(0x6220, 3, state, 1), "") << "by SDO alike";
+        EXPECT_EQ(write(0x6220, 1, state, 1), "");
+        pass(1);
+        EXPECT_TRUE(device->outputs().relay_nc);
+        EXPECT_TRUE(device->outputs().out_on[0]);
+        EXPECT_EQ(write(0x6220, 3, 0, 1), "");
+        EXPECT_EQ(write(0x6220, 1, 0, 1), "");
+    }
+}
+
+TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
+    verifies<req::AOR_OD_2223>();
+    EXPECT_EQ(write(0x1401, 1, 0xC000037F, 4), "");
+    EXPECT_EQ(write(0x1601, 0, 0, 1), "");
+    EXPECT_EQ(write(0x1601, 1, 0x73000110, 4), "");
+    EXPECT_EQ(write(0x1601, 2, 0x22230110, 4), "");  // 2223h:1 takes 0 to 60,000
+    EXPECT_EQ(write(0x1601, 0, 2, 1), "");
+    EXPECT_EQ(write(0x1401, 1, no_rtr + 0x37F, 4), "");
+    start();
+    send("37F#E80361EA");  // 60,001
     EXPECT_EQ(read(0x7300, 1), 0U);
-    EXPECT_EQ(read(0x7300, 2), 0U);
-    EXPECT_EQ(read(0x6220, 3), 0U);
+    EXPECT_EQ(read(0x2223, 1), 500U);
+    send("37F#E80360EA");
+    EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
 TEST_F(Ax130751Pdo, AnEmergencyWaitsForRoomInTheQueueAndTheOutputsDoNotWaitForIt) {

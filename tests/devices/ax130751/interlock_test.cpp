@@ -1,0 +1,232 @@
+// What stops an output of the AX130751 whatever its control says: enable, override and unlatch as interlocks (1.2 to
+// 1.4).
+#include "generated/ax130751/requirements.hpp"
+#include "support/ax130751_blocks.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751Interlock : public Ax130751Blocks {
+  protected:
+    void SetUp() override {
+        Ax130751Blocks::SetUp();
+        extra_as_percent(1);
+        extra_as_percent(2);
+    }
+    void choose(std::uint16_t source_index, int output, int source, int number) {
+        set8(source_index, output, source);
+        set8(static_cast<std::uint16_t>(source_index + 1), output, number);
+        pass(1);
+    }
+    /// 2500h:`number` at an input.
+    void connect(std::uint16_t source_index, int output, int number) {
+        choose(source_index, output, canopen, 3 + number);
+    }
+    /// Output 1 as voltage at 4 V.
+    void make_voltage() {
+        no_ramps(1);
+        command(1, 4000);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F);
+    }
+    /// Output 1 as digital output that is ON, and RPDO4 (6220h:1) lost after 50 ms.
+    void make_digital() {
+        set16(0x6310, 1, 1020);
+        set16(0x1403, 5, 50);
+        start();
+        send("57F#0100");
+        pass(2);
+        EXPECT_TRUE(is_on(1));
+    }
+    void make_relay() {
+        set8(0x6220, 3, 1);
+        pass(1);
+        EXPECT_TRUE(relay_on());
+    }
+    /// RPDO2, 2500h:1 to 2500h:3, lost after 100 ms.
+    void watch_extra() {
+        set32(0x1401, 1, 0x4000037F);
+        set16(0x1401, 5, 100);
+        start();
+    }
+    struct Choice {
+        int source;
+        int number;
+    };
+    /// Table 4B has no such number, or the block behind it is off as shipped.
+    const std::vector<Choice> without_value{{canopen, 0},       {canopen, 10}, {lookup_source, 1}, {logic_source, 1},
+                                            {lookup_source, 0}, {2, 2},        {math_source, 5},   {6, 3}};
+};
+
+}  // namespace
+
+// 1.3: an enable is a safety interlock
+TEST_F(Ax130751Interlock, AnEnableWithoutAValuePutsTheOutputOff) {
+    verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
+    for (int response = 0; response < 6; ++response) {
+        for (const Choice& choice : without_value) {
+            SCOPED_TRACE(fmt::format("2352h = {}, source {}, number {}", response, choice.source, choice.number));
+            set8(0x2352, 1, response);
+            make_voltage();
+            set16(0x2331, 1, 1000);  // a ramp, which does not apply
+            choose(0x2350, 1, choice.source, choice.number);
+            EXPECT_FLOAT_EQ(volts(1), 0.0F);
+            EXPECT_EQ(get16(0x7330, 1), 0);
+            set8(0x2350, 1, not_used);
+            pass(1);
+            EXPECT_FLOAT_EQ(volts(1), 4.0F) << "source 0 is ignored";
+        }
+    }
+}
+
+TEST_F(Ax130751Interlock, AnEnableThatLosesItsBlockPutsADigitalOutputOff) {
+    verifies<req::AOR_OUT_028>();
+    make_digital();
+    choose(0x3010, 0, canopen, 4);  // table 1 over 2500h:1
+    choose(0x2350, 1, lookup_source, 1);
+    extra(1, 0);
+    EXPECT_TRUE(is_on(1)) << "enabled while OFF";
+    set8(0x3010, 0, not_used);
+    pass(1);
+    EXPECT_FALSE(is_on(1));
+    set8(0x6250, 1, 0);  // maintain the state in a fault: no fault of an input
+    pass(5);
+    EXPECT_FALSE(is_on(1));
+}
+
+TEST_F(Ax130751Interlock, AnOverrideWithoutAValuePutsTheOutputOff) {
+    verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
+    set16(0x2300, 1, 3000);
+    for (const int response : {0, 1}) {
+        for (const Choice& choice : without_value) {
+            SCOPED_TRACE(fmt::format("2362h = {}, source {}, number {}", response, choice.source, choice.number));
+            set8(0x2362, 1, response);
+            make_voltage();
+            choose(0x2360, 1, choice.source, choice.number);
+            EXPECT_FLOAT_EQ(volts(1), 0.0F);
+            set8(0x2360, 1, not_used);
+            pass(1);
+            EXPECT_FLOAT_EQ(volts(1), 4.0F);
+        }
+    }
+}
+
+TEST_F(Ax130751Interlock, AValidEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_007, req::AOR_DO_005>();
+    make_digital();
+    connect(0x2350, 1, 1);
+    send("57F#0100");
+    extra(1, 100);
+    EXPECT_FALSE(is_on(1)) << "disabled";
+    pass(60);
+    EXPECT_FALSE(is_on(1)) << "6260h is ON as shipped";
+    extra(1, 0);
+    EXPECT_TRUE(is_on(1)) << "enabled: the fault state applies";
+}
+
+TEST_F(Ax130751Interlock, AValidEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
+    no_ramps(1);
+    connect(0x2350, 1, 1);
+    set8(0x6340, 1, 0);  // maintain the last state in a fault
+    set16(0x1400, 5, 50);
+    start();
+    send("27F#A00F000000");  // 4 V
+    pass(60);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F);
+    extra(1, 100);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+}
+
+TEST_F(Ax130751Interlock, AValidOverrideActsOnAnOutputThatAFaultHasFrozen) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_010>();
+    no_ramps(1);
+    connect(0x2360, 1, 1);
+    set16(0x2300, 1, 1000);
+    set8(0x6340, 1, 0);
+    set16(0x1400, 5, 50);
+    start();
+    send("27F#A00F000000");
+    pass(60);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
+    extra(1, 100);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);
+}
+
+TEST_F(Ax130751Interlock, AnOverrideInErrorDecidesNothing) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
+    no_ramps(1);
+    set16(0x2300, 1, 3000);
+    set16(0x7341, 1, 1500);
+    connect(0x2360, 1, 1);
+    connect(0x2350, 1, 2);
+    set8(0x1601, 0, 0);
+    set32(0x1601, 1, 0x25000110);  // RPDO2 carries 2500h:1 alone
+    set8(0x1601, 0, 1);
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 100);
+    start();
+    send("37F#6400");
+    command(1, 4000);
+    EXPECT_FLOAT_EQ(volts(1), 3.0F) << "overridden";
+    pass(150);
+    EXPECT_FLOAT_EQ(volts(1), 1.5F) << "no longer: 7341h";
+    extra(2, 100);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "the enable is valid";
+}
+
+TEST_F(Ax130751Interlock, ARelayEnableWithoutAValuePutsItOff) {
+    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
+    for (int response = 0; response < 6; ++response) {
+        for (const Choice& choice : without_value) {
+            SCOPED_TRACE(fmt::format("2282h = {}, source {}, number {}", response, choice.source, choice.number));
+            set8(0x2282, 1, response);
+            make_relay();
+            set32(0x22A2, 1, 1000);  // a delay, which does not apply
+            set8(0x22A0, 1, 1);
+            choose(0x2280, 1, choice.source, choice.number);
+            EXPECT_FALSE(relay_on());
+            set8(0x22A0, 1, 0);
+            set8(0x2280, 1, not_used);
+            pass(1);
+            EXPECT_TRUE(relay_on()) << "source 0 is ignored";
+        }
+    }
+}
+
+TEST_F(Ax130751Interlock, ARelayOverrideOrUnlatchWithoutAValuePutsItOff) {
+    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
+    set8(0x2293, 1, 1);  // override state ON
+    for (const Choice& choice : without_value) {
+        SCOPED_TRACE(fmt::format("source {}, number {}", choice.source, choice.number));
+        make_relay();
+        choose(0x2290, 1, choice.source, choice.number);
+        EXPECT_FALSE(relay_on()) << "override";
+        set8(0x2290, 1, not_used);
+        make_relay();
+        choose(0x2270, 1, choice.source, choice.number);
+        EXPECT_TRUE(relay_on()) << "the unlatch input means nothing to normal logic";
+        set8(0x2242, 1, 4);  // the inverse latch rests ON
+        pass(1);
+        EXPECT_FALSE(relay_on()) << "unlatch";
+        set8(0x2270, 1, not_used);
+        pass(1);
+        EXPECT_TRUE(relay_on());
+        set8(0x2242, 1, 1);
+    }
+}
+
+TEST_F(Ax130751Interlock, AnInputInErrorPutsTheRelayOffWhateverItsOverrideSays) {
+    verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
+    watch_extra();
+    set8(0x2293, 1, 1);
+    connect(0x2290, 1, 1);
+    send("37F#640000000000");
+    pass(2);
+    EXPECT_TRUE(relay_on()) << "overridden";
+    pass(110);
+    EXPECT_FALSE(relay_on());
+}
+
+}  // namespace canproof::test

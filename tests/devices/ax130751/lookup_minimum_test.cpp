@@ -1,0 +1,215 @@
+// X1 of a lookup table of the AX130751 and a source whose minimum lies below zero (1.5.1).
+#include "generated/ax130751/requirements.hpp"
+#include "support/ax130751_blocks.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751LookupMinimum : public Ax130751Blocks {
+  protected:
+    static std::uint16_t index(int table, int offset) {
+        return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
+    }
+    void choose(int table, int source, int number) {
+        set8(index(table, 1), 0, number);
+        set8(index(table, 0), 0, source);
+    }
+    int x(int table, int point) { return static_cast<std::int32_t>(read(index(table, 6), point)); }
+    /// 2500h:1 as whole numbers from `low` to `high`.
+    void make_extra(int low, int high) {
+        set8(0x2502, 1, 0);
+        set16(0x2522, 1, high);
+        set16(0x2520, 1, low);
+    }
+};
+
+}  // namespace
+
+// The example of 1.5.1: a temperature of -40 to 210 °C
+TEST_F(Ax130751LookupMinimum, ATemperatureFromMinus40To210) {
+    verifies<req::AOR_LT_018, req::AOR_LT_017>();
+    make_extra(-40, 210);
+    for (int table = 1; table <= 10; ++table) {
+        SCOPED_TRACE(table);
+        EXPECT_EQ(x(table, 1), 0);
+        choose(table, canopen, 4);
+        EXPECT_EQ(x(table, 1), -40);
+        for (int point = 2; point <= 11; ++point) {
+            EXPECT_EQ(x(table, point), 10 * (point - 1));
+        }
+        extra(1, -40);
+        EXPECT_EQ(get16(index(table, 8), 0), 0);
+        extra(1, -15);
+        EXPECT_EQ(get16(index(table, 8), 0), 5);  // half way from (-40, 0) to (10, 10)
+        set8(index(table, 0), 0, not_used);
+        EXPECT_EQ(x(table, 1), 0) << "no source, no minimum";
+    }
+}
+
+TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
+    verifies<req::AOR_LT_018>();
+    choose(1, canopen, 4);
+    EXPECT_EQ(x(1, 1), 0) << "0 to 0 as shipped";
+    set16(0x2520, 1, -400);
+    EXPECT_EQ(x(1, 1), -40) << "in tenths as shipped";
+    set8(0x2502, 1, 0);
+    EXPECT_EQ(x(1, 1), -400);
+    set16(0x2520, 1, -7);
+    EXPECT_EQ(x(1, 1), -7);
+    set16(0x2520, 2, -9);
+    EXPECT_EQ(x(1, 1), -7) << "2500h:2 is not its source";
+    set8(0x3011, 0, 5);
+    EXPECT_EQ(x(1, 1), 0) << "2500h:2 is -0.9: no whole number of X lies below 0 and not below that";
+    set8(0x3013, 0, 1);
+    EXPECT_EQ(x(1, 1), -9);
+    set16(0x2522, 2, 100);
+    set16(0x2520, 2, 5);
+    EXPECT_EQ(x(1, 1), 0);
+}
+
+TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
+    verifies<req::AOR_LT_018>();
+    // 7320h in thousandths of a volt
+    set8(0x3013, 0, 3);
+    choose(1, canopen, 1);
+    set16(0x7320, 1, -5000);
+    EXPECT_EQ(x(1, 1), -5000) << "7320h";
+    set8(0x6302, 1, 4);
+    EXPECT_EQ(x(1, 1), -500) << "6302h";
+    set16(0x6310, 1, 20);  // 5550h: 7320h is 0 again
+    EXPECT_EQ(x(1, 1), 0) << "6310h";
+    // 7321h and 7323h, the smaller of them
+    for (const int source : {6, 7}) {
+        choose(2, source, 2);
+        set8(0x3023, 0, 3);
+        set16(0x7323, 2, -10000);
+        EXPECT_EQ(x(2, 1), -10000) << "7323h";
+        set16(0x7323, 2, 5000);
+        set16(0x7321, 2, -2000);
+        EXPECT_EQ(x(2, 1), -2000) << "7321h";
+        set8(0x6332, 2, 4);
+        EXPECT_EQ(x(2, 1), -200) << "6332h";
+        set8(0x6332, 2, 3);
+        set16(0x7321, 2, 0);
+        EXPECT_EQ(x(2, 1), 0);
+        set8(0x3023, 0, 0);
+    }
+    // 4021h and 4023h in hundredths
+    choose(3, math_source, 2);
+    set16(0x4021, 2, -3000);
+    EXPECT_EQ(x(3, 1), -30) << "4021h";
+    set16(0x4023, 2, -5000);
+    EXPECT_EQ(x(3, 1), -50) << "4023h";
+    set8(0x4032, 2, 3);
+    EXPECT_EQ(x(3, 1), -5) << "4032h";
+    // 5032h less 5033h
+    choose(4, 9, 1);
+    EXPECT_EQ(x(4, 1), 0) << "85 - 25";
+    set8(0x5033, 0, 100);
+    EXPECT_EQ(x(4, 1), -15) << "5033h";
+    set8(0x5032, 0, 80);
+    EXPECT_EQ(x(4, 1), -20) << "5032h";
+    // what is never below 0
+    choose(4, supply_source, 1);
+    EXPECT_EQ(x(4, 1), 0);
+    choose(4, logic_source, 1);
+    EXPECT_EQ(x(4, 1), 0);
+    choose(4, canopen, 3);
+    EXPECT_EQ(x(4, 1), 0);
+}
+
+TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
+    verifies<req::AOR_LT_018>();
+    choose(5, lookup_source, 10);  // table 10 has no source itself
+    set16(0x3107, 3, -70);
+    EXPECT_EQ(x(5, 1), -70);
+    set16(0x3107, 1, -80);
+    EXPECT_EQ(x(5, 1), -80);
+    set8(0x3104, 0, 1);
+    EXPECT_EQ(x(5, 1), -8) << "3yz4h";
+    set8(0x3105, 1, 1);
+    EXPECT_EQ(x(5, 1), -7) << "over time point 1 is 0";
+    set16(0x3107, 3, 20);
+    EXPECT_EQ(x(5, 1), 0);
+}
+
+TEST_F(Ax130751LookupMinimum, ADigitalOutputsCommandHasNone) {
+    verifies<req::AOR_LT_018>();
+    set8(0x5550, 0, 0);
+    set8(0x3013, 0, 3);
+    set16(0x7320, 1, -5000);
+    choose(1, canopen, 1);
+    EXPECT_EQ(x(1, 1), -5000);
+    set16(0x6310, 1, 1020);
+    EXPECT_EQ(x(1, 1), 0) << "6220h:1 is 0 or 1";
+}
+
+TEST_F(Ax130751LookupMinimum, RoundingKeepsItWithinTheLimits) {
+    verifies<req::AOR_LT_018, req::AOR_LT_009>();
+    set16(0x2522, 1, 2100);
+    set16(0x2520, 1, -405);  // -40.5
+    choose(1, canopen, 4);
+    EXPECT_EQ(x(1, 1), -40);
+    EXPECT_EQ(write(0x3016, 1, -41, 4), "06090032");
+    set8(0x3013, 0, 4);
+    EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
+}
+
+TEST_F(Ax130751LookupMinimum, WhatAUserHasMovedStays) {
+    verifies<req::AOR_LT_018, req::AOR_LT_017>();
+    make_extra(-40, 210);
+    set32(0x3016, 1, 5);
+    choose(1, canopen, 4);
+    EXPECT_EQ(x(1, 1), 5);
+    set16(0x2520, 1, -50);
+    EXPECT_EQ(x(1, 1), 5);
+    set32(0x3016, 1, 0);
+    EXPECT_EQ(x(1, 1), 0);
+    set16(0x2520, 1, -60);
+    EXPECT_EQ(x(1, 1), 0);
+    set32(0x3016, 1, -60);
+    set16(0x2520, 1, -61);
+    EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
+}
+
+TEST_F(Ax130751LookupMinimum, ItNeverLiesAbovePoint2) {
+    verifies<req::AOR_LT_018, req::AOR_LT_009>();
+    make_extra(-40, 210);
+    choose(1, canopen, 4);
+    set32(0x3016, 2, -20);
+    set16(0x2520, 1, 0);
+    EXPECT_EQ(x(1, 1), -40);
+    set32(0x3016, 2, 10);
+    EXPECT_EQ(x(1, 1), 0);
+}
+
+TEST_F(Ax130751LookupMinimum, OverTimeItIs0) {
+    verifies<req::AOR_LT_018, req::AOR_LT_014>();
+    make_extra(-40, 210);
+    choose(1, canopen, 4);
+    set8(0x3015, 1, 1);
+    EXPECT_EQ(x(1, 1), 0);
+    set16(0x2520, 1, -50);
+    EXPECT_EQ(x(1, 1), 0);
+    set8(0x3015, 1, 0);
+    EXPECT_EQ(x(1, 1), -50);
+}
+
+TEST_F(Ax130751LookupMinimum, AStoredTableGoesOnFollowing) {
+    verifies<req::AOR_LT_018, req::AOR_STORE_003>();
+    make_extra(-40, 210);
+    choose(1, canopen, 4);
+    choose(2, canopen, 4);
+    set32(0x3026, 1, 0);
+    store();
+    power_on();
+    EXPECT_EQ(x(1, 1), -40);
+    EXPECT_EQ(x(2, 1), 0) << "moved by the user";
+    set16(0x2520, 1, -50);
+    EXPECT_EQ(x(1, 1), -50);
+    EXPECT_EQ(x(2, 1), 0);
+}
+
+}  // namespace canproof::test
