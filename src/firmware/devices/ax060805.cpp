@@ -582,8 +582,8 @@ Signal Device::received_signal(const std::size_t place) const noexcept {
         return undefined_signal();
     }
     const std::uint8_t sub = static_cast<std::uint8_t>(place + 1U);
-    const CountScale scale{objects_.get(field::o2501_rpdo_decimal_digits[sub]),
-                           objects_.get(field::o2502_rpdo_offset[sub])};
+    const ReceivedScale scale{objects_.get(field::o2501_rpdo_decimal_digits[sub]),
+                              objects_.get(field::o2502_rpdo_offset[sub])};
     return continuous_signal(
         value_of_count(objects_.get(field::o2500_rpdo_received_message_process_value[sub]), scale));
 }
