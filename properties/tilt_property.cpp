@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "firmware/blocks/angle_range.hpp"
+#include "firmware/blocks/inclination.hpp"
 #include "firmware/blocks/tilt.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "support/verifies.hpp"
@@ -149,6 +150,52 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAStillMachineReadZero, ()) {
     RC_ASSERT(std::fabs(euler_angles(machine).pitch) < stated_error);
     RC_ASSERT(std::fabs(euler_angles(machine).roll) < stated_error);
     RC_ASSERT(std::fabs(gravity_angle(machine)) < stated_error);
+}
+
+namespace {
+
+/// Settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
+InclinationSettings any_settings() {
+    InclinationSettings settings;
+    const bool right_angles = *rc::gen::inRange(0, 4) == 0;
+    const auto quarters = [](int most) { return static_cast<float>(90 * *rc::gen::inRange(-most, most + 1)); };
+    settings.installation = right_angles ? PitchRoll{quarters(1), quarters(2)}
+                                         : PitchRoll{static_cast<float>(angle(90)), static_cast<float>(angle(180))};
+    settings.euler = *rc::gen::arbitrary<bool>();
+    settings.gimbal_lock_cone = 1.0F;
+    settings.least_gravity = 0.1F;
+    return settings;
+}
+
+}  // namespace
+
+// What came before the last direction does not count, nor do the settings that it was measured with.
+RC_GTEST_PROP(InclinationLaw, AnglesAreThoseOfTheLastDirectionByTheSettingsInUse, ()) {
+    verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
+    Inclination inclination;
+    InclinationSettings settings = any_settings();
+    Vector3 last = any_gravity();
+    inclination.sample(last, settings);
+    for (int steps = *rc::gen::inRange(0, 6); steps > 0; --steps) {
+        switch (*rc::gen::inRange(0, 3)) {
+            case 0:
+                last = *rc::gen::inRange(0, 4) == 0 ? Vector3{1.0F, 0.0F, 0.0F} : any_gravity();
+                inclination.sample(last, settings);
+                break;
+            case 1:
+                inclination.sample(single({last.z, last.x, last.y}, 0.05), settings);
+                break;
+            default:
+                settings = any_settings();
+                inclination.update(settings);
+                break;
+        }
+    }
+    RC_PRE(!in_gimbal_lock(undo_rotation(last, settings.installation), 0.00005F));
+    Inclination fresh;
+    fresh.sample(last, settings);
+    RC_ASSERT(inclination.angles() == fresh.angles());
+    RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
 RC_GTEST_PROP(AngleRangeLaw, EverySpanHoldsItsAnglesAndAWholeTurnLosesNone, ()) {

@@ -31,7 +31,8 @@ class CbxAo412Unit {
             require(volts >= -10.2046F && volts <= 10.2046F);
             Seen& seen = seen_[number - 1U];
             const std::uint32_t calibration = read(device, 0x2404, number) << 16U | read(device, 0x2405, number);
-            if (inputs.internal_fault && calibration == 0U && seen.calibration == 0U) {
+            const bool failed = inputs.internal_fault || inputs.hardware_fault;
+            if (failed && calibration == 0U && seen.calibration == 0U) {
                 const bool stays = volts == seen.volts || volts == 0.0F;
                 require(stays || std::fabs(volts - error_volts(device, number)) < 0.001F);
             }

@@ -67,6 +67,24 @@ TEST_F(Errors, EachErrorHasItsCode) {
     EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
 }
 
+// 7.9.4 lists 5000h beside 6110h: two failures, told apart
+TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
+    verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
+    inputs.hardware_fault = true;
+    EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
+    EXPECT_TRUE(set_inputs().empty());
+    inputs.internal_fault = true;
+    EXPECT_EQ(set_inputs(), (Frames{"083#1061010200000000"}));
+    inputs.hardware_fault = false;
+    EXPECT_EQ(set_inputs(), (Frames{"083#0000010200000000"}));  // that of the software lasts
+    EXPECT_EQ(error_register(), "01");
+    inputs.internal_fault = false;
+    EXPECT_EQ(set_inputs(), (Frames{"083#0000000200000000"}));
+    EXPECT_EQ(listed(1), "10610000");
+    EXPECT_EQ(listed(2), "00500000");
+    EXPECT_EQ(error_register(), "00");
+}
+
 TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
     verifies<req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
     can_state(2);
@@ -223,6 +241,15 @@ TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
     set_inputs();
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1061010100000000"}));
     EXPECT_EQ(error_register(), "01");
+}
+
+TEST_F(Errors, AFailureOfTheHardwareThatOutlastsAResetIsToldAgain) {
+    verifies<req::AO4_ERR_010, req::AO4_ERR_012>();
+    inputs.hardware_fault = true;
+    set_inputs();
+    EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#0050010100000000"}));
+    EXPECT_EQ(error_register(), "01");
+    EXPECT_EQ(listed(1), "00500000");
 }
 
 TEST_F(Errors, AFlickeringErrorLeavesItsLastWord) {

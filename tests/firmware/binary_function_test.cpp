@@ -250,10 +250,12 @@ TEST(CountValue, SaturatesAtInteger16) {
 
 TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     verifies<req::INC_RPDO_001>();
-    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 0.25F);
-    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 2.0F);
-    EXPECT_EQ(value_of_count(250, {0, 50.0F}), 300.0F);  // no digits count as one
-    EXPECT_EQ(value_of_count(-32768, {1, 0.0F}), -32768.0F);
+    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count is one unit
+    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten are one
+    EXPECT_EQ(value_of_count(250, {10, 50.0F}), 3.0F);     // a hundred
+    EXPECT_EQ(value_of_count(250, {500, 0.0F}), 125.0F);   // two
+    EXPECT_EQ(value_of_count(-32768, {1000, 0.0F}), -32768.0F);
+    EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }
 
 TEST(CountValue, MillisecondsAreWholeAndBounded) {

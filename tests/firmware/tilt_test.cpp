@@ -94,6 +94,21 @@ TEST(Tilt, JumpsToTheSupplementWhereGzChangesItsSign) {
     expect_near(tilt_angles({-0.5F, half_root_3, -1e-6F}), {150.0F, 120.0F}, "just below");
 }
 
+// 0.00005 degrees are 8.7e-7 of gravity
+TEST(Tilt, HalfATurnIsPlus180OnEitherSideOfIt) {
+    verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
+    for (const float across : {0.0F, -0.0F, 1e-10F, -1e-10F, 8e-7F, -8e-7F}) {
+        EXPECT_EQ(tilt_angles({across, 0.0F, -1.0F}).pitch, 180.0F) << across;
+        EXPECT_EQ(tilt_angles({0.0F, across, -1.0F}).roll, 180.0F) << across;
+        EXPECT_EQ(euler_angles({0.0F, across, -1.0F}).roll, 180.0F) << across;
+    }
+    EXPECT_NEAR(tilt_angles({1e-5F, 0.0F, -1.0F}).pitch, -179.99943F, close);
+    EXPECT_NEAR(tilt_angles({0.0F, -1e-5F, -1.0F}).roll, -179.99943F, close);
+    EXPECT_NEAR(euler_angles({0.0F, -1e-5F, -1.0F}).roll, -179.99943F, close);
+    EXPECT_LT(euler_angles({0.0F, -1e-6F, -1.0F}).roll, -179.9F);  // 0.000057 degrees beyond it
+    EXPECT_LT(euler_angles({0.0F, 1e-6F, -1.0F}).roll, 180.0F);
+}
+
 TEST(Tilt, GimbalLockIsTheConeAboutTheVertical) {
     verifies<req::INC_ANGLE_008>();
     // sin 1° = 0.0174524

@@ -87,6 +87,18 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }
     std::vector<int> angles() { return {pitch(), roll(), gravity_angle()}; }
+    /// Pitch, roll and gravity angle after the next sample.
+    std::vector<int> angles_at(double x, double y, double z) {
+        feel(x, y, z);
+        pass(5);
+        return angles();
+    }
+    std::vector<int> angles_of(double pitch, double roll) {
+        turn(pitch, roll);
+        pass(5);
+        return angles();
+    }
+    void use_euler_angles() { write(0x2100, 0, 0, 1); }
     std::vector<int> accelerations() { return {value(0x4000, 1), value(0x4000, 2), value(0x4000, 3)}; }
     /// Decimal digits of the three angles.
     void angle_digits(std::uint32_t digits) {

@@ -9,6 +9,7 @@ namespace {
 constexpr float lowest = -32768.0F;
 constexpr float highest = 32767.0F;
 constexpr float highest_milliseconds = 65535.0F;
+constexpr float digits_of_whole_units = 1000.0F;  // with these a received count is one unit
 
 }  // namespace
 
@@ -28,9 +29,8 @@ std::uint16_t whole_milliseconds(const float milliseconds) noexcept {
     return static_cast<std::uint16_t>(std::round(std::fmin(milliseconds, highest_milliseconds)));
 }
 
-float value_of_count(const std::int16_t count, const CountScale& scale) noexcept {
-    const float digits = (scale.digits == 0U) ? 1.0F : static_cast<float>(scale.digits);
-    return (static_cast<float>(count) + scale.offset) / digits;
+float value_of_count(const std::int16_t count, const ReceivedScale& scale) noexcept {
+    return ((static_cast<float>(count) + scale.offset) * static_cast<float>(scale.digits)) / digits_of_whole_units;
 }
 
 }  // namespace canproof

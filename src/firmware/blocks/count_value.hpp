@@ -1,4 +1,4 @@
-// From a measured value to the whole number that goes on the bus (AX060805, 4.3.33, 4.3.36).
+// From a measured value to the whole number that goes on the bus (AX060805, 4.3.33, 4.3.36), and back.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,13 @@ std::int16_t count_value(float value, const CountScale& scale) noexcept;
 /// Rounded to nearest, halves up, 0…65535; what is no number gives 0.
 std::uint16_t whole_milliseconds(float milliseconds) noexcept;
 
-/// The reverse for a received value: (count + offset) / digits. 0 digits count as 1.
-float value_of_count(std::int16_t count, const CountScale& scale) noexcept;
+/// How a received value is scaled (4.3.20, 4.3.21).
+struct ReceivedScale {
+    std::uint16_t digits{1000U};  ///< 1000 divided by the counts of one unit
+    float offset{0.0F};           ///< counts
+};
+
+/// A received value in its unit: the count plus the offset, divided by the counts of one unit.
+float value_of_count(std::int16_t count, const ReceivedScale& scale) noexcept;
 
 }  // namespace canproof

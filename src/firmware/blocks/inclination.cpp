@@ -1,6 +1,7 @@
 #include "firmware/blocks/inclination.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "generated/ax060805/constants.hpp"
 #include "generated/ax060805/requirements.hpp"
 
 namespace canproof {
@@ -26,20 +27,28 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
         return;
     }
     acceleration_ = undo_rotation(filter_.output(), settings.installation);
-    const Vector3 gravity = gravity_from(acceleration_);
-    weightless_ = magnitude(gravity) < settings.least_gravity;
-    if (weightless_) {
-        return;
+    weightless_ = magnitude(acceleration_) < settings.least_gravity;
+    if (!weightless_) {
+        direction_ = filter_.output();
     }
+    const Vector3 gravity =
+        gravity_from(weightless_ ? undo_rotation(direction_, settings.installation) : acceleration_);
+    roll_unsure_ = settings.euler && in_gimbal_lock(gravity, settings.gimbal_lock_cone);
     PitchRoll angles = settings.euler ? euler_angles(gravity) : tilt_angles(gravity);
-    if (!in_gimbal_lock(gravity, settings.gimbal_lock_cone)) {
-        free_roll_ = euler_angles(gravity).roll;
+    if (!in_gimbal_lock(gravity, generated::ax060805::exact_angle)) {
+        rolled_ = direction_;
     } else if (settings.euler) {
-        angles.roll = free_roll_;
+        angles.roll = last_roll(settings);
     } else {
         // tilt angles have no gimbal lock
     }
     angles_ = {angles.pitch, angles.roll, gravity_angle(gravity)};
+}
+
+/// The Euler roll of the last direction that had one, in the frame of today; 0 if it has none there.
+float Inclination::last_roll(const InclinationSettings& settings) const noexcept {
+    const Vector3 gravity = gravity_from(undo_rotation(rolled_, settings.installation));
+    return in_gimbal_lock(gravity, generated::ax060805::exact_angle) ? 0.0F : euler_angles(gravity).roll;
 }
 
 static_assert(implements<req::INC_INSTALL_003> && implements<req::INC_INSTALL_004> && implements<req::INC_INSTALL_005>);

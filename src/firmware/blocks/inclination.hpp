@@ -16,7 +16,7 @@ struct InclinationSettings {
     PitchRoll calibration{};       ///< of the sensor in the unit, degrees
     PitchRoll installation{};      ///< of the unit on the machine, degrees
     bool euler{false};             ///< pitch and roll as Euler angles; otherwise as tilt angles
-    float gimbal_lock_cone{0.0F};  ///< degrees
+    float gimbal_lock_cone{0.0F};  ///< degrees; within it the Euler roll cannot be trusted
     float least_gravity{0.0F};     ///< g; below it there is no direction to measure
 };
 
@@ -34,13 +34,15 @@ class Inclination {
     void sample(const Vector3& acceleration, const InclinationSettings& settings) noexcept;
     /// The sensor gives no valid sample: what was measured stays, and the filter starts anew afterwards.
     void fail() noexcept;
-    /// The settings are others: angles of the latest sample by them.
+    /// The settings are others: angles of the last direction by them.
     void update(const InclinationSettings& settings) noexcept;
 
     /// There was a sample, and the sensor has not failed since.
     bool is_measuring() const noexcept { return measuring_; }
-    /// The latest sample is too small to have a direction: angles are those from before.
+    /// The latest sample is too small to have a direction: angles are those of the last one that had.
     bool is_weightless() const noexcept { return weightless_; }
+    /// The roll is an Euler angle, and the X axis too near to the vertical for it (2.1.6).
+    bool is_roll_unsure() const noexcept { return roll_unsure_; }
     /// Of the machine's frame, in g, behind the input filter.
     const Vector3& acceleration() const noexcept { return acceleration_; }
     /// Degrees; see pitch_angle, roll_angle and gravity_tilt.
@@ -50,12 +52,16 @@ class Inclination {
     std::optional<PitchRoll> nulling_angles(const InclinationSettings& settings) const noexcept;
 
   private:
+    float last_roll(const InclinationSettings& settings) const noexcept;
+
     LowPass filter_{};
     Vector3 acceleration_{};
     std::array<float, angle_count> angles_{};
-    float free_roll_{0.0F};  ///< the last Euler roll from outside gimbal lock
+    Vector3 direction_{};  ///< the last acceleration of the unit that was no weightlessness
+    Vector3 rolled_{};     ///< the last one of these that had an Euler roll
     bool measuring_{false};
     bool weightless_{false};
+    bool roll_unsure_{false};
 };
 
 }  // namespace canproof

@@ -384,8 +384,8 @@ static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && impleme
               implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
 void Device::publish_diagnostics() noexcept {
     namespace merit = own::t_inc_t5;
-    const auto* const row =
-        merit::find(!inclination_.is_measuring(), is_temperature_outside(), inclination_.is_weightless());
+    const auto* const row = merit::find(!inclination_.is_measuring(), is_temperature_outside(),
+                                        inclination_.is_weightless(), inclination_.is_roll_unsure());
     const std::uint8_t worst = merit::rows[0U].state;
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
@@ -582,8 +582,8 @@ Signal Device::received_signal(const std::size_t place) const noexcept {
         return undefined_signal();
     }
     const std::uint8_t sub = static_cast<std::uint8_t>(place + 1U);
-    const CountScale scale{objects_.get(field::o2501_rpdo_decimal_digits[sub]),
-                           objects_.get(field::o2502_rpdo_offset[sub])};
+    const ReceivedScale scale{objects_.get(field::o2501_rpdo_decimal_digits[sub]),
+                              objects_.get(field::o2502_rpdo_offset[sub])};
     return continuous_signal(
         value_of_count(objects_.get(field::o2500_rpdo_received_message_process_value[sub]), scale));
 }

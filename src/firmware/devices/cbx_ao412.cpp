@@ -22,6 +22,7 @@ constexpr std::uint32_t gain_index = 0x2405U;
 constexpr std::uint32_t program_data_index = 0x1F50U;
 constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
 constexpr std::uint32_t max_node_id = 0x7FU;
+constexpr ErrorId hardware_error = ErrorId::first_of_device;
 
 constexpr std::uint32_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
 // What the node and the dictionary do for this device, in the manner of the profile below.
@@ -70,6 +71,9 @@ constexpr ErrorTable make_error_table() noexcept {
                 break;
             case errors::Error::internal_software:
                 table[static_cast<std::size_t>(ErrorId::internal_software)] = told;
+                break;
+            case errors::Error::hardware:
+                table[static_cast<std::size_t>(hardware_error)] = told;
                 break;
             default:
                 break;
@@ -128,16 +132,17 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     node_.set_controller(inputs.can_state, inputs.can_overrun, now);
-    watch_internal_fault(now);
-    set_failed(communication_failed_, inputs.internal_fault);
+    watch_internal_faults(now);
+    set_failed(communication_failed_, has_internal_fault());
     drive_leds(now);
 }
 
 /// 7.9.4: a stored set that could not be used is an internal software error as well, until the next reset.
-void Device::watch_internal_fault(const Instant now) noexcept {
-    const bool present = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
-    software_fault_shown_ = software_fault_shown_ || present;
-    node_.set_error(ErrorId::internal_software, present, now);
+void Device::watch_internal_faults(const Instant now) noexcept {
+    const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
+    internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
+    node_.set_error(ErrorId::internal_software, software, now);
+    node_.set_error(hardware_error, inputs_.hardware_fault, now);
 }
 
 void Device::advance(const Instant now) noexcept {
@@ -198,8 +203,8 @@ static_assert(implements<req::AO4_AOUT_010>);
 void Device::restart(const Instant) {
     communication_failed_ = false;
     failed_ = false;
-    software_fault_shown_ = false;
-    if (inputs_.internal_fault) {
+    internal_fault_shown_ = false;
+    if (has_internal_fault()) {
         set_failed(false, true);
     } else {
         command_outputs();
@@ -208,14 +213,14 @@ void Device::restart(const Instant) {
 
 static_assert(implements<req::AO4_START_001>);
 void Device::booted(const Instant now) {
-    watch_internal_fault(now);
+    watch_internal_faults(now);
     if (objects_.get(field::o1f80_nmt_startup) == autostart_enabled) {
         node_.start_at(now + milliseconds(objects_.get(field::o1f91_self_starting_nodes_timing_parameters[1U])));
     }
 }
 
 void Device::communication_failed(const bool failed, const Instant) {
-    set_failed(failed, inputs_.internal_fault);
+    set_failed(failed, has_internal_fault());
 }
 
 static_assert(implements<req::AO4_AOUT_006> && implements<req::AO4_AOUT_008>);
@@ -323,7 +328,7 @@ void Device::drive_leds(const Instant now) noexcept {
     next_led_change_ = never;
     outputs_.led_e = show(can_error_indicator(), red_shift(), now);
     outputs_.led_s = show(status_indicator(), Duration{}, now);
-    outputs_.led_m = show(led_of(own::t_ao4_t8::find(inputs_.can_overrun, software_fault_shown_)), red_shift(), now);
+    outputs_.led_m = show(led_of(own::t_ao4_t8::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
     outputs_.led_p = show(led_of(own::t_ao4_t9::find(runs_)), Duration{}, now);
 }
 

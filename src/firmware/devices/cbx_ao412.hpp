@@ -68,7 +68,9 @@ class Device final : private Application {
     void communication_failed(bool failed, Instant now) override;
 
     void put_version(std::uint16_t index, const VersionText& text) noexcept;
-    void watch_internal_fault(Instant now) noexcept;
+    /// The software or a part of the hardware has failed.
+    bool has_internal_fault() const noexcept { return inputs_.internal_fault || inputs_.hardware_fault; }
+    void watch_internal_faults(Instant now) noexcept;
     void set_failed(bool communication, bool internal) noexcept;
     void command_outputs() noexcept;
     /// Output `number` (1…4) goes to `value`, in the unit of 6411h, until it is told otherwise.
@@ -95,7 +97,7 @@ class Device final : private Application {
     bool runs_{false};
     bool communication_failed_{false};
     bool failed_{false};
-    bool software_fault_shown_{false};
+    bool internal_fault_shown_{false};
 };
 
 }  // namespace canproof::cbx_ao412

@@ -9,7 +9,7 @@ namespace canproof::host {
 /// carries them, tilt angles as shipped.
 LinePlot tumble_plot();
 
-/// The same tumble with Euler angles: pitch stays within 90 degrees, and roll holds in gimbal lock.
+/// The same tumble with Euler angles: pitch stays within 90 degrees, and roll turns over at the vertical.
 LinePlot euler_tumble_plot();
 
 /// Error of the single-precision angles against the formulae of 2.1.4 in double precision, over the same tumble.

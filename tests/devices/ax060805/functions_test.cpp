@@ -1,47 +1,16 @@
-// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 3.10.1, 4.3.19 to 4.3.32), node 127. Their
+// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127. Their
 // arithmetic is tested in tests/firmware/binary_function_test.cpp.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
-#include "support/inclinometer_bench.hpp"
+#include "support/inclinometer_functions.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
 
 namespace {
 
-class Functions : public InclinometerTest {
-  protected:
-    void SetUp() override {
-        InclinometerTest::SetUp();
-        switch_filter_off();
-    }
-    static std::uint16_t at(int function, int parameter) {
-        return static_cast<std::uint16_t>(0x3000 + 0x10 * function + parameter);
-    }
-    void connect(int function, std::uint8_t input, std::uint32_t source) { write(at(function, 0), input, source, 1); }
-    void give_default(int function, std::uint8_t input, float value) {
-        write(at(function, 1), input, 1, 1);
-        write_real(at(function, 2), input, value);
-    }
-    void operate(int function, std::uint32_t operation) {
-        write(0x300A, static_cast<std::uint8_t>(function), operation, 1);
-    }
-    void scale_output(int function, float scale) { write_real(0x300B, static_cast<std::uint8_t>(function), scale); }
-    /// Function 1 passes what `source` gives, times `scale`; -9999 while it is undefined.
-    int taken_from(std::uint32_t source, float scale) {
-        operate(1, 1);
-        connect(1, 1, source);
-        give_default(1, 1, -9999.0F / scale);
-        give_default(1, 2, 0.0F);
-        scale_output(1, scale);
-        pass(5);
-        return output(1);
-    }
-    int output(int function) { return value(0x3000, static_cast<std::uint8_t>(function)); }
-};
-
-constexpr int undefined = -9999;
+class Functions : public InclinometerFunctions {};
 
 }  // namespace
 
@@ -53,9 +22,9 @@ TEST_F(Functions, EverySourceOfTable1) {
     set_inputs();
     write_real(0x4070, 0, -2.5F);
     write(0x4080, 0, 77, 4);
-    write(0x2500, 1, 1500, 2);
-    write(0x2500, 2, 2500, 2);
-    write(0x2500, 3, 3500, 2);
+    write(0x2500, 1, 15, 2);
+    write(0x2500, 2, 25, 2);
+    write(0x2500, 3, 35, 2);
     turn(20.25, 0.0);
     pass(5);
     struct Row {
@@ -73,9 +42,9 @@ TEST_F(Functions, EverySourceOfTable1) {
         {7, 100.0F, 2025},                        //
         {8, 1.0F, 0},                             // no filter: no delay
         {9, 1.0F, 0},                             //
-        {20, 100.0F, 150},                        // 1500 / 1000
-        {21, 100.0F, 250},                        //
-        {22, 100.0F, 350},                        //
+        {20, 100.0F, 1500},                       // one count is one unit
+        {21, 100.0F, 2500},                       //
+        {22, 100.0F, 3500},                       //
         {23, 1.0F, 77},                           //
         {24, 100.0F, -250},                       //
         {25, 1.0F, 0},                            //
@@ -301,93 +270,6 @@ TEST_F(Functions, RunFrom1To10AtEachSample) {
     pass(5);
     EXPECT_EQ(output(1), 4);
     EXPECT_EQ(output(3), 6);
-}
-
-TEST_F(Functions, CompareAnAngleWithALimitFromTheBus) {
-    verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
-             req::INC_OD_2502>();
-    operate(1, 10);  // pitch > limit
-    connect(1, 1, 5);
-    connect(1, 2, 20);
-    write(0x2501, 1, 10, 2);        // tenths of a degree
-    write_real(0x2502, 1, 5.0F);    // half a degree more
-    write_real(0x2040, 1, 100.0F);  // moves the field value only
-    write(0x2500, 1, 200, 2);       // limit 20.5
-    turn(20.4, 0.0);
-    pass(5);
-    EXPECT_EQ(output(1), 0);
-    EXPECT_EQ(pitch(), 120);
-    turn(20.6, 0.0);
-    pass(5);
-    EXPECT_EQ(output(1), 1);
-    write(0x2031, 1, 1, 1);
-    pass(5);
-    EXPECT_EQ(output(1), 0);  // -20.6
-    EXPECT_EQ(refusal(0x2501, 1, 9, 2), "06090032");
-    EXPECT_EQ(refusal(0x2501, 1, 1001, 2), "06090031");
-    EXPECT_EQ(refusal(0x2502, 1, bits_of(1.0e10F), 4), "06090031");
-    EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
-}
-
-TEST_F(Functions, AReceivedValueIsUndefinedUntilItComes) {
-    verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
-    EXPECT_EQ(taken_from(21, 1.0F), undefined);
-    send("000#0100");
-    send("27F#0000D0070000");  // 2000 for the second: 2.0
-    EXPECT_EQ(taken_from(21, 1.0F), 2);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
-    send("000#8100");
-    EXPECT_EQ(value(0x2500, 2), 0);
-    switch_filter_off();
-    EXPECT_EQ(taken_from(21, 1.0F), undefined);
-    write(0x2500, 2, 3000, 2);
-    EXPECT_EQ(taken_from(21, 1.0F), 3);
-}
-
-TEST_F(Functions, AReceivedValueIsUndefinedAgainAfterATimeout) {
-    verifies<req::INC_RPDO_002>();
-    write(0x1400, 5, 100, 2);
-    write(0x1029, 1, 1, 1);  // stays operational
-    send("000#0100");
-    send("27F#E80300000000");  // 1.0
-    EXPECT_EQ(taken_from(20, 1.0F), 1);
-    pass(100);
-    EXPECT_EQ(taken_from(20, 1.0F), undefined);
-    EXPECT_EQ(value(0x2500, 1), 1000);
-    write(0x2500, 1, 4000, 2);
-    EXPECT_EQ(taken_from(20, 1.0F), 4);
-    send("27F#D00700000000");
-    EXPECT_EQ(taken_from(20, 1.0F), 2);
-}
-
-TEST_F(Functions, EachRpdoThatIsLateCountsForItself) {
-    verifies<req::INC_RPDO_002>();
-    write(0x1400, 5, 100, 2);
-    write(0x1601, 1, 0x25000210, 4);
-    write(0x1601, 0, 1, 1);
-    write(0x1401, 5, 300, 2);
-    write(0x1401, 1, 0x4000037F, 4);
-    write(0x1029, 1, 1, 1);  // stays operational
-    send("000#0100");
-    send("27F#E80300000000");
-    pass(100);  // RPDO1 is late and stays so
-    EXPECT_EQ(taken_from(21, 1.0F), undefined);
-    send("37F#D007");  // RPDO2 brings 2.0
-    EXPECT_EQ(taken_from(21, 1.0F), 2);
-    pass(300);
-    EXPECT_EQ(taken_from(21, 1.0F), undefined);
-}
-
-TEST_F(Functions, AValueWrittenAfterTheTimeoutCounts) {
-    verifies<req::INC_RPDO_002>();
-    write(0x1400, 5, 100, 2);
-    write(0x1029, 1, 1, 1);
-    send("000#0100");
-    pass(2);  // late at 102 ms, between the samples at 100 and 105 ms
-    send("27F#E80300000000");
-    pass(101);
-    write(0x2500, 1, 4000, 2);
-    EXPECT_EQ(taken_from(20, 1.0F), 4);
 }
 
 TEST_F(Functions, AFailedSensorHasNoSignals) {

@@ -18,15 +18,18 @@ namespace own = generated::ax060805;
 
 }  // namespace
 
-// 3.3 Table 5: an error outweighs what makes the data suspect, a temperature or a fall without weight
+// 3.3 Table 5: an error outweighs what makes the data suspect, a temperature, a fall without weight or a roll that is
+// none
 TEST(InclinometerTables, FigureOfMerit) {
     verifies<req::INC_T5>();
     for (const bool error : {false, true}) {
         for (const bool outside : {false, true}) {
             for (const bool weightless : {false, true}) {
-                const auto* row = own::t_inc_t5::find(error, outside, weightless);
-                ASSERT_NE(row, nullptr);
-                EXPECT_EQ(row->state, error ? 2 : outside || weightless ? 1 : 0);
+                for (const bool unsure : {false, true}) {
+                    const auto* row = own::t_inc_t5::find(error, outside, weightless, unsure);
+                    ASSERT_NE(row, nullptr);
+                    EXPECT_EQ(row->state, error ? 2 : outside || weightless || unsure ? 1 : 0);
+                }
             }
         }
     }
@@ -80,11 +83,12 @@ TEST(InclinometerTables, ResolutionByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first two are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz
+// The first three are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz
 TEST(InclinometerTables, Constants) {
-    verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
+    verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF>();
     EXPECT_EQ(own::gimbal_lock_cone, 1.0F);
+    EXPECT_EQ(own::exact_angle, 0.00005F);
     EXPECT_EQ(own::least_gravity, 0.1F);
     EXPECT_EQ(own::resolution_factor, 3.46F);
     EXPECT_EQ(own::rated_cut_off, 5.0F);

@@ -98,6 +98,20 @@ TEST_F(Leds, ErrorShowsOverrunAndSoftwareFault) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
+TEST_F(Leds, AFailureOfTheHardwareShowsUntilTheReset) {
+    verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
+    inputs.hardware_fault = true;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    send("000#8103");
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it lasts
+    inputs.hardware_fault = false;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    send("000#8103");
+    EXPECT_EQ(watch(m, 40), dark);
+}
+
 TEST_F(Leds, ACorruptStoredSetShows) {
     verifies<req::AO4_LED_003>();
     write("603#2310100173617665");

@@ -104,6 +104,23 @@ TEST_F(OutputInError, InternalFailureFollowsTheErrorMode) {
     expect_error_outputs();
 }
 
+TEST_F(OutputInError, AFailureOfTheHardwareFollowsTheErrorMode) {
+    verifies<req::AO4_AOUT_006, req::AO4_AOUT_010, req::AO4_S_HARDWARE_FAULT>();
+    inputs.hardware_fault = true;
+    set_inputs();
+    expect_error_outputs();
+    inputs.internal_fault = true;  // one more on top of it
+    set_inputs();
+    inputs.internal_fault = false;
+    set_inputs();
+    send("303#0010001000100010");  // the hardware has still failed
+    expect_error_outputs();
+    send("000#8103");
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 0);  // 6443h is 1 by default, 6444h 0
+    }
+}
+
 TEST_F(OutputInError, HeartbeatLossFollowsTheErrorMode) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");

@@ -18,7 +18,7 @@ using State = own::IndicatorState;
 
 }  // namespace
 
-// 7.9.4; every error but those of the software sets bit 4, communication, beside bit 0
+// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0
 TEST(CbxTables, ErrorsAreToldAndListed) {
     verifies<req::AO4_T_ERRORS>();
     namespace t = own::t_ao4_t_errors;
@@ -34,7 +34,8 @@ TEST(CbxTables, ErrorsAreToldAndListed) {
                              {t::Error::bus_off_recovered, 0x8140, 0x11, true},
                              {t::Error::sync_length, 0x8240, 0x11, true},
                              {t::Error::stored_set_checksum, 0x6000, 0x01, false},
-                             {t::Error::internal_software, 0x6110, 0x01, true}}) {
+                             {t::Error::internal_software, 0x6110, 0x01, true},
+                             {t::Error::hardware, 0x5000, 0x01, true}}) {
         const auto* row = t::find(one.error);
         ASSERT_NE(row, nullptr) << one.code;
         EXPECT_EQ(row->code, one.code);
@@ -42,7 +43,7 @@ TEST(CbxTables, ErrorsAreToldAndListed) {
         EXPECT_EQ(row->sent, one.sent) << one.code;
         EXPECT_TRUE(row->listed) << one.code;
     }
-    EXPECT_EQ(t::rows.size(), 7U);
+    EXPECT_EQ(t::rows.size(), 8U);
 }
 
 // 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. After the last flash of n comes the

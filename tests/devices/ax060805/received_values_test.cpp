@@ -1,0 +1,139 @@
+// Values that an AX060805 receives as sources of its functions (3.10.1, 4.3.19 to 4.3.21), node 127.
+#include "generated/ax060805/requirements.hpp"
+#include "support/inclinometer_functions.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class ReceivedValues : public InclinometerFunctions {};
+
+}  // namespace
+
+TEST_F(ReceivedValues, AsShippedALimitOf45FromTheBusIs45Degrees) {
+    verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
+    send("000#0100");
+    send("27F#2D0000000000");  // 2Dh = 45 for the first
+    EXPECT_EQ(taken_from(20, 1.0F), 45);
+    operate(1, 10);  // pitch > limit
+    connect(1, 1, 5);
+    connect(1, 2, 20);
+    turn(44.9, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    turn(45.1, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 1);
+    send("27F#D3FF00000000");  // FFD3h = -45
+    turn(-45.1, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    turn(-44.9, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 1);
+}
+
+// 4.3.20: 1000 / 2501h counts are one unit
+TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsOfOneUnit) {
+    verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
+    write(0x2500, 3, 4500, 2);
+    EXPECT_EQ(taken_from(22, 1.0F), 4500);
+    write(0x2501, 3, 100, 2);
+    EXPECT_EQ(taken_from(22, 1.0F), 450);
+    write(0x2501, 3, 10, 2);
+    EXPECT_EQ(taken_from(22, 1.0F), 45);
+    write(0x2501, 3, 500, 2);  // 2 counts
+    EXPECT_EQ(taken_from(22, 1.0F), 2250);
+    write_real(0x2502, 3, -500.0F);  // in counts
+    EXPECT_EQ(taken_from(22, 1.0F), 2000);
+}
+
+TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
+    verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
+             req::INC_OD_2502>();
+    operate(1, 10);  // pitch > limit
+    connect(1, 1, 5);
+    connect(1, 2, 20);
+    write(0x2501, 1, 100, 2);       // tenths of a degree
+    write_real(0x2502, 1, 5.0F);    // half a degree more
+    write_real(0x2040, 1, 100.0F);  // moves the field value only
+    write(0x2500, 1, 200, 2);       // limit 20.5
+    turn(20.4, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 0);
+    EXPECT_EQ(pitch(), 120);
+    turn(20.6, 0.0);
+    pass(5);
+    EXPECT_EQ(output(1), 1);
+    write(0x2031, 1, 1, 1);
+    pass(5);
+    EXPECT_EQ(output(1), 0);  // -20.6
+    EXPECT_EQ(refusal(0x2501, 1, 9, 2), "06090032");
+    EXPECT_EQ(refusal(0x2501, 1, 1001, 2), "06090031");
+    EXPECT_EQ(refusal(0x2502, 1, bits_of(1.0e10F), 4), "06090031");
+    EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
+}
+
+TEST_F(ReceivedValues, AreUndefinedUntilTheyCome) {
+    verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    send("000#0100");
+    send("27F#0000D0070000");  // 7D0h = 2000 for the second
+    EXPECT_EQ(taken_from(21, 1.0F), 2000);
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
+    send("000#8100");
+    EXPECT_EQ(value(0x2500, 2), 0);
+    switch_filter_off();
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    write(0x2500, 2, 3000, 2);
+    EXPECT_EQ(taken_from(21, 1.0F), 3000);
+}
+
+TEST_F(ReceivedValues, AreUndefinedAgainAfterATimeout) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1029, 1, 1, 1);  // stays operational
+    send("000#0100");
+    send("27F#E80300000000");  // 3E8h = 1000
+    EXPECT_EQ(taken_from(20, 1.0F), 1000);
+    pass(100);
+    EXPECT_EQ(taken_from(20, 1.0F), undefined);
+    EXPECT_EQ(value(0x2500, 1), 1000);
+    write(0x2500, 1, 4000, 2);
+    EXPECT_EQ(taken_from(20, 1.0F), 4000);
+    send("27F#D00700000000");
+    EXPECT_EQ(taken_from(20, 1.0F), 2000);
+}
+
+TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1601, 1, 0x25000210, 4);
+    write(0x1601, 0, 1, 1);
+    write(0x1401, 5, 300, 2);
+    write(0x1401, 1, 0x4000037F, 4);
+    write(0x1029, 1, 1, 1);  // stays operational
+    send("000#0100");
+    send("27F#E80300000000");
+    pass(100);  // RPDO1 is late and stays so
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+    send("37F#D007");  // RPDO2 brings 2000
+    EXPECT_EQ(taken_from(21, 1.0F), 2000);
+    pass(300);
+    EXPECT_EQ(taken_from(21, 1.0F), undefined);
+}
+
+TEST_F(ReceivedValues, AValueWrittenAfterTheTimeoutCounts) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    write(0x1029, 1, 1, 1);
+    send("000#0100");
+    pass(2);  // late at 102 ms, between the samples at 100 and 105 ms
+    send("27F#E80300000000");
+    pass(101);
+    write(0x2500, 1, 4000, 2);
+    EXPECT_EQ(taken_from(20, 1.0F), 4000);
+}
+
+}  // namespace canproof::test

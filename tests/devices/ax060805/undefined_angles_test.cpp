@@ -1,0 +1,206 @@
+// Where an angle of the AX060805 has no value of its own: the Euler roll at the vertical, every angle without weight,
+// the sign of half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
+#include "generated/ax060805/requirements.hpp"
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class UndefinedAngles : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        switch_filter_off();
+        angle_digits(100);
+    }
+    std::uint32_t merit() { return read(0x4020); }
+};
+
+using Row = std::vector<int>;
+
+}  // namespace
+
+TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaUpToTheVertical) {
+    verifies<req::INC_ANGLE_005, req::INC_ANGLE_008>();
+    use_euler_angles();
+    EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
+    EXPECT_EQ(angles_of(89.04, -120.0)[1], -12000);             // 0.96 degree from the vertical
+    EXPECT_EQ(angles_of(89.04, -120.0)[0], 8904);
+    EXPECT_EQ(angles_of(89.9, 35.0)[1], 3500);
+    EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
+}
+
+TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfTheLastDirection) {
+    verifies<req::INC_ANGLE_008, req::INC_K_EXACT_ANGLE>();
+    use_euler_angles();
+    angles_of(60.0, 40.0);
+    EXPECT_EQ(angles_at(1.0, 0.0, 0.0), (Row{9000, 4000, 9000}));
+    angles_of(89.5, -120.0);
+    EXPECT_EQ(angles_at(-1.0, 0.0, 0.0), (Row{-9000, -12000, 9000}));
+    EXPECT_EQ(angles_at(1.0, 4e-7, 0.0)[1], -12000);  // 4e-7 is 0.000023 degrees
+    EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // 2e-6 is 0.00011 degrees: gy alone is left
+}
+
+TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
+    verifies<req::INC_ANGLE_008>();
+    use_euler_angles();
+    write(0x1010, 1, 0x65766173, 4);
+    feel(1.0, 0.0, 0.0);
+    power_on();
+    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));
+    feel(0.99995, 0.01, 0.0);
+    power_on();
+    EXPECT_EQ(roll(), -9000);  // 0.57 degrees from it: atan2(-0.01, 0)
+}
+
+TEST_F(UndefinedAngles, ANewFrameTurnsTheRollThatIsKept) {
+    verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210>();
+    use_euler_angles();
+    angles_of(0.0, 40.0);
+    angles_at(1.0, 0.0, 0.0);
+    EXPECT_EQ(angles(), (Row{9000, 4000, 9000}));
+    write_real(0x2210, 0, 30.0F);
+    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30, X still on the vertical
+    write_real(0x2210, 0, 0.0F);
+    EXPECT_EQ(roll(), 4000);
+    write_real(0x2200, 0, 90.0F);  // the machine is level
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    write_real(0x2200, 0, 0.0F);
+    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last direction with a roll is this one, which has none here
+}
+
+TEST_F(UndefinedAngles, TiltRollGoesOnAtTheVertical) {
+    verifies<req::INC_ANGLE_003, req::INC_ANGLE_008>();
+    angles_of(0.0, 40.0);
+    EXPECT_EQ(angles_at(1.0, 0.0, 0.0), (Row{9000, 0, 9000}));
+    use_euler_angles();
+    EXPECT_EQ(roll(), 4000);
+}
+
+TEST_F(UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
+    verifies<req::INC_FOM_001, req::INC_T5, req::INC_K_GIMBAL_LOCK>();
+    use_euler_angles();
+    angles_of(88.999, 30.0);
+    EXPECT_EQ(merit(), 0U);  // 1.001 degrees
+    angles_of(89.001, 30.0);
+    EXPECT_EQ(merit(), 1U);  // 0.999 degrees
+    angles_of(-89.001, -150.0);
+    EXPECT_EQ(merit(), 1U);
+    angles_at(1.0, 0.0, 0.0);
+    EXPECT_EQ(merit(), 1U);
+    angles_of(0.0, 90.0);
+    EXPECT_EQ(merit(), 0U);
+}
+
+TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesKnowsNoGimbalLock) {
+    verifies<req::INC_FOM_001, req::INC_OD_2100>();
+    angles_of(89.5, 30.0);
+    EXPECT_EQ(merit(), 0U);
+    write(0x2100, 0, 0, 1);
+    EXPECT_EQ(merit(), 1U);
+    write(0x2100, 0, 1, 1);
+    EXPECT_EQ(merit(), 0U);
+}
+
+TEST_F(UndefinedAngles, FigureOfMeritIsThatOfTheMachinesFrame) {
+    verifies<req::INC_FOM_001, req::INC_INSTALL_002>();
+    use_euler_angles();
+    angles_at(1.0, 0.0, 0.0);
+    EXPECT_EQ(merit(), 1U);
+    write_real(0x2200, 0, 90.0F);
+    EXPECT_EQ(merit(), 0U);  // the machine is level
+    angles_at(0.0, 0.0, -1.0);
+    EXPECT_EQ(merit(), 1U);  // the unit is level, the machine on its end
+}
+
+TEST_F(UndefinedAngles, WithoutGravityTheyKeepTheirLastValue) {
+    verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
+    const Row before = angles_of(30.0, 0.0);
+    acceleration_digits(1000);
+    EXPECT_EQ(angles_at(0.0, 0.0, 0.0), before);
+    EXPECT_EQ(merit(), 1U);
+    EXPECT_EQ(accelerations(), (Row{0, 0, 0}));
+    EXPECT_EQ(angles_at(0.0, 0.099, 0.0), before);
+    EXPECT_EQ(merit(), 1U);
+    EXPECT_EQ(angles_at(0.0, -0.101, 0.0), (Row{0, 9000, 9000}));
+    EXPECT_EQ(merit(), 0U);
+    EXPECT_EQ(angles_at(0.0, 0.0, -0.1), (Row{0, 0, 0})) << "0.1 g is not below 0.1 g";
+    EXPECT_EQ(merit(), 0U);
+}
+
+TEST_F(UndefinedAngles, WithoutGravityANewFrameCountsAtOnce) {
+    verifies<req::INC_ANGLE_011, req::INC_OD_2200, req::INC_OD_2210>();
+    angles_of(30.0, 0.0);
+    angles_at(0.0, 0.0, 0.0);
+    write_real(0x2200, 0, 10.0F);
+    EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
+    pass(50);
+    EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
+    EXPECT_EQ(merit(), 1U);
+    write_real(0x2200, 0, 0.0F);
+    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: the machine's nose is 30 up, its top below
+    EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
+}
+
+TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeCountsAtOnce) {
+    verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
+    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
+    angles_at(0.0, 0.0, 0.0);
+    write(0x2100, 0, 0, 1);
+    EXPECT_EQ(angles(), (Row{-3000, 3526, 4500}));
+    write(0x2100, 0, 1, 1);
+    EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
+}
+
+TEST_F(UndefinedAngles, WithoutGravityAfterAFailureTheyAreThoseOfTheSettingsInUse) {
+    verifies<req::INC_ANGLE_011, req::INC_FV_007>();
+    angles_of(30.0, 0.0);
+    inputs.accelerometer_fault = true;
+    angles_of(30.0, 0.0);
+    write_real(0x2200, 0, 10.0F);
+    EXPECT_EQ(pitch(), 3000);  // a failed sensor keeps its field values
+    inputs.accelerometer_fault = false;
+    EXPECT_EQ(angles_at(0.0, 0.0, 0.0), (Row{2000, 0, 2000}));
+    EXPECT_EQ(merit(), 1U);
+}
+
+TEST_F(UndefinedAngles, WithoutGravitySincePowerOnTheyAreZero) {
+    verifies<req::INC_ANGLE_011>();
+    feel(0.0, 0.0, 0.0);
+    power_on();
+    EXPECT_EQ(angles(), (Row{0, 0, 0}));
+    EXPECT_EQ(merit(), 1U);
+}
+
+TEST_F(UndefinedAngles, HalfATurnIsPlus180OnEitherSideOfIt) {
+    verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
+    for (const double across : {0.0, 1e-8, -1e-8, 4e-7, -4e-7}) {  // 4e-7 is 0.000023 degrees
+        EXPECT_EQ(angles_at(across, across, 1.0), (Row{18000, 18000, 18000})) << across;
+    }
+    use_euler_angles();
+    for (const double across : {0.0, 1e-8, -1e-8, 4e-7, -4e-7}) {
+        EXPECT_EQ(angles_at(0.0, across, 1.0), (Row{0, 18000, 18000})) << across;
+    }
+    EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond it
+    write(0x2031, 2, 1, 1);
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // reversed
+}
+
+TEST_F(UndefinedAngles, AMachineOnItsBackReadsPlus180InEveryInstallation) {
+    verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
+    for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
+        for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {
+            angles_of(pitch_of_unit, roll_of_unit);
+            write(0x2300, 0, 1, 1);
+            EXPECT_EQ(angles(), (Row{0, 0, 0})) << pitch_of_unit << ' ' << roll_of_unit;
+            feel(-inputs.acceleration_x, -inputs.acceleration_y, -inputs.acceleration_z);
+            pass(5);
+            EXPECT_EQ(angles(), (Row{18000, 18000, 18000})) << pitch_of_unit << ' ' << roll_of_unit;
+        }
+    }
+}
+
+}  // namespace canproof::test
