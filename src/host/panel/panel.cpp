@@ -7,6 +7,7 @@
 
 #include "host/bus/candump.hpp"
 #include "host/panel/assets.hpp"
+#include "host/run/device_names.hpp"
 #include "host/run/live_table.hpp"
 
 namespace canproof::host {
@@ -312,11 +313,15 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
         return error_response(400, R"(send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
     }
     const std::lock_guard<std::mutex> lock{mutex_};
-    const auto& devices = recorder_.devices();
-    const auto found =
-        std::find_if(devices.begin(), devices.end(), [&](const auto& one) { return one.name == *device; });
-    if (found == devices.end()) {
-        return error_response(404, fmt::format("no device `{}` runs here", device->get<std::string>()));
+    std::vector<std::string> names;
+    for (const Recorder::Device& one : recorder_.devices()) {
+        names.push_back(one.name);
+    }
+    const Recorder::Device* found = nullptr;
+    try {
+        found = &recorder_.devices()[find_device(names, device->get<std::string>())];
+    } catch (const InputError& error) {
+        return error_response(404, error.what());
     }
     const Instant now = std::max(clock_(), session_->now());
     Stimulus one{"stimulus", now + microseconds(1), signal->get<std::string>(), value->get<double>()};

@@ -111,11 +111,21 @@ TEST(Panel, StimulusThatIsNoneIsRefused_AndChangesNothing) {
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", -271.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_open", 2.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_wire", 1.5), 422);
-    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 1.0), 404);
+    EXPECT_EQ(bench.stimulate("ax130751", "tc1_celsius", 1.0), 404);
+    EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"ax130751","signal":"supply","value":12})").body,
+                HasSubstr("there is ax188001@2"));
     EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"ax188001@2","signal":"tc1_celsius","value":9999})").body,
                 HasSubstr("from -270 to 1820, not 9999"));
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n");
     EXPECT_EQ(bench.wakes, 0);
+}
+
+TEST(Panel, DeviceIsNamedWithoutItsNodeWhereOnlyOneHasTheName) {
+    PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
+    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // README's own request
+    EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
+    EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"cbx-ao412","signal":"supply","value":24})").body,
+                HasSubstr("cbx-ao412@3, cbx-ao412@4"));
 }
 
 TEST(Panel, MalformedBodyIsRefused) {
