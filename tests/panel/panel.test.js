@@ -226,6 +226,19 @@ test('frames that came too fast for the program are told, and only then', async 
   await page.unrouteAll({ behavior: 'ignoreErrors' });
 });
 
+test('a simulation that is behind is told, and only then', async (t) => {
+  const page = await openPage(t);
+  await page.route('**/api/state*', async (route) => {
+    const response = await route.fetch();
+    const state = await response.json();
+    state.bus.lag_us = 12345678;
+    await route.fulfill({ response, json: state });
+  });
+  await page.locator('#bus-lag', { hasText: /^12\.3 s$/ }).waitFor();
+  await page.unrouteAll({ behavior: 'ignoreErrors' });
+  await page.locator('#bus-lag-field').waitFor({ state: 'hidden' });
+});
+
 test('a client of socketcand and the page see the same bus', async (t) => {
   const served = await startPanel('cbx-ao412@3', '--bus', 'socketcand:127.0.0.1:0');
   t.after(served.stop);

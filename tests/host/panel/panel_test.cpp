@@ -304,6 +304,33 @@ TEST(Panel, PageAsksForNothingFromElsewhere) {
     EXPECT_EQ(bench.panel.answer(request).status, 404);
 }
 
+TEST(Panel, TwentyFirstNoticeIsNewToThePageToo) {
+    PanelBench bench{{"cbx-ao412@3"}};
+    for (int i = 0; i < 21; ++i) {
+        bench.panel.notice(std::to_string(i));
+    }
+    const nlohmann::json state = bench.get("/api/state");
+    EXPECT_EQ(state.at("notices").size(), 20U);
+    EXPECT_EQ(state.at("notices").back(), "20");
+    EXPECT_EQ(state.at("next_notice"), 21);
+}
+
+TEST(Panel, SimulationThatFallsBehindIsTold_AndRequestsAreAnswered) {
+    PanelBench bench{{"cbx-ao412@3"}};
+    ASSERT_EQ(bench.send("603#2B17100001000000"), 200);  // a heartbeat every millisecond
+    bench.run_until(10);
+    bench.slow_down(milliseconds(5));
+    bench.run_until(1000);
+    EXPECT_GT(bench.get("/api/state").at("bus").at("lag_us"), 900000);
+    EXPECT_EQ(bench.get("/api/state").at("notices").size(), 1U);
+    const auto before = bench.get("/api/state").at("now").get<std::uint64_t>();
+    ASSERT_EQ(bench.send("703#R"), 200);
+    EXPECT_LT(bench.get("/api/state").at("now").get<std::uint64_t>(), before + 100000U);  // not all that is due
+    bench.slow_down(Duration{});
+    bench.run_until(2000);
+    EXPECT_EQ(bench.get("/api/state").at("bus").at("lag_us"), 0);
+}
+
 TEST(Panel, ManyAtOnce_EachGetsItsAnswer) {
     PanelBench bench{{"ax188001@2", "cbx-ao412@3"}};
     std::atomic<int> wrong{0};
