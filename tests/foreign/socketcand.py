@@ -4,13 +4,15 @@
 The port is the kernel's choice, read from what the program says. Frames by hand: CBX-AO412 7.9.2 (device type 191h with 0008h),
 CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended one: identifiers alone are compared.
 """
+import collections
 import re
 import subprocess
 import sys
+import threading
 
 import can
 
-PATIENCE = 20  # seconds; only a broken program lets it run out
+PATIENCE = 120  # seconds; only a broken program lets it run out
 
 
 def frame(identifier, data):
@@ -48,11 +50,23 @@ def converse(port):
     two.shutdown()
 
 
+def wait_for_boot_up(run, nodes):
+    """Returns when all have said their boot-up message: python-can takes one piece of what it gets for one answer, so that a frame
+    beside the answer to its `open` makes it refuse the server."""
+    missing = {f"70{node}#00" for node in nodes}
+    while missing:
+        line = run.stdout.readline()
+        assert line, f"the program ended without {missing}"
+        missing.discard(line.split()[2])
+    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and forgotten
+
+
 def main():
-    command = [sys.argv[1], "run", "cbx-ao412@3", "ax188001@5", "--bus", "socketcand:127.0.0.1:0", "--seconds", "120"]
-    run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    command = [sys.argv[1], "run", "cbx-ao412@3", "ax188001@5", "--bus", "socketcand:127.0.0.1:0", "--seconds", "600"]
+    run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         said = run.stderr.readline()
+        wait_for_boot_up(run, [3, 5])
         converse(int(re.search(r"port (\d+)", said).group(1)))
     finally:
         run.terminate()

@@ -65,6 +65,15 @@ void ArbitratedBus::detach_gateway(const Gateway& gateway) {
     ports_.erase(found);
 }
 
+bool ArbitratedBus::is_sending(const Gateway& gateway) const {
+    for (std::size_t i = 0; i < ports_.size(); ++i) {
+        if (ports_[i]->node == &gateway) {
+            return ports_[i]->repeated.has_value() || (running_ && running_->port == i);
+        }
+    }
+    return false;
+}
+
 bool ArbitratedBus::put(const Frame& frame, Instant) {
     return outside_.put(frame);
 }

@@ -32,6 +32,8 @@ class ArbitratedBus final : public Bus {
     /// leaves eight bit times to the others.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
+    /// A frame of that door is on the wire, or must be repeated: it would be lost with the door.
+    bool is_sending(const Gateway& gateway) const;
 
     bool put(const Frame& frame, Instant now) override;
     std::vector<Watch> watches() const override { return {}; }

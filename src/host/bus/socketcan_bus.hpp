@@ -29,6 +29,8 @@ class SocketCanBus final : public Bus {
     static constexpr Duration search_period = milliseconds(100);
     /// A controller that has not recovered from bus-off by itself is restarted after this.
     static constexpr Duration restart_after = milliseconds(500);
+    /// A run that is behind keeps about so many frames; then it leaves them in the kernel.
+    static constexpr std::size_t most_arrived = 65536;
 
     /// `now` is the time at which the bus is opened. Throws InputError when the interface cannot be opened.
     SocketCanBus(std::string interface, CanSystem& system, InterfaceControl control, Instant now);
@@ -100,6 +102,7 @@ class SocketCanBus final : public Bus {
     bool clock_is_known_{false};
     std::int64_t clock_offset_us_{0};  ///< run time minus real time
     std::deque<Arrival> arrived_;
+    Instant known_{};  ///< everything that came up to then is read
     std::uint64_t arrivals_{0};
     std::vector<CanReception> received_;  ///< of one system call
     bool roomy_{true};

@@ -19,9 +19,21 @@ struct ListenAddress {
 /// `127.0.0.1:29536`, `[::1]:29536`, `:0`; what is left out is as in ListenAddress. Throws InputError.
 ListenAddress parse_listen_address(const std::string& text);
 
+/// Nobody locks others out: a client that does not open the bus is sent away, one whose machine is gone is found out by
+/// TCP keepalive, and one for whom there is no place is told so. A client that has opened the bus may be silent.
 class SocketcandBus final : public Bus {
   public:
     static constexpr std::size_t most_clients = 32;
+    /// A client that has not opened the bus after this is sent away.
+    static constexpr Duration open_limit = milliseconds(10000);
+    /// Where all places are taken, a client that has not opened the bus after this gives way to a new one.
+    static constexpr Duration patience = milliseconds(1000);
+    /// A client that was sent away has so long to read why.
+    static constexpr Duration leave_limit = milliseconds(1000);
+    /// Seconds of silence after which the kernel asks whether a peer is still there; between questions; how many.
+    static constexpr int keepalive_idle = 30;
+    static constexpr int keepalive_interval = 10;
+    static constexpr int keepalive_questions = 3;
 
     /// Listens from here on. Throws InputError when the address cannot be had. `epoch_us`: real time at the run's time
     /// 0.
@@ -42,27 +54,41 @@ class SocketcandBus final : public Bus {
 
     /// The port that it listens at.
     std::uint16_t port() const { return port_; }
-    std::size_t clients() const { return clients_.size(); }
+    /// Those that were sent away do not count.
+    std::size_t clients() const;
 
   private:
     struct Client {
         int descriptor{-1};
         std::string name;
         std::unique_ptr<SocketcandSession> session;
-        bool ended{false};  ///< sends no more; what it has sent still goes onto the bus
+        Instant joined_at{};
+        Instant closes_at{never};  ///< it was sent away
+        bool ended{false};         ///< sends no more; what it has sent still goes onto the bus
+        bool deaf{false};          ///< takes no more
         bool gone{false};
+
+        bool leaves() const { return closes_at != never; }
+        bool is_idle() const { return !leaves() && !session->has_joined(); }
     };
 
-    void accept_clients();
+    void accept_clients(Instant now);
+    void take_client(int descriptor, Instant now);
+    bool make_place(Instant now);
+    void send_away(Client& client, const std::string& why, Instant now) const;
+    void end_idle_clients(Instant now);
     void read_client(Client& client, Instant now);
     void write_client(Client& client);
     void drop_gone_clients();
+    void tell_remote_frame(const Frame& frame);
 
     ArbitratedBus bus_;
     std::uint64_t epoch_us_;
     int listener_{-1};
     std::uint16_t port_{0};
     std::vector<Client> clients_;
+    bool refusal_told_{false};
+    bool remote_frame_told_{false};
 };
 
 }  // namespace canproof::host

@@ -89,7 +89,16 @@ void SocketcandSession::say(const std::string& text) {
     output_ += text;
 }
 
+void SocketcandSession::send_away(const std::string& why) {
+    say("< error " + why + " >");
+    sent_away_ = true;
+    input_.clear();
+}
+
 bool SocketcandSession::receive(std::string_view text, Instant now) {
+    if (sent_away_) {
+        return false;
+    }
     input_ += text;
     const std::uint64_t before = transmitted_.frames;
     while (!is_dropped() && !gateway_.is_full()) {
@@ -159,7 +168,7 @@ bool SocketcandSession::change_mode(const std::string& word) {
 void SocketcandSession::send_frame(const std::string& rest) {
     const auto frame = read_frame(rest);
     if (!frame) {
-        say("< error send takes identifier, length and bytes in hexadecimal >");
+        say("< error send takes identifier, length and bytes in hexadecimal; the protocol has no remote frames >");
         return;
     }
     if (gateway_.put(*frame)) {

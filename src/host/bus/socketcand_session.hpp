@@ -11,8 +11,8 @@
 namespace canproof::host {
 
 /// The commands that python-can, SavvyCAN and socketcand's own client use: open, rawmode, bcmmode, controlmode, send,
-/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames. What is not understood gets `< error …
-/// >`.
+/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames: a client neither hears nor sends them.
+/// What is not understood gets `< error … >`.
 class SocketcandSession {
   public:
     /// Unread text that is held while the bus is busy; then the client must wait.
@@ -45,6 +45,11 @@ class SocketcandSession {
     const std::string& dropped_because() const { return dropped_; }
     bool is_dropped() const { return !dropped_.empty(); }
 
+    /// Whether it has opened the bus.
+    bool has_joined() const { return mode_ != Mode::no_bus; }
+    /// Tells the client why it must go. From then on nothing that it sends counts.
+    void send_away(const std::string& why);
+
   private:
     enum class Mode { no_bus, bcm, raw, control };
 
@@ -63,6 +68,7 @@ class SocketcandSession {
     std::string input_;
     std::string output_;
     std::string dropped_;
+    bool sent_away_{false};
     std::set<std::uint64_t> subscriptions_;
     Duration statistics_period_{};
     Instant next_statistics_{never};

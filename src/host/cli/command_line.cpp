@@ -46,7 +46,9 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, "NAME or NAME@NODE");
     command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
-    command.add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
+    command
+        .add_option("--bus", running.bus,
+                    "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536 (serves; has no remote frames)")
         ->capture_default_str();
     command.add_option("--bus-faults", running.bus_faults,
                        "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");

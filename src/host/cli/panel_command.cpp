@@ -60,6 +60,9 @@ class PanelRun {
             wait();
         }
         panel_.alone([this] { prepared_.finish(); });
+        if (const std::string told = panel_.summary(); !told.empty()) {
+            fmt::print(stderr, "{}\n", told);
+        }
     }
 
   private:

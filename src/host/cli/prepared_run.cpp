@@ -9,6 +9,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/make_bus.hpp"
+#include "host/run/device_names.hpp"
 
 namespace canproof::host {
 
@@ -45,28 +46,40 @@ std::ofstream open_output(const std::string& path) {
     return out;
 }
 
-/// `device.signal` must name a device that runs; the rest is checked as without it.
-void check_targets(const std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
+const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string>& names,
+                              const std::vector<ChosenDevice>& devices) {
+    try {
+        const ChosenDevice& device = devices[find_device(names, one.signal.substr(0, one.signal.rfind('.')))];
+        if (device.part != nullptr) {
+            return device;
+        }
+    } catch (const InputError& error) {
+        throw InputError{fmt::format("{}: {}", one.where, error.what())};
+    }
+    throw InputError{fmt::format("{}: {} has no signals", one.where, one.signal)};
+}
+
+/// `device.signal` must name a device that runs, and gets its whole name; the rest is checked as without it.
+void check_targets(std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
+    std::vector<std::string> names;
     for (const ChosenDevice& one : devices) {
+        names.push_back(one.name);
         if (one.part != nullptr) {
             parts.push_back(one.part);
         }
     }
-    for (Stimulus one : stimuli) {
+    for (Stimulus& one : stimuli) {
         const auto point = one.signal.rfind('.');
         if (point == std::string::npos) {
             check_stimuli({one}, parts);
             continue;
         }
-        const std::string name = one.signal.substr(0, point);
-        const auto found =
-            std::find_if(devices.begin(), devices.end(), [&](const auto& device) { return device.name == name; });
-        if (found == devices.end() || found->part == nullptr) {
-            throw InputError{fmt::format("{}: no device {} with signals runs here", one.where, name)};
-        }
-        one.signal = one.signal.substr(point + 1);
-        check_stimuli({one}, {found->part});
+        const ChosenDevice& device = target_of(one, names, devices);
+        Stimulus plain = one;
+        plain.signal = one.signal.substr(point + 1);
+        check_stimuli({plain}, {device.part});
+        one.signal = device.name + "." + plain.signal;
     }
 }
 

@@ -15,6 +15,7 @@
 #include "host/run/event_loop.hpp"
 #include "host/run/line_input.hpp"
 #include "host/run/live_table.hpp"
+#include "host/run/pace.hpp"
 
 namespace canproof::host {
 
@@ -41,14 +42,14 @@ class Run {
         next_table_ = is_table_ ? Instant{} : never;
         session_.power_on();
         while (!loop_.is_interrupted() && session_.now() < end_) {
-            session_.advance_to(earliest(now(), end_));
+            pace_.advance(session_, earliest(now(), end_));
             put_lines();
             flush();
             show_table(false);
             wait();
         }
-        show_table(true);
         tell_losses();
+        show_table(true);
         std::cout.flush();
         prepared_.finish();
     }
@@ -72,6 +73,9 @@ class Run {
 
     void tell_losses() {
         const BusReport report = session_.bus().report(session_.now());
+        if (!pace_.summary().empty()) {
+            take_notice(pace_.summary());
+        }
         if (report.lost != 0 || report.missed != 0) {
             take_notice(fmt::format("in all {} frames lost to the log, {} to the devices", report.lost, report.missed));
         }
@@ -117,7 +121,8 @@ class Run {
         next_table_ = now() + table_period;
         winsize size{};
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
-        const auto lines = table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{});
+        const auto lines =
+            table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{}, pace_.lag());
         std::string text = "\033[H";  // home; each line is cleared behind what it says, the rest of the screen below
         for (const std::string& line : lines) {
             text += line + "\033[K\n";
@@ -129,6 +134,7 @@ class Run {
     std::vector<std::string> notices_;
     PreparedRun prepared_;
     RunSession& session_;
+    Pace pace_{[this] { return now(); }, [this](const std::string& text) { take_notice(text); }};
     std::deque<std::string> lines_;
     Instant end_{never};
     Instant next_table_{never};  ///< never: no table

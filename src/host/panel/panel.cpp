@@ -7,6 +7,7 @@
 
 #include "host/bus/candump.hpp"
 #include "host/panel/assets.hpp"
+#include "host/run/device_names.hpp"
 #include "host/run/live_table.hpp"
 
 namespace canproof::host {
@@ -141,7 +142,10 @@ const char* asset_type(const std::string& path) {
 }  // namespace
 
 Panel::Panel(const Register& content, Clock clock, std::function<void()> wake)
-    : clock_{std::move(clock)}, wake_{std::move(wake)}, recorder_{content} {}
+    : clock_{std::move(clock)},
+      wake_{std::move(wake)},
+      pace_{clock_, [this](const std::string& text) { notice(text); }},
+      recorder_{content} {}
 
 void Panel::take(RunSession& session, std::vector<const Part*> parts) {
     const std::lock_guard<std::mutex> lock{mutex_};
@@ -161,7 +165,7 @@ void Panel::power_on() {
 
 void Panel::advance_to(Instant now) {
     const std::lock_guard<std::mutex> lock{mutex_};
-    session_->advance_to(now);
+    pace_.advance(*session_, now);
     recorder_.on_step(session_->now());
 }
 
@@ -282,6 +286,7 @@ nlohmann::json Panel::state(std::uint64_t changes_from, std::uint64_t frames_fro
               {"errors", report.errors},
               {"lost", report.lost},
               {"missed", report.missed},
+              {"lag_us", pace_.lag().us},
               {"latency_us", report.worst_latency.us}}},
             {"devices", std::move(devices)},
             {"next_change", recorder_.changes().next()},
@@ -289,6 +294,7 @@ nlohmann::json Panel::state(std::uint64_t changes_from, std::uint64_t frames_fro
             {"next_frame", recorder_.frames().next()},
             {"frames", std::move(frames)},
             {"notices", notices_.items()},
+            {"next_notice", notices_.next()},
             {"stimuli", stimuli_.next()}};
 }
 
@@ -312,11 +318,15 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
         return error_response(400, R"(send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
     }
     const std::lock_guard<std::mutex> lock{mutex_};
-    const auto& devices = recorder_.devices();
-    const auto found =
-        std::find_if(devices.begin(), devices.end(), [&](const auto& one) { return one.name == *device; });
-    if (found == devices.end()) {
-        return error_response(404, fmt::format("no device `{}` runs here", device->get<std::string>()));
+    std::vector<std::string> names;
+    for (const Recorder::Device& one : recorder_.devices()) {
+        names.push_back(one.name);
+    }
+    const Recorder::Device* found = nullptr;
+    try {
+        found = &recorder_.devices()[find_device(names, device->get<std::string>())];
+    } catch (const InputError& error) {
+        return error_response(404, error.what());
     }
     const Instant now = std::max(clock_(), session_->now());
     Stimulus one{"stimulus", now + microseconds(1), signal->get<std::string>(), value->get<double>()};
@@ -344,7 +354,7 @@ PanelResponse Panel::send(const nlohmann::json& body) {
         return error_response(422, error.what());
     }
     const std::lock_guard<std::mutex> lock{mutex_};
-    session_->advance_to(std::max(clock_(), session_->now()));
+    pace_.advance(*session_, std::max(clock_(), session_->now()));
     if (!session_->put(frame)) {
         return error_response(503, "the bus cannot take a frame now; try again");
     }

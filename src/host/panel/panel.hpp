@@ -8,6 +8,7 @@
 
 #include "host/panel/recorder.hpp"
 #include "host/panel/request_guard.hpp"
+#include "host/run/pace.hpp"
 #include "host/run/run_session.hpp"
 
 namespace canproof::host {
@@ -34,6 +35,8 @@ class Panel {
     Instant next_deadline() const;
     std::vector<Watch> watches() const;
     void notice(const std::string& text);
+    /// What the user should know at the end; empty when there is nothing.
+    std::string summary() const { return pace_.summary(); }
     /// Calls use() while no one else touches the session.
     void alone(const std::function<void()>& use) const;
 
@@ -53,6 +56,7 @@ class Panel {
     mutable std::mutex mutex_;
     Clock clock_;
     std::function<void()> wake_;
+    Pace pace_;
     Recorder recorder_;
     RunSession* session_{nullptr};
     std::vector<const Part*> parts_;

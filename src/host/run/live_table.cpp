@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::size_t notices_shown = 3;
 
-std::string bus_line(const RunSession& session) {
+std::string bus_line(const RunSession& session, Duration lag) {
     const BusReport report = session.bus().report(session.now());
     return fmt::format(
-        "{}  {}  load {:.1f} %  {} frames{}  {} errors  latency < {:.3f} ms  {:.1f} s", session.bus().interface(),
+        "{}  {}  {}load {:.1f} %  {} frames{}  {} errors  latency < {:.3f} ms  {:.1f} s", session.bus().interface(),
         report.bit_rate == 0 ? std::string{"no bit rate"} : fmt::format("{} kbit/s", report.bit_rate / 1000),
+        lag.us == 0 ? std::string{} : fmt::format("{:.1f} s BEHIND  ", static_cast<double>(lag.us) / 1.0e6),
         report.load * 100.0, report.frames, report.lost == 0 ? std::string{} : fmt::format("  {} lost", report.lost),
         report.errors, static_cast<double>(report.worst_latency.us) / 1000.0,
         static_cast<double>(session.now().us) / 1.0e6);
@@ -50,10 +51,10 @@ const char* state_word(NmtState state) {
     }
 }
 
-std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices,
-                                     TableSize size) {
-    std::vector<std::string> lines{bus_line(session), fmt::format("{:<16}{:>5}  {:<16}{:>9}  {}", "device", "node",
-                                                                  "state", "frames", "last frame")};
+std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices, TableSize size,
+                                     Duration lag) {
+    std::vector<std::string> lines{bus_line(session, lag), fmt::format("{:<16}{:>5}  {:<16}{:>9}  {}", "device", "node",
+                                                                       "state", "frames", "last frame")};
     const std::size_t told = std::min(notices.size(), notices_shown);
     const std::size_t room = size.rows > lines.size() + told + 2 ? size.rows - lines.size() - told - 2 : 1;
     const std::size_t count = session.nodes().size();

@@ -14,9 +14,9 @@ struct TableSize {
 };
 
 /// Lines of at most `columns` characters, at most `rows - 1` of them; nodes that find no room are counted in the last.
-/// `notices`: the newest last, shown below.
-std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices,
-                                     TableSize size);
+/// `notices`: the newest last, shown below. `lag`: how far the simulation is behind, shown where it is.
+std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices, TableSize size,
+                                     Duration lag = {});
 
 /// "operational"
 const char* state_word(NmtState state);

@@ -42,13 +42,20 @@ Instant RunSession::next_deadline() const {
 }
 
 void RunSession::advance_to(Instant now) {
-    const Instant known = bus_->poll(now);
-    advance_known(earliest(known, now));
+    advance_to(now, [] { return true; });
 }
 
-void RunSession::advance_known(Instant now) {
+void RunSession::advance_to(Instant now, const std::function<bool()>& may_go_on) {
+    const Instant known = bus_->poll(now);
+    advance_known(earliest(known, now), may_go_on);
+}
+
+void RunSession::advance_known(Instant now, const std::function<bool()>& may_go_on) {
     for (Instant due = next_deadline(); due <= now; due = next_deadline()) {
         step(due < now_ ? now_ : due);
+        if (!may_go_on()) {
+            return;
+        }
     }
     if (now_ < now) {
         now_ = now;

@@ -2,6 +2,7 @@
 // a device sees depends on the times of frames and stimuli alone, so that a log of them replays to the same frames.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -48,6 +49,8 @@ class RunSession {
     void power_on();
     /// Everything that is due up to `now`, each at its own time; less far when the bus has more than one turn reads.
     void advance_to(Instant now);
+    /// The same, but no further once may_go_on() is false after a step: now() is then earlier.
+    void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
     /// A frame from the user. False when the bus cannot take it now.
     bool put(const Frame& frame);
@@ -62,7 +65,7 @@ class RunSession {
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:
-    void advance_known(Instant now);
+    void advance_known(Instant now, const std::function<bool()>& may_go_on);
     void step(Instant at);
     void stimulate(Instant at);
     void record(const BusFrame& frame);

@@ -427,4 +427,23 @@ TEST_F(SocketCan, FramesKeepFormatThroughTheKernelsForm) {
     EXPECT_EQ(to_kernel(parse_frame("703#R", "test")).can_id, 0x703U | CAN_RTR_FLAG);
 }
 
+TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
+    start();
+    constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096
+    for (std::size_t i = 0; i < count; ++i) {
+        system.arrive(monitor, "080#", 5000000 + i);
+    }
+    now.us += count;
+    system.realtime_us += count;
+    for (int turn = 0; turn < 100; ++turn) {
+        bus->poll(now);  // and no time to act
+    }
+    EXPECT_EQ(system.sockets[monitor].arriving.size(), 3U * 4096U);
+    for (int turn = 0; turn < 5; ++turn) {
+        bus->advance(bus->poll(now));
+    }
+    EXPECT_THAT(log, SizeIs(count));
+    EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
+}
+
 }  // namespace canproof::host::test

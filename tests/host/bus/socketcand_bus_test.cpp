@@ -1,17 +1,19 @@
 // The socketcand server over real TCP on the loopback, at a port that the kernel chose. What a client sends has arrived
-// when poll() says so: no test waits for a clock.
+// when poll() says so: no test waits for a clock. Virtual time passes only while the bus has something to do.
 #include "host/bus/socketcand_bus.hpp"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstring>
+#include <memory>
 
 #include "host/bus/bus_bench.hpp"
 
@@ -23,7 +25,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-constexpr int patience_ms = 10000;  // only a broken test waits so long
+constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
+constexpr int most_looks = 12000;  // only a broken test waits so long
+constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
 
 class TcpClient {
   public:
@@ -81,26 +85,36 @@ class SocketcandServer : public testing::Test {
         bus.on_notice([this](const std::string& text) { notices.push_back(text); });
         bus.attach(node);
     }
-    /// Turns until `done`, in virtual time; where nothing happens it waits for the kernel, not for a clock.
     template <typename Condition>
     bool until(const Condition& done) {
-        for (int turn = 0; turn < 20000; ++turn) {
-            now.us += 1000;
+        for (int looks = 0; looks < most_looks;) {
             bus.poll(now);
-            run_until(bus, bus.next_deadline() < now ? bus.next_deadline() : now, now);
+            bus.advance(now);
             if (done()) {
                 return true;
             }
-            std::vector<pollfd> waiting;
-            for (const Watch& watch : bus.watches()) {
-                const int events = (watch.readable ? POLLIN : 0) | (watch.writable ? POLLOUT : 0);
-                waiting.push_back({watch.descriptor, static_cast<short>(events), 0});
-            }
-            if (bus.next_deadline() == never && ::poll(waiting.data(), waiting.size(), patience_ms) == 0) {
-                return false;
+            const Instant due = bus.next_deadline();
+            if (due <= now + soon) {
+                now = now < due ? due : now;
+            } else {
+                looks += wait_for_the_kernel() ? 0 : 1;
             }
         }
         return false;
+    }
+    void pass(Duration time) {
+        now = now + time;
+        bus.poll(now);
+        bus.advance(now);
+    }
+    std::vector<std::unique_ptr<TcpClient>> clients_that(const std::string& say, std::size_t count) {
+        std::vector<std::unique_ptr<TcpClient>> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            all.push_back(std::make_unique<TcpClient>(bus.port()));
+            all.back()->say(say);
+            EXPECT_TRUE(until([&] { return bus.clients() == i + 1; }));
+        }
+        return all;
     }
 
     SocketcandBus bus{{"127.0.0.1", 0}, 1000000, {}, 0};
@@ -108,6 +122,16 @@ class SocketcandServer : public testing::Test {
     Instant now{};
     std::vector<std::string> log;
     std::vector<std::string> notices;
+
+  private:
+    bool wait_for_the_kernel() const {
+        std::vector<pollfd> waiting;
+        for (const Watch& watch : bus.watches()) {
+            const int events = (watch.readable ? POLLIN : 0) | (watch.writable ? POLLOUT : 0);
+            waiting.push_back({watch.descriptor, static_cast<short>(events), 0});
+        }
+        return ::poll(waiting.data(), waiting.size(), look_again_ms) > 0;
+    }
 };
 
 const std::string join = "< open can0 >< rawmode >";
@@ -180,11 +204,10 @@ TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndTheOthersMissNothing) {
     ASSERT_TRUE(until([&] { return calm.heard() == joined; }));
     std::size_t sent = 0;
     ASSERT_TRUE(until([&] {
-        for (int i = 0; i < 200; ++i, ++sent) {
+        for (int i = 0; i < 200 && node.waiting.size() < 200; ++i, ++sent) {
             node.send("583#4300100091010800");
         }
         calm.heard();
-        now.us += 100000;
         return bus.clients() == 1;
     }));
     ASSERT_THAT(notices, SizeIs(1));
@@ -202,19 +225,108 @@ TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndTheOthersMissNothing) {
     EXPECT_EQ(frames, sent);
 }
 
-TEST_F(SocketcandServer, MoreClientsThanItTakesWaitAtTheDoor) {
-    std::vector<std::unique_ptr<TcpClient>> clients;
-    for (std::size_t i = 0; i < SocketcandBus::most_clients; ++i) {
-        clients.push_back(std::make_unique<TcpClient>(bus.port()));
-        ASSERT_TRUE(until([&] { return bus.clients() == i + 1; }));
-    }
+TEST_F(SocketcandServer, ClientForWhomThereIsNoPlaceIsToldSo) {
+    auto clients = clients_that(join, SocketcandBus::most_clients);
     TcpClient late{bus.port()};
-    now.us += 1000;
-    bus.poll(now);
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_EQ(late.heard(), "< hi >< error 32 clients have joined, which is the most; try again when one has left >");
     EXPECT_EQ(bus.clients(), SocketcandBus::most_clients);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("refused")));
     clients.pop_back();
+    ASSERT_TRUE(until([&] { return bus.clients() < SocketcandBus::most_clients; }));
+    TcpClient next{bus.port()};
+    next.say(join);
+    EXPECT_TRUE(until([&] { return next.heard() == joined; }));
+}
+
+TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
+    const auto idle = clients_that("", SocketcandBus::most_clients);
+    pass(SocketcandBus::patience);
+    TcpClient late{bus.port()};
     late.say(join);
     EXPECT_TRUE(until([&] { return late.heard() == joined; }));
+    ASSERT_TRUE(until([&] { return idle.front()->ended(); }));
+    EXPECT_EQ(idle.front()->heard(),
+              "< hi >< error another client needs the place, and this one has not opened the bus >");
+    EXPECT_FALSE(idle.back()->ended());
+}
+
+TEST_F(SocketcandServer, CrowdOfRefusedClientsTakesNoMorePlacesThanThereAre) {
+    const auto clients = clients_that(join, SocketcandBus::most_clients);
+    std::vector<std::unique_ptr<TcpClient>> late;
+    for (std::size_t i = 0; i < 2 * SocketcandBus::most_clients; ++i) {
+        late.push_back(std::make_unique<TcpClient>(bus.port()));
+        ASSERT_TRUE(until([&] { return late.back()->ended(); }));
+    }
+    EXPECT_LE(bus.watches().size(), 1 + 2 * SocketcandBus::most_clients);
+    EXPECT_THAT(notices, SizeIs(1));
+}
+
+TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsSentAway_AndASilentOneThatDidStays) {
+    TcpClient silent{bus.port()};
+    silent.say(join);
+    ASSERT_TRUE(until([&] { return silent.heard() == joined; }));
+    TcpClient idle{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 2; }));
+    EXPECT_EQ(bus.next_deadline(), now + SocketcandBus::open_limit);
+    pass(Duration{SocketcandBus::open_limit.us - 1});
+    EXPECT_EQ(bus.clients(), 2U);
+    pass(microseconds(1));
+    EXPECT_EQ(bus.clients(), 1U);
+    ASSERT_TRUE(until([&] { return idle.ended(); }));
+    EXPECT_EQ(idle.heard(), "< hi >< error the bus was not opened within 10 s >");
+    idle.say(join);  // too late: it reads why, and that is all
+    pass(SocketcandBus::leave_limit);
+    EXPECT_EQ(bus.watches().size(), 2U);  // the listener, and the one that stays
+    pass(milliseconds(3600000));
+    EXPECT_EQ(bus.clients(), 1U);
+    node.send("703#05");
+    EXPECT_TRUE(until([&] { return silent.heard().find("< frame 703 ") != std::string::npos; }));
+}
+
+TEST_F(SocketcandServer, SilentPeerIsAskedByTheKernelWhetherItIsThere) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    const int descriptor = bus.watches().back().descriptor;
+    const auto option = [&](int level, int name) {
+        int value = 0;
+        socklen_t size = sizeof value;
+        EXPECT_EQ(getsockopt(descriptor, level, name, &value, &size), 0);
+        return value;
+    };
+    EXPECT_EQ(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+    // 30 s of silence, then three questions 10 s apart: its place is free after a minute.
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPIDLE), 30);
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPINTVL), 10);
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPCNT), 3);
+}
+
+TEST_F(SocketcandServer, RemoteFrameThatClientsCannotHearIsToldOnce) {
+    node.send("703#R");
+    ASSERT_TRUE(until([&] { return log.size() == 1; }));
+    EXPECT_THAT(notices, SizeIs(0));  // nobody is there who would miss it
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    node.send("703#R");
+    node.send("704#R");
+    ASSERT_TRUE(until([&] { return log.size() == 3; }));
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("703#R is a remote frame")));
+    EXPECT_THAT(notices[0], HasSubstr("--bus socketcan"));
+    EXPECT_EQ(client.heard(), joined);
+}
+
+TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
+    {
+        TcpClient client{bus.port()};
+        client.say(join + "< send 123 1 AA >");
+        ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+        bus.poll(now);
+        bus.advance(now);  // on the wire, and not yet over it
+    }
+    EXPECT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_THAT(log, ElementsAre("123#AA"));
 }
 
 TEST_F(SocketcandServer, ListensOnTheLoopbackUnlessTold) {

@@ -99,12 +99,23 @@ TEST_F(SocketcandClient, MalformedCommandsAreRefusedAndTheNextIsHeard) {
                               "< send -1 0 >", "< send 20000000 0 >", "< send 703 1 1x >"}) {
         EXPECT_THAT(say(wrong), HasSubstr("< error send takes")) << wrong;
     }
+    EXPECT_THAT(say("< send 703 R >"), HasSubstr("no remote frames"));
     for (const char* wrong : {"<>", "< >", "< isotpmode >", "< SEND 703 0 >", "< subscribe 0 0 703 >"}) {
         EXPECT_EQ(say(wrong), "< error unknown command >") << wrong;
     }
     EXPECT_EQ(say("garbage \x01\xff > < echo >"), "< echo >");
     EXPECT_EQ(frames(), Frames{});
     EXPECT_FALSE(session.is_dropped());
+}
+
+TEST_F(SocketcandClient, ThatIsSentAwayHearsWhyAndIsHeardNoMore) {
+    EXPECT_FALSE(session.has_joined());
+    heard();
+    session.send_away("too late");
+    EXPECT_EQ(heard(), "< error too late >");
+    EXPECT_EQ(say("< open can0 >< rawmode >< send 703 0 >"), "");
+    EXPECT_FALSE(session.has_joined());
+    EXPECT_EQ(frames(), Frames{});
 }
 
 TEST_F(SocketcandClient, EndlessCommandIsCutAndCostsNoMemory) {

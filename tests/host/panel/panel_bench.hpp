@@ -36,6 +36,8 @@ class PanelBench {
         now_ = Instant{ms * 1000U};
         panel.advance_to(now_);
     }
+    /// Each look at the clock takes so long from now on, and with it each step.
+    void slow_down(Duration cost) { cost_ = cost; }
     nlohmann::json get(const std::string& path, std::uint64_t changes = 0, std::uint64_t frames = 0) {
         PanelRequest request = from_own_page("GET", path);
         request.changes_from = changes;
@@ -73,7 +75,12 @@ class PanelBench {
 
     std::ostringstream log;
     int wakes{0};
-    Panel panel{built_in_register(), [this] { return now_; }, [this] { ++wakes; }};
+    Panel panel{built_in_register(),
+                [this] {
+                    now_ = now_ + cost_;
+                    return now_;
+                },
+                [this] { ++wakes; }};
 
   private:
     static PanelRequest from_own_page(const std::string& method, const std::string& path) {
@@ -96,6 +103,7 @@ class PanelBench {
     }
 
     Instant now_{};
+    Duration cost_{};
     std::unique_ptr<RunSession> session_;
 };
 

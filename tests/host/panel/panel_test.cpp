@@ -111,11 +111,21 @@ TEST(Panel, StimulusThatIsNoneIsRefused_AndChangesNothing) {
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", -271.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_open", 2.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_wire", 1.5), 422);
-    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 1.0), 404);
+    EXPECT_EQ(bench.stimulate("ax130751", "tc1_celsius", 1.0), 404);
+    EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"ax130751","signal":"supply","value":12})").body,
+                HasSubstr("there is ax188001@2"));
     EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"ax188001@2","signal":"tc1_celsius","value":9999})").body,
                 HasSubstr("from -270 to 1820, not 9999"));
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n");
     EXPECT_EQ(bench.wakes, 0);
+}
+
+TEST(Panel, DeviceIsNamedWithoutItsNodeWhereOnlyOneHasTheName) {
+    PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
+    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // README's own request
+    EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
+    EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"cbx-ao412","signal":"supply","value":24})").body,
+                HasSubstr("cbx-ao412@3, cbx-ao412@4"));
 }
 
 TEST(Panel, MalformedBodyIsRefused) {
@@ -292,6 +302,33 @@ TEST(Panel, PageAsksForNothingFromElsewhere) {
     EXPECT_EQ(bench.panel.answer(request).status, 404);
     request.path = "/etc/passwd";
     EXPECT_EQ(bench.panel.answer(request).status, 404);
+}
+
+TEST(Panel, TwentyFirstNoticeIsNewToThePageToo) {
+    PanelBench bench{{"cbx-ao412@3"}};
+    for (int i = 0; i < 21; ++i) {
+        bench.panel.notice(std::to_string(i));
+    }
+    const nlohmann::json state = bench.get("/api/state");
+    EXPECT_EQ(state.at("notices").size(), 20U);
+    EXPECT_EQ(state.at("notices").back(), "20");
+    EXPECT_EQ(state.at("next_notice"), 21);
+}
+
+TEST(Panel, SimulationThatFallsBehindIsTold_AndRequestsAreAnswered) {
+    PanelBench bench{{"cbx-ao412@3"}};
+    ASSERT_EQ(bench.send("603#2B17100001000000"), 200);  // a heartbeat every millisecond
+    bench.run_until(10);
+    bench.slow_down(milliseconds(5));
+    bench.run_until(1000);
+    EXPECT_GT(bench.get("/api/state").at("bus").at("lag_us"), 900000);
+    EXPECT_EQ(bench.get("/api/state").at("notices").size(), 1U);
+    const auto before = bench.get("/api/state").at("now").get<std::uint64_t>();
+    ASSERT_EQ(bench.send("703#R"), 200);
+    EXPECT_LT(bench.get("/api/state").at("now").get<std::uint64_t>(), before + 100000U);  // not all that is due
+    bench.slow_down(Duration{});
+    bench.run_until(2000);
+    EXPECT_EQ(bench.get("/api/state").at("bus").at("lag_us"), 0);
 }
 
 TEST(Panel, ManyAtOnce_EachGetsItsAnswer) {

@@ -24,6 +24,8 @@ function showBus(name, { now, bus }) {
   tell(byId('bus-errors'), String(bus.errors));
   byId('bus-lost-field').hidden = bus.lost + bus.missed === 0;
   tell(byId('bus-lost'), `${bus.lost} to the log, ${bus.missed} to the devices`);
+  byId('bus-lag-field').hidden = bus.lag_us === 0;
+  tell(byId('bus-lag'), `${(bus.lag_us / 1e6).toFixed(1)} s`);
   tell(byId('bus-latency'), `< ${(bus.latency_us / 1000).toFixed(2)} ms`);
   tell(byId('bus-time'), `${seconds(now).slice(0, -2)} s`);
 }
@@ -54,8 +56,8 @@ async function start() {
     showBus(name, state);
     log.show(state.frames);
     [changes, frames] = [state.next_change, state.next_frame];
-    if (state.notices.length !== notices) message(state.notices.at(-1));
-    notices = state.notices.length;
+    if (state.next_notice !== notices) message(state.notices.at(-1));
+    notices = state.next_notice;
   }
   return follow;
 }
