@@ -34,17 +34,6 @@ std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
     return all;
 }
 
-std::ofstream open_output(const std::string& path) {
-    std::ofstream out;
-    if (!path.empty()) {
-        out.open(path);
-        if (!out) {
-            throw InputError{fmt::format("cannot write {}; name a file in a folder that exists", path)};
-        }
-    }
-    return out;
-}
-
 /// `device.signal` must name a device that runs; the rest is checked as without it.
 void check_targets(const std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
@@ -84,7 +73,7 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : nvm_folder_{options.nvm}, log_{open_output(options.log)}, outputs_{open_output(options.outputs)} {
+    : nvm_folder_{options.nvm}, stimulus_{options.stimulus}, log_{options.log}, outputs_{options.outputs} {
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
@@ -99,8 +88,8 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
     bus->on_notice(std::move(notice));
     SessionOutputs outputs;
     outputs.frames = frames;
-    outputs.log = options.log.empty() ? nullptr : &log_;
-    outputs.outputs = options.outputs.empty() ? nullptr : &outputs_;
+    outputs.log = log_.stream();
+    outputs.outputs = outputs_.stream();
     outputs.observer = observer;
     session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);
 }
@@ -116,12 +105,13 @@ void PreparedRun::load_own_memory(ChosenDevice& one) const {
     }
 }
 
+void PreparedRun::open_outputs() {
+    OutputFile::open({&log_, &outputs_}, {stimulus_});
+}
+
 void PreparedRun::flush() {
-    for (std::ofstream* file : {&log_, &outputs_}) {
-        if (file->is_open()) {
-            file->flush();
-        }
-    }
+    log_.flush();
+    outputs_.flush();
 }
 
 void PreparedRun::finish() {
@@ -130,12 +120,8 @@ void PreparedRun::finish() {
             save_memory(node->device().memory(), memory_file(node->name()));
         }
     }
-    flush();
-    for (const std::ofstream* file : {&log_, &outputs_}) {
-        if (file->is_open() && !file->good()) {
-            throw InputError{"the log or the outputs could not be written to their end; is the disk full?"};
-        }
-    }
+    log_.finish();
+    outputs_.finish();
 }
 
 }  // namespace canproof::host
