@@ -105,15 +105,14 @@ LoggedFrame parse_candump_line(const std::string& line, const std::string& where
 
 std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& name) {
     std::vector<LoggedFrame> log;
-    std::string line;
-    for (int number = 1; std::getline(in, line); ++number) {
-        if (line.find_first_not_of(" \t\r") == std::string::npos) {
+    LineReader lines{in, name};
+    while (lines.next()) {
+        if (lines.line().find_first_not_of(" \t") == std::string::npos) {
             continue;
         }
-        const std::string where = fmt::format("{}:{}", name, number);
-        log.push_back(parse_candump_line(line, where));
+        log.push_back(parse_candump_line(lines.line(), lines.where()));
         if (log.size() > 1 && log.back().time < log[log.size() - 2].time) {
-            throw InputError{fmt::format("{}: time goes backwards; sort the log by time", where)};
+            throw InputError{fmt::format("{}: time goes backwards; sort the log by time", lines.where())};
         }
     }
     return log;

@@ -65,13 +65,20 @@ int check_spec(const std::string& spec) {
     if (!std::filesystem::is_directory(spec)) {
         throw InputError{fmt::format("{} is no folder; name the register with --spec", spec)};
     }
-    const LoadResult loaded = load_register(read_spec_files(spec));
+    const SpecFiles files = read_spec_files(spec);
+    if (files.empty()) {
+        throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
+    }
+    const LoadResult loaded = load_register(files);
     for (const auto& fault : loaded.faults) {
         fmt::print(stderr, "{}\n", fault.text());
     }
     std::size_t items = 0;
     for (const auto& part : loaded.content.parts) {
         loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
+    }
+    if (items == 0 && loaded.faults.empty()) {
+        throw InputError{fmt::format("{} has no item; name the folder of a register with --spec", spec)};
     }
     fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size());
     return loaded.faults.empty() ? 0 : 1;

@@ -3,6 +3,7 @@
 
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/standard_streams.hpp"
 
 namespace canproof::host {
 
@@ -233,9 +234,29 @@ void add_diff(CLI::App& app, std::function<int()>& chosen) {
     command->callback([&chosen] { chosen = [] { return diff(options); }; });
 }
 
+/// Whatever failed because standard output did has that for a reason.
+std::string why(const std::exception& error) {
+    try {
+        finish_standard_output();
+    } catch (const InputError& output) {
+        return output.what();
+    }
+    return error.what();
+}
+
+int run_chosen(CLI::App& app, const std::function<int()>& chosen, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : wrong_use;
+    }
+    return chosen();
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+    keep_standard_descriptors();
     CLI::App app{"canproof: four CANopen devices, generated from their requirements"};
     app.require_subcommand(1);
     std::function<int()> chosen;
@@ -249,13 +270,11 @@ int run_command_line(int argc, char** argv) {
     add_mutate(app, chosen);
     add_diff(app, chosen);
     try {
-        app.parse(argc, argv);
-        return chosen();
-    } catch (const CLI::ParseError& error) {
-        const int status = app.exit(error);
-        return status == 0 ? 0 : wrong_use;
+        const int status = run_chosen(app, chosen, argc, argv);
+        finish_standard_output();
+        return status;
     } catch (const std::exception& error) {
-        std::cerr << "canproof: " << error.what() << '\n';
+        std::cerr << "canproof: " << why(error) << '\n';
         return wrong_use;
     }
 }

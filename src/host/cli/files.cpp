@@ -10,6 +10,9 @@
 namespace canproof::host {
 
 std::ifstream open_input(const std::string& path) {
+    if (std::filesystem::is_directory(path)) {
+        throw InputError{fmt::format("{} is a folder; name a file", path)};
+    }
     std::ifstream in{path, std::ios::binary};
     if (!in) {
         throw InputError{fmt::format("cannot read {}; name an existing file", path)};

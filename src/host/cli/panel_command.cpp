@@ -9,6 +9,7 @@
 #include "host/cli/built_in.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/prepared_run.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/panel/panel_server.hpp"
 #include "host/run/event_loop.hpp"
 
@@ -49,11 +50,11 @@ class PanelRun {
     }
 
     void run() {
-        panel_.power_on();
         const PanelServer server{panel_, port_};
+        prepared_.open_outputs();
+        panel_.power_on();
         fmt::print("panel at {}  (Ctrl-C ends)\n", server.address());
-        std::cout.flush();
-        std::fflush(stdout);
+        finish_standard_output();
         while (!loop_.is_interrupted()) {
             panel_.advance_to(now());
             panel_.alone([this] { prepared_.flush(); });

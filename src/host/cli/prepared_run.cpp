@@ -35,17 +35,6 @@ std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
     return all;
 }
 
-std::ofstream open_output(const std::string& path) {
-    std::ofstream out;
-    if (!path.empty()) {
-        out.open(path);
-        if (!out) {
-            throw InputError{fmt::format("cannot write {}; name a file in a folder that exists", path)};
-        }
-    }
-    return out;
-}
-
 const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string>& names,
                               const std::vector<ChosenDevice>& devices) {
     try {
@@ -97,7 +86,7 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : nvm_folder_{options.nvm}, log_{open_output(options.log)}, outputs_{open_output(options.outputs)} {
+    : nvm_folder_{options.nvm}, stimulus_{options.stimulus}, log_{options.log}, outputs_{options.outputs} {
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
@@ -112,8 +101,8 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
     bus->on_notice(std::move(notice));
     SessionOutputs outputs;
     outputs.frames = frames;
-    outputs.log = options.log.empty() ? nullptr : &log_;
-    outputs.outputs = options.outputs.empty() ? nullptr : &outputs_;
+    outputs.log = log_.stream();
+    outputs.outputs = outputs_.stream();
     outputs.observer = observer;
     session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);
 }
@@ -129,12 +118,13 @@ void PreparedRun::load_own_memory(ChosenDevice& one) const {
     }
 }
 
+void PreparedRun::open_outputs() {
+    OutputFile::open({&log_, &outputs_}, {stimulus_});
+}
+
 void PreparedRun::flush() {
-    for (std::ofstream* file : {&log_, &outputs_}) {
-        if (file->is_open()) {
-            file->flush();
-        }
-    }
+    log_.flush();
+    outputs_.flush();
 }
 
 void PreparedRun::finish() {
@@ -143,12 +133,8 @@ void PreparedRun::finish() {
             save_memory(node->device().memory(), memory_file(node->name()));
         }
     }
-    flush();
-    for (const std::ofstream* file : {&log_, &outputs_}) {
-        if (file->is_open() && !file->good()) {
-            throw InputError{"the log or the outputs could not be written to their end; is the disk full?"};
-        }
-    }
+    log_.finish();
+    outputs_.finish();
 }
 
 }  // namespace canproof::host

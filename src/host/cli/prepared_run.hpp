@@ -1,7 +1,6 @@
 // Devices on a bus as a command line asks for them, with the files that go in and out: what `run` and `panel` share.
 #pragma once
 
-#include <fstream>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/output_file.hpp"
 #include "host/run/run_session.hpp"
 
 namespace canproof::host {
@@ -22,6 +22,8 @@ class PreparedRun {
     /// What describes each node of the session.
     const std::vector<const Part*>& parts() const { return parts_; }
 
+    /// The log and the outputs, emptied: before power-on, when nothing can refuse any more. Throws InputError.
+    void open_outputs();
     /// The log and the outputs, as far as they are written, to their files.
     void flush();
     /// Stored parameters and files to their end. Throws InputError.
@@ -32,8 +34,9 @@ class PreparedRun {
     void load_own_memory(ChosenDevice& one) const;
 
     std::string nvm_folder_;
-    std::ofstream log_;
-    std::ofstream outputs_;
+    std::string stimulus_;
+    OutputFile log_;
+    OutputFile outputs_;
     std::vector<const Part*> parts_;
     std::unique_ptr<RunSession> session_;
 };

@@ -8,11 +8,13 @@
 #include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/output_file.hpp"
 #include "host/replay/replay.hpp"
 
 namespace canproof::host {
 
 int replay_log(const ReplayOptions& options) {
+    std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
     const ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
     SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
@@ -36,14 +38,10 @@ int replay_log(const ReplayOptions& options) {
     if (!options.nvm.empty()) {
         load_memory(device->memory(), options.nvm);
     }
-    std::ofstream outputs;
-    if (!options.outputs.empty()) {
-        outputs.open(options.outputs);
-        if (!outputs) {
-            throw InputError{fmt::format("cannot write {}", options.outputs)};
-        }
-    }
-    replay(*device, input, std::cout, options.outputs.empty() ? nullptr : &outputs);
+    OutputFile outputs{options.outputs};
+    OutputFile::open({&outputs}, {options.log, options.stimulus});
+    replay(*device, input, std::cout, outputs.stream());
+    outputs.finish();
     if (!options.nvm.empty()) {
         save_memory(device->memory(), options.nvm);
     }

@@ -2,6 +2,7 @@
 // `ID#DATA` on standard input go onto the bus.
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -25,6 +26,11 @@ constexpr Duration table_period = milliseconds(200);
 constexpr Duration longest_wait = milliseconds(1000);
 constexpr std::size_t notices_kept = 20;
 
+bool is_pipe(int descriptor) {
+    struct stat found {};
+    return fstat(descriptor, &found) == 0 && S_ISFIFO(found.st_mode);
+}
+
 class Run {
   public:
     explicit Run(const RunOptions& options)
@@ -40,8 +46,9 @@ class Run {
     void run() {
         start_ = std::chrono::steady_clock::now();
         next_table_ = is_table_ ? Instant{} : never;
+        prepared_.open_outputs();
         session_.power_on();
-        while (!loop_.is_interrupted() && session_.now() < end_) {
+        while (!loop_.is_interrupted() && !output_ended_ && session_.now() < end_) {
             pace_.advance(session_, earliest(now(), end_));
             put_lines();
             flush();
@@ -50,8 +57,10 @@ class Run {
         }
         tell_losses();
         show_table(true);
-        std::cout.flush();
         prepared_.finish();
+        if (output_ended_ && std::cout) {
+            throw InputError{"standard output is no longer read by anyone"};
+        }
     }
 
   private:
@@ -96,12 +105,17 @@ class Run {
 
     void wait() {
         std::vector<Watch> watches = session_.bus().watches();
+        if (is_piped_) {
+            watches.push_back({STDOUT_FILENO, false, false});
+        }
         const bool reads_lines = input_.is_open() && lines_.empty();
         if (reads_lines) {
             watches.push_back({input_.descriptor(), true, false});
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
+        // A pipe is watched for nothing but its end: whoever read it has gone.
+        output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {
                 lines_.push_back(std::move(line));
@@ -110,7 +124,7 @@ class Run {
     }
 
     void flush() {
-        std::cout.flush();
+        output_ended_ = output_ended_ || !std::cout.flush();
         prepared_.flush();
     }
 
@@ -131,6 +145,8 @@ class Run {
     }
 
     bool is_table_;
+    bool is_piped_{is_pipe(STDOUT_FILENO)};
+    bool output_ended_{false};
     std::vector<std::string> notices_;
     PreparedRun prepared_;
     RunSession& session_;

@@ -54,6 +54,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file, const std::
     for (std::string line; std::getline(in, line);) {
         lines.push_back(line);
     }
+    check_read(in, file.string());
     return lines;
 }
 

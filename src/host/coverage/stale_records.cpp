@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "host/base/reading.hpp"
 #include "host/coverage/coverage.hpp"
 
 namespace canproof::host {
@@ -54,7 +55,9 @@ std::vector<CoverageRecord> stale_records(const std::vector<CoverageRecord>& rec
         const std::string code = written(record);
         return std::none_of(files.begin(), files.end(), [&code](const fs::path& file) {
             std::ifstream in{file};
-            return on_one_line(in).find(code) != std::string::npos;
+            const std::string text = on_one_line(in);
+            check_read(in, file.string());
+            return text.find(code) != std::string::npos;
         });
     });
     return stale;

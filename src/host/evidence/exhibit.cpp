@@ -73,13 +73,7 @@ std::string word_of(const Exhibit::State state) {
 }
 
 std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream in{file, std::ios::binary};
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) {
-        throw InputError{fmt::format("cannot read {}", file.string())};
-    }
-    return text.str();
+    return read_file(file);
 }
 
 Exhibit read_exhibit(const std::filesystem::path& folder) {

@@ -4,10 +4,11 @@
 #include <array>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
+#include "host/base/reading.hpp"
 #include "host/evidence/pack.hpp"
 #include "host/process/child_process.hpp"
 
@@ -49,10 +50,8 @@ std::string date_of(const std::string& git) {
 
 /// The Debian packages that ./run installs, with the versions that are there.
 std::map<std::string, std::string> packages_of(const std::filesystem::path& root) {
-    std::ifstream in{root / "run"};
-    std::ostringstream script;
-    script << in.rdbuf();
-    const std::string text = script.str();
+    const auto file = root / "run";
+    const std::string text = std::filesystem::exists(file) ? read_file(file) : "";
     std::smatch list;
     std::map<std::string, std::string> found;
     if (!std::regex_search(text, list, std::regex{R"(packages=\(([^)]*)\))"})) {

@@ -226,8 +226,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 }
 
 std::string read_text(const std::filesystem::path& file) {
-    std::ifstream in{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{in}, {}};
+    return std::filesystem::exists(file) ? read_file(file) : "";
 }
 
 int run_campaign(CampaignOptions options, const Interrupted& interrupted) {

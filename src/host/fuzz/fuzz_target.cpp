@@ -30,6 +30,7 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
             throw InputError{fmt::format("{}:{}: write `option = value` below [libfuzzer]", file.string(), number)};
         }
     }
+    check_read(in, file.string());
     return options;
 }
 

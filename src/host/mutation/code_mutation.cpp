@@ -67,6 +67,7 @@ std::vector<ToldTest> read_told(const std::filesystem::path& file) {
             tests.push_back(std::move(test));
         }
     }
+    check_read(in, file.string());
     return tests;
 }
 

@@ -1,5 +1,7 @@
 #include "host/mutation/killer_log.hpp"
 
+#include "host/base/reading.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -27,6 +29,7 @@ KillerLog::KillerLog(const std::filesystem::path& file) {
             }
         }
     }
+    check_read(in, file.string());
     out_.open(file, std::ios::app);
 }
 

@@ -25,15 +25,13 @@ double parse_value(const std::string& text, const std::string& where) {
 
 std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
     std::vector<Stimulus> all;
-    std::string line;
-    for (int number = 1; std::getline(in, line); ++number) {
-        if (!line.empty() && line.back() == '\r') {
-            line.pop_back();
-        }
-        if (line.empty() || (number == 1 && line == "seconds,signal,value")) {
+    LineReader lines{in, name};
+    while (lines.next()) {
+        const std::string& line = lines.line();
+        if (line.empty() || (lines.number() == 1 && line == "seconds,signal,value")) {
             continue;
         }
-        const std::string where = fmt::format("{}:{}", name, number);
+        const std::string where = lines.where();
         const auto first = line.find(',');
         const auto second = first == std::string::npos ? first : line.find(',', first + 1);
         if (second == std::string::npos) {

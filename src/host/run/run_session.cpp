@@ -17,12 +17,12 @@ RunSession::RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<Dev
       outputs_{outputs},
       last_outputs_(nodes_.size()) {
     bus_->listen([this](const BusFrame& frame) { record(frame); });
-    if (outputs_.outputs != nullptr) {
-        *outputs_.outputs << "seconds,signal,value\n";
-    }
 }
 
 void RunSession::power_on() {
+    if (outputs_.outputs != nullptr) {
+        *outputs_.outputs << "seconds,signal,value\n";
+    }
     stimulate(Instant{});
     for (auto& node : nodes_) {
         node->power_on(Instant{});

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <limits>
 #include <sstream>
+
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
@@ -78,12 +79,13 @@ const Enumeration* Register::enumeration(const Part& in, const std::string& id) 
 SpecFiles read_spec_files(const std::filesystem::path& spec) {
     SpecFiles files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
-        if (file.is_regular_file() && file.path().extension() == ".toml") {
-            std::ifstream in(file.path(), std::ios::binary);
-            std::ostringstream text;
-            text << in.rdbuf();
-            files["spec/" + file.path().lexically_relative(spec).generic_string()] = text.str();
+        if (file.path().extension() != ".toml") {
+            continue;
         }
+        if (!file.is_regular_file()) {
+            throw InputError{fmt::format("{} is no file; the register holds files and folders", file.path().string())};
+        }
+        files["spec/" + file.path().lexically_relative(spec).generic_string()] = read_file(file.path());
     }
     return files;
 }

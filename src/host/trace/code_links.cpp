@@ -8,6 +8,8 @@
 #include <fstream>
 #include <set>
 
+#include "host/base/reading.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -47,6 +49,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
             all.push_back(line.substr(at, line.find('\\', at) - at));
         }
     }
+    check_read(in, file.string());
     return all;
 }
 
@@ -167,6 +170,7 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
             all += line + "\n";
             lines.push_back(line);
         }
+        check_read(in, file.string());
         for (const auto& part : content.parts) {
             // Only code that names the part can mean its names.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&

@@ -76,6 +76,7 @@ void scan_source(const std::filesystem::path& root, const std::filesystem::path&
     for (int number = 1; std::getline(in, line); ++number) {
         scan_line(line, fmt::format("{}:{}", name, number), evidence);
     }
+    check_read(in, name);
 }
 
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder,

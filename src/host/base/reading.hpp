@@ -1,0 +1,44 @@
+// Files read so that a read error is never taken for the end, and never more than a bound.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <istream>
+#include <string>
+
+#include "host/base/input_error.hpp"
+
+namespace canproof::host {
+
+/// More than any file has that is read as a whole.
+constexpr std::size_t most_bytes_of_a_file = std::size_t{256} << 20U;
+
+/// The whole file. Throws InputError for a folder, a read error, or more than `most` bytes (no more are read).
+std::string read_file(const std::filesystem::path& path, std::size_t most = most_bytes_of_a_file);
+
+/// Throws InputError when the stream ended by an error and not by the end of what it reads.
+void check_read(const std::istream& in, const std::string& name);
+
+/// Lines one after another, with file and line for messages. A byte order mark before the first and a carriage return
+/// at an end are left out.
+class LineReader {
+  public:
+    static constexpr std::size_t longest_line = 4096;
+
+    LineReader(std::istream& in, std::string name) : in_{in}, name_{std::move(name)} {}
+
+    /// False at the end. Throws InputError for a read error and for a line longer than longest_line.
+    bool next();
+    const std::string& line() const { return line_; }
+    std::size_t number() const { return number_; }
+    /// `bus.log:7`
+    std::string where() const;
+
+  private:
+    std::istream& in_;
+    std::string name_;
+    std::string line_;
+    std::size_t number_{0};
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""tests/program/outputs.py PROGRAM: what the real program does when a file or a stream cannot be read or written.
+
+Every command that prints is run with /dev/full as its standard output: it ends with 2 and one line on standard error. A folder is
+no log, a pipe is no file of the register, and no file is emptied before everything else has been checked."""
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+
+PATIENCE = 120  # seconds until a program that does not end counts as hanging; nothing waits for it to pass
+program = str(pathlib.Path(sys.argv[1]).resolve())
+root = pathlib.Path(__file__).resolve().parents[2]
+failures = []
+
+
+def expect(holds, what):
+    if not holds:
+        failures.append(what)
+        print(f"FAILED  {what}")
+
+
+def canproof(*words, **how):
+    how.setdefault("stdout", subprocess.PIPE)
+    how.setdefault("cwd", root)
+    how.setdefault("input", "")
+    return subprocess.run([program, *map(str, words)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE, **how)
+
+
+def refused(result, what, *says):
+    """Status 2, one line on standard error that says so."""
+    lines = result.stderr.splitlines()
+    expect(result.returncode == 2, f"{what}: status {result.returncode}, not 2")
+    expect(len(lines) >= 1 and lines[-1].startswith("canproof: "), f"{what}: standard error says {lines[-3:]}")
+    for words in says:
+        expect(words in result.stderr, f"{what}: `{words}` is not in {result.stderr!r}")
+
+
+def full_disk(folder):
+    """Each command that prints, with nowhere to print to."""
+    log = folder / "bus.log"
+    log.write_text("(0.100000) can0 603#4000100000000000\n")
+    verdicts = folder / "verdicts"
+    verdicts.mkdir()
+    (verdicts / "tests.xml").write_text('<testsuites><testsuite><testcase classname="A" name="B"/></testsuite></testsuites>')
+    commands = [["--help"], ["devices"], ["signals", "cbx-ao412"], ["eds", "cbx-ao412"],
+                ["eds", "ax188001", "--format", "xdd"], ["eds", "ax060805", "--format", "json"],
+                ["eds", "ax130751", "--format", "md"], ["spec", "check"], ["demo"],
+                ["replay", "cbx-ao412", "--node", "3", log], ["run", "cbx-ao412@3", "--seconds", "0.01"],
+                ["panel", "cbx-ao412@3", "--port", "0"], ["audit", "CO-SDO-001", "--verdicts", verdicts],
+                ["coverage", "--records"]]
+    with open("/dev/full", "w", encoding="ascii") as full:
+        for command in commands:
+            result = canproof(*command, stdout=full)
+            refused(result, f"{' '.join(map(str, command))} > /dev/full", "standard output cannot be written")
+            expect(len(result.stderr.splitlines()) == 1, f"{command}: more than one line: {result.stderr!r}")
+    for command in (["run", "cbx-ao412@3", "--seconds", "0.01", "--log"],
+                    ["run", "cbx-ao412@3", "--seconds", "0.01", "--outputs"],
+                    ["replay", "cbx-ao412", "--node", "3", log, "--outputs"]):
+        refused(canproof(*command, "/dev/full"), f"{command} /dev/full", "/dev/full could not be written to its end")
+
+
+def closed_output(folder):
+    """A file that is opened does not become standard output."""
+    log = folder / "closed.log"
+    result = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', program, "run", "cbx-ao412@3", "--seconds", "0.01",
+                             "--log", str(log)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE,
+                            stdin=subprocess.DEVNULL)
+    refused(result, "run >&-", "standard output cannot be written")
+    lines = log.read_text().splitlines()
+    expect(len(lines) == 1 and "703#00" in lines[0], f"the log of run >&- holds {lines}")
+
+
+def reader_that_goes():
+    """`run | head -1` ends, though nothing more is printed that could fail."""
+    with subprocess.Popen([program, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True) as run:
+        first = run.stdout.readline()
+        expect("703#00" in first, f"the first line is {first!r}")
+        run.stdout.close()
+        try:
+            status = run.wait(PATIENCE)
+            expect(status == 2, f"run | head -1 ends with {status}")
+        except subprocess.TimeoutExpired:
+            run.send_signal(signal.SIGKILL)
+            expect(False, "run | head -1 does not end")
+
+
+def unreadable_inputs(folder):
+    log = folder / "one.log"
+    log.write_text("(0.100000) can0 603#4000100000000000\n")
+    held = folder / "folder"
+    held.mkdir()
+    refused(canproof("replay", "cbx-ao412", held), "a folder as log", "is a folder")
+    refused(canproof("replay", "cbx-ao412", log, "--stimulus", held), "a folder as stimulus", "is a folder")
+    refused(canproof("run", "cbx-ao412", "--stimulus", held, "--seconds", "0"), "a folder as stimulus of run",
+            "is a folder")
+    refused(canproof("plot", held, folder / "x.svg"), "a folder as CSV", "is a folder")
+    directory = os.open(held, os.O_RDONLY)
+    refused(canproof("replay", "cbx-ao412", "-", stdin=directory, input=None), "a folder as standard input",
+            "standard input cannot be read to its end")
+    os.close(directory)
+    refused(canproof("replay", "cbx-ao412", "/dev/zero"), "/dev/zero as log", "/dev/zero:1: a line has more than")
+    refused(canproof("replay", "cbx-ao412", log, "--stimulus", "/dev/zero"), "/dev/zero as stimulus",
+            "/dev/zero:1: a line has more than")
+
+
+def no_register(folder):
+    spec = folder / "spec"
+    spec.mkdir()
+    refused(canproof("spec", "check", "--spec", spec), "an empty register", "has no .toml file")
+    (spec / "empty.toml").write_text("")
+    result = canproof("spec", "check", "--spec", spec)
+    expect(result.returncode != 0, "a register without an item is sound")
+    os.mkfifo(spec / "pipe.toml")
+    refused(canproof("spec", "check", "--spec", spec), "a pipe in a register", "pipe.toml is no file")
+    refused(canproof("spec", "check", "--spec", spec / "pipe.toml"), "a pipe as register", "is no folder")
+
+
+def nothing_is_emptied(folder):
+    """A start that is refused leaves the files of another one as they are."""
+    log, outputs = folder / "old.log", folder / "old.csv"
+    kept = "(0.000000) can0 703#00\n"
+
+    def keeps(what, *words, **how):
+        log.write_text(kept)
+        outputs.write_text(kept)
+        result = canproof(*words, "--outputs", outputs, **how)
+        expect(result.returncode == 2, f"{what}: status {result.returncode}")
+        expect(log.read_text() == kept and outputs.read_text() == kept, f"{what}: a file was emptied")
+
+    keeps("an unknown device", "run", "nosuch", "--log", log)
+    keeps("an unknown bus", "run", "cbx-ao412", "--bus", "nosuch", "--log", log)
+    keeps("an interface that is not there", "run", "cbx-ao412", "--bus", "socketcan:", "--log", log)
+    keeps("a stimulus that does not exist", "run", "cbx-ao412", "--stimulus", folder / "none", "--log", log)
+    keeps("a log in a folder that is not there", "run", "cbx-ao412", "--log", folder / "no" / "log")
+    keeps("the outputs are the log", "run", "cbx-ao412", "--log", outputs)
+    keeps("the outputs are the log that is read", "replay", "cbx-ao412", outputs)
+    keeps("an unknown device in replay", "replay", "nosuch", log)
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        keeps("a busy port", "run", "cbx-ao412", "--bus", f"socketcand:127.0.0.1:{port}", "--log", log)
+        keeps("a busy port of the panel", "panel", "cbx-ao412", "--port", port, "--log", log)
+
+
+with tempfile.TemporaryDirectory() as name:
+    for number, check in enumerate((full_disk, closed_output, unreadable_inputs, no_register, nothing_is_emptied)):
+        place = pathlib.Path(name) / str(number)
+        place.mkdir()
+        check(place)
+    reader_that_goes()
+if not failures:
+    print("every stream and file is checked")
+sys.exit(1 if failures else 0)
