@@ -9,6 +9,7 @@
 
 #include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
+#include "host/run/node_ids.hpp"
 #include "host/run/run_session.hpp"
 
 namespace canproof::host {
@@ -22,6 +23,8 @@ class PreparedRun {
     /// What describes each node of the session.
     const std::vector<const Part*>& parts() const { return parts_; }
 
+    /// A notice for each node-ID that more than one device has since the last call.
+    void tell_node_ids();
     /// The log and the outputs, as far as they are written, to their files.
     void flush();
     /// Stored parameters and files to their end. Throws InputError.
@@ -31,6 +34,8 @@ class PreparedRun {
     std::string memory_file(const std::string& name) const;
     void load_own_memory(ChosenDevice& one) const;
 
+    NoticeListener notice_;
+    NodeIdClashes clashes_;
     std::string nvm_folder_;
     std::ofstream log_;
     std::ofstream outputs_;
