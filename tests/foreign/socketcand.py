@@ -65,9 +65,13 @@ def main():
     command = [sys.argv[1], "run", "cbx-ao412@3", "ax188001@5", "--bus", "socketcand:127.0.0.1:0", "--seconds", "600"]
     run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        said = run.stderr.readline()
+        port = None
+        while not port:  # other lines, such as those that name the devices, may come before it
+            said = run.stderr.readline()
+            assert said, "the program ended before it named its port"
+            port = re.search(r"listens at port (\d+)", said)
         wait_for_boot_up(run, [3, 5])
-        converse(int(re.search(r"port (\d+)", said).group(1)))
+        converse(int(port.group(1)))
     finally:
         run.terminate()
     assert run.wait(PATIENCE) == 0, "the program did not end as it should"

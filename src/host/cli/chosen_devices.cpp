@@ -16,15 +16,12 @@ namespace canproof::host {
 
 namespace {
 
-constexpr int highest_node_id = 127;
+constexpr int most_switches = 255;
 
-/// The number behind @; 255 stands for a device whose switches or LSS give it none.
-int node_of(const std::string& text, const std::string& whole) {
+/// A number of at most three digits; -1 from anything else.
+int number_of(const std::string& text) {
     const bool number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
-    if (!number || std::stoi(text) > 255) {
-        throw InputError{fmt::format("`{}` in {} is no node-ID; write NAME@1 … NAME@127", text, whole)};
-    }
-    return std::stoi(text);
+    return number ? std::stoi(text) : -1;
 }
 
 ChosenDevice from_catalogue(const Part& part) {
@@ -38,6 +35,24 @@ ChosenDevice from_catalogue(const Part& part) {
 
 }  // namespace
 
+void set_node(ChosenDevice& chosen, const std::string& node) {
+    const int number = number_of(node);
+    const bool fits_switches = number >= 0 && number <= most_switches;
+    chosen.notice.clear();
+    if (fits_switches && chosen.device->set_coding_switches(static_cast<std::uint8_t>(number))) {
+        if (number < NodeId::lowest || number > NodeId::highest) {
+            chosen.notice = fmt::format(
+                "{}: the coding switches stand at {:02X}h, which is no node-ID; the application does not run, the LEDs "
+                "say so",
+                chosen.name, number);
+        }
+    } else if (NodeId::is_one(number)) {
+        chosen.device->set_node_id(number);
+    } else {
+        throw InputError{fmt::format("{}: `{}` is no node-ID; write {}", chosen.name, node, node_id_words())};
+    }
+}
+
 ChosenDevice choose_device(const std::string& text) {
     const auto at = text.find('@');
     ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)));
@@ -46,7 +61,7 @@ ChosenDevice choose_device(const std::string& text) {
     }
     chosen.name = text;
     if (at != std::string::npos) {
-        chosen.device->set_node_id(node_of(text.substr(at + 1), text));
+        set_node(chosen, text.substr(at + 1));
     }
     return chosen;
 }
@@ -57,13 +72,13 @@ ChosenDevice choose_eds(const std::string& text) {
     auto device = read_eds_device(path);
     ChosenDevice chosen;
     chosen.name = std::filesystem::path{path}.stem().string();
-    if (at != std::string::npos) {
-        device->set_node_id(node_of(text.substr(at + 1), text));
-        chosen.name += text.substr(at);
-    }
     chosen.part = &device->part();
     chosen.bit_rate = static_cast<std::uint32_t>(chosen.part->info.bit_rate);
     chosen.device = std::move(device);
+    if (at != std::string::npos) {
+        chosen.name += text.substr(at);
+        set_node(chosen, text.substr(at + 1));
+    }
     return chosen;
 }
 
@@ -76,7 +91,7 @@ std::vector<ChosenDevice> choose_catalogue() {
             continue;
         }
         int node = part.info.node_id;
-        for (int free = 1; taken.count(node) != 0 && free <= highest_node_id; ++free) {
+        for (int free = 1; taken.count(node) != 0 && free <= NodeId::highest; ++free) {
             node = free;
         }
         taken.insert(node);

@@ -16,8 +16,12 @@ struct ChosenDevice {
     std::unique_ptr<SimulatedDevice> device;
     const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has none
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
+    std::string notice;         ///< what its user has to know before it runs; empty: nothing
 };
 
+/// NODE of NAME@NODE and of `--node`: a node-ID, or any value of coding switches where the device has them, with a
+/// notice when that is no node-ID. Throws InputError.
+void set_node(ChosenDevice& chosen, const std::string& node);
 /// NAME or NAME@NODE. Throws InputError.
 ChosenDevice choose_device(const std::string& text);
 /// FILE or FILE@NODE: a device from an EDS or DCF; its name is the file's without folder and extension. Throws

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -10,6 +12,9 @@ namespace canproof::host {
 namespace {
 
 constexpr int wrong_use = 2;
+
+constexpr const char* node_help =
+    "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
 
 void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")->callback([&chosen] {
@@ -45,7 +50,7 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
 
 /// What `run` and `panel` have in common.
 void add_run_options(CLI::App& command, RunOptions& running) {
-    command.add_option("DEVICE", running.devices, "NAME or NAME@NODE");
+    command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
     command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
     command
         .add_option("--bus", running.bus,
@@ -88,7 +93,7 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
         ->required()
         ->expected(1, 2);
     replay->add_option("--eds", options.eds, "EDS or DCF file that describes the device");
-    replay->add_option("--node", options.node, "node-ID")->check(CLI::Range(1, 255));
+    replay->add_option("--node", options.node, node_help);
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
     replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
     replay->add_option("--outputs", options.outputs, "CSV file to write changes of outputs to");

@@ -14,9 +14,9 @@ namespace canproof::host {
 
 struct ReplayOptions {
     std::string device;
-    std::string eds;  ///< file; instead of `device`
-    std::string log;  ///< file, or - for standard input
-    int node{0};      ///< 0: as shipped
+    std::string eds;                  ///< file; instead of `device`
+    std::string log;                  ///< file, or - for standard input
+    std::optional<std::string> node;  ///< as shipped without it
     std::string nvm;
     std::string stimulus;
     std::string outputs;

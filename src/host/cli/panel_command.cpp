@@ -57,7 +57,10 @@ class PanelRun {
         finish_standard_output();
         while (!loop_.is_interrupted()) {
             panel_.advance_to(now());
-            panel_.alone([this] { prepared_.flush(); });
+            panel_.alone([this] {
+                prepared_.tell_node_ids();
+                prepared_.flush();
+            });
             wait();
         }
         panel_.alone([this] { prepared_.finish(); });

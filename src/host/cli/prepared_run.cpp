@@ -86,19 +86,26 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : nvm_folder_{options.nvm}, stimulus_{options.stimulus}, log_{options.log}, outputs_{options.outputs} {
+    : notice_{std::move(notice)},
+      nvm_folder_{options.nvm},
+      stimulus_{options.stimulus},
+      log_{options.log},
+      outputs_{options.outputs} {
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     std::uint32_t bit_rate = 0;
     for (ChosenDevice& one : devices) {
         load_own_memory(one);
+        if (!one.notice.empty()) {
+            notice_(one.notice);
+        }
         bit_rate = bit_rate == 0 ? one.bit_rate : bit_rate;
         parts_.push_back(one.part);
         nodes.push_back(std::make_unique<DeviceNode>(one.name, std::move(one.device)));
     }
     std::unique_ptr<Bus> bus = make_bus(options, bit_rate);
-    bus->on_notice(std::move(notice));
+    bus->on_notice(notice_);
     SessionOutputs outputs;
     outputs.frames = frames;
     outputs.log = log_.stream();
@@ -120,6 +127,12 @@ void PreparedRun::load_own_memory(ChosenDevice& one) const {
 
 void PreparedRun::open_outputs() {
     OutputFile::open({&log_, &outputs_}, {stimulus_});
+}
+
+void PreparedRun::tell_node_ids() {
+    for (const std::string& text : clashes_.found(session_->nodes())) {
+        notice_(text);
+    }
 }
 
 void PreparedRun::flush() {

@@ -9,6 +9,7 @@
 #include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/output_file.hpp"
+#include "host/run/node_ids.hpp"
 #include "host/run/run_session.hpp"
 
 namespace canproof::host {
@@ -24,6 +25,8 @@ class PreparedRun {
 
     /// The log and the outputs, emptied: before power-on, when nothing can refuse any more. Throws InputError.
     void open_outputs();
+    /// A notice for each node-ID that more than one device has since the last call.
+    void tell_node_ids();
     /// The log and the outputs, as far as they are written, to their files.
     void flush();
     /// Stored parameters and files to their end. Throws InputError.
@@ -33,6 +36,8 @@ class PreparedRun {
     std::string memory_file(const std::string& name) const;
     void load_own_memory(ChosenDevice& one) const;
 
+    NoticeListener notice_;
+    NodeIdClashes clashes_;
     std::string nvm_folder_;
     std::string stimulus_;
     OutputFile log_;

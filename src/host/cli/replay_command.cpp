@@ -15,7 +15,7 @@ namespace canproof::host {
 
 int replay_log(const ReplayOptions& options) {
     std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
-    const ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
+    ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
     SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
     if (options.log == "-") {
@@ -32,8 +32,11 @@ int replay_log(const ReplayOptions& options) {
     if (options.until) {
         input.until = Instant{static_cast<std::uint64_t>(std::llround(*options.until * 1.0e6))};
     }
-    if (options.node != 0) {
-        device->set_node_id(options.node);
+    if (options.node) {
+        set_node(chosen, *options.node);
+    }
+    if (!chosen.notice.empty()) {
+        fmt::print(stderr, "{}\n", chosen.notice);
     }
     if (!options.nvm.empty()) {
         load_memory(device->memory(), options.nvm);

@@ -1,6 +1,7 @@
 // run: devices in real time on a bus. On a terminal a live table, elsewhere every frame as a candump line; lines
 // `ID#DATA` on standard input go onto the bus.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -48,8 +49,10 @@ class Run {
         next_table_ = is_table_ ? Instant{} : never;
         prepared_.open_outputs();
         session_.power_on();
+        name_devices();
         while (!loop_.is_interrupted() && !output_ended_ && session_.now() < end_) {
             pace_.advance(session_, earliest(now(), end_));
+            prepared_.tell_node_ids();
             put_lines();
             flush();
             show_table(false);
@@ -68,6 +71,13 @@ class Run {
         const auto passed = std::chrono::steady_clock::now() - start_;
         return Instant{
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
+    }
+
+    /// What a table shows by itself.
+    void name_devices() const {
+        if (!is_table_) {
+            fmt::print(stderr, "{}\n", fmt::join(node_id_lines(session_.nodes()), "\n"));
+        }
     }
 
     void take_notice(const std::string& text) {

@@ -18,10 +18,10 @@ class Ax060805Simulation final
     Ax060805Simulation() : Simulation{memory_size} {}
 
     /// As if LSS had stored it; the bit rate stays.
-    void set_node_id(int node_id) override {
+    void set_node_id(NodeId node_id) override {
         LssStore store{memory_};
         LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = static_cast<std::uint8_t>(node_id);
+        configuration.node_id = node_id.value();
         store.store(configuration);
     }
     void advance(Instant now) override {

@@ -17,11 +17,11 @@ class Ax130751Simulation final
     Ax130751Simulation() : Simulation{memory_size} {}
 
     /// As if LSS had stored it; the bit rate stays.
-    void set_node_id(int node_id) override {
+    void set_node_id(NodeId node_id) override {
         namespace own = generated::ax130751;
         LssStore store{memory_};
         LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = static_cast<std::uint8_t>(node_id);
+        configuration.node_id = node_id.value();
         store.store(configuration);
     }
 };

@@ -16,11 +16,11 @@ class Ax188001Simulation final
     Ax188001Simulation() : Simulation{memory_size} {}
 
     /// As if LSS had stored it; the bit rate stays.
-    void set_node_id(int node_id) override {
+    void set_node_id(NodeId node_id) override {
         namespace own = generated::ax188001;
         LssStore store{memory_};
         LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = static_cast<std::uint8_t>(node_id);
+        configuration.node_id = node_id.value();
         store.store(configuration);
     }
     void power_on(Instant now) override {

@@ -13,9 +13,16 @@ class CbxAo412Simulation final
   public:
     CbxAo412Simulation() : Simulation{eeprom_size} {}
 
-    void set_node_id(int node_id) override {
-        inputs_.switch_high = static_cast<std::uint8_t>(node_id / 16);
-        inputs_.switch_low = static_cast<std::uint8_t>(node_id % 16);
+    void set_node_id(NodeId node_id) override { set_coding_switches(node_id.value()); }
+    bool set_coding_switches(std::uint8_t value) override {
+        inputs_.switch_high = static_cast<std::uint8_t>(value / 16);
+        inputs_.switch_low = static_cast<std::uint8_t>(value % 16);
+        return true;
+    }
+    /// Switches at no node-ID give none.
+    std::uint8_t node_id() const override {
+        const int at_switches = device_.node_id();
+        return NodeId{NodeId::is_one(at_switches) ? at_switches : NodeId::none}.value();
     }
 };
 

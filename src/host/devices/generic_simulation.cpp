@@ -51,8 +51,8 @@ GenericSimulation::GenericSimulation(Part part)
     }
 }
 
-void GenericSimulation::set_node_id(int node_id) {
-    shipped_.node_id = static_cast<std::uint8_t>(node_id);
+void GenericSimulation::set_node_id(NodeId node_id) {
+    shipped_.node_id = node_id.value();
 }
 
 void GenericSimulation::power_on(Instant now) {

@@ -19,7 +19,7 @@ class GenericSimulation final : public SimulatedDevice {
 
     const Part& part() const { return part_; }
 
-    void set_node_id(int node_id) override;
+    void set_node_id(NodeId node_id) override;
     void power_on(Instant now) override;
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;

@@ -12,6 +12,7 @@
 #include "firmware/canopen/object_dictionary.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 #include "host/devices/memory.hpp"
+#include "host/devices/node_id.hpp"
 
 namespace canproof::host {
 
@@ -20,7 +21,9 @@ class SimulatedDevice {
     virtual ~SimulatedDevice() = default;
 
     /// Sets what gives the device its node-ID: coding switches, or the LSS value.
-    virtual void set_node_id(int node_id) = 0;
+    virtual void set_node_id(NodeId node_id) = 0;
+    /// Sets coding switches to any value, one that is no node-ID included. False when the device has none.
+    virtual bool set_coding_switches(std::uint8_t) { return false; }
     virtual void power_on(Instant now) = 0;
     virtual void receive(const Frame& frame, Instant now) = 0;
     virtual void advance(Instant now) = 0;

@@ -164,13 +164,14 @@ class Run:
         return [(float(line[0].strip("()")), line[2], line[3]) for line in lines]
 
     def stop(self):
-        """Ends it as a user does; everything that it said since the last notice read, but for what a slow machine makes it say."""
+        """Ends it as a user does; everything that it said since the last notice read, but for the names of its devices and for
+        what a slow machine makes it say."""
         self.seconds = self.processor_seconds()
         self.process.terminate()
         self.said = re.sub(r"(?m)^the simulation .*\n", "", self.said + self.process.stderr.read().decode())
         status = self.process.wait(PATIENCE)
         assert status == 0, f"ended with {status}: {self.said[-3000:]}"
-        return self.said
+        return re.sub(r"^\S+: (node-ID \d+|no node-ID)\n", "", self.said, flags=re.MULTILINE)
 
     def processor_seconds(self):
         with open(f"/proc/{self.process.pid}/stat") as stat:

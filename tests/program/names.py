@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""names.py PROGRAM: what run, panel and replay make of node-IDs, as a shell sees it."""
+import os
+import subprocess
+import sys
+import tempfile
+
+program = sys.argv[1]
+
+
+def call(*words):
+    done = subprocess.run([program, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120)
+    return done.returncode, done.stdout, done.stderr
+
+
+def refused():
+    """One line on stderr, status 2, and nothing runs."""
+    with tempfile.TemporaryDirectory() as folder:
+        eds = os.path.join(folder, "box.eds")
+        with open(eds, "w") as out:
+            out.write(call("eds", "ax188001")[1])
+        for node in ("0", "128", "200", "254", "256", "-1"):
+            for words in (("run", f"ax188001@{node}"), ("panel", f"ax188001@{node}", "--port", "0"),
+                          ("replay", f"ax188001@{node}", "-"), ("replay", "ax188001", f"--node={node}", "-"),
+                          ("run", "--eds", f"{eds}@{node}"), ("replay", "--eds", f"{eds}@{node}", "-"),
+                          ("replay", "--eds", eds, f"--node={node}", "-")):
+                status, out, err = call(*words)
+                assert status == 2, f"{words} ended with {status}"
+                assert out == "" and "no node-ID; write 1…127, or 255" in err, f"{words}: {out}{err}"
+
+
+def named():
+    """Each device is named before the first frame; frames alone are on standard output."""
+    status, out, err = call("run", "cbx-ao412@3", "ax188001@5", "ax060805@255", "--seconds", "0.05")
+    assert status == 0, status
+    assert err.splitlines() == ["cbx-ao412@3: node-ID 3", "ax188001@5: node-ID 5", "ax060805@255: no node-ID"], err
+    frames = {line.split()[2] for line in out.splitlines()}
+    assert frames == {"703#00", "705#00"}, out
+
+
+def shared():
+    """Two devices with one node-ID: a warning."""
+    status, _, err = call("run", "cbx-ao412@5", "ax188001@5", "--seconds", "0.05")
+    assert status == 0, status
+    assert "warning: node-ID 5 is that of 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
+
+
+def switches():
+    """CAN-CBX-AO412, 3.2.6: the switches at C8h; the application does not run."""
+    said = "the coding switches stand at C8h, which is no node-ID"
+    for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
+                  ("replay", "cbx-ao412", "--node", "200", "-")):
+        status, out, err = call(*words)
+        assert status == 0 and out == "" and said in err, f"{words}: {status} {out}{err}"
+
+
+refused()
+named()
+shared()
+switches()
+print("node-IDs: refused, named, shared, switches")
