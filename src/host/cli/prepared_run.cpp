@@ -9,6 +9,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/make_bus.hpp"
+#include "host/devices/stored_memory_file.hpp"
 
 namespace canproof::host {
 
@@ -80,17 +81,25 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
+/// In `folder`, which is made, or nowhere when it has no name.
+void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
+    if (!folder.empty()) {
+        std::filesystem::create_directories(folder);
+        keep_in_file(one.device->memory(), std::filesystem::path{folder} / (one.name + ".bin"), notice);
+    }
+}
+
 }  // namespace
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : nvm_folder_{options.nvm}, log_{open_output(options.log)}, outputs_{open_output(options.outputs)} {
+    : log_{open_output(options.log)}, outputs_{open_output(options.outputs)} {
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     std::uint32_t bit_rate = 0;
     for (ChosenDevice& one : devices) {
-        load_own_memory(one);
+        keep_memory(one, options.nvm, notice);
         bit_rate = bit_rate == 0 ? one.bit_rate : bit_rate;
         parts_.push_back(one.part);
         nodes.push_back(std::make_unique<DeviceNode>(one.name, std::move(one.device)));
@@ -105,17 +114,6 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
     session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);
 }
 
-std::string PreparedRun::memory_file(const std::string& name) const {
-    return (std::filesystem::path{nvm_folder_} / (name + ".bin")).string();
-}
-
-void PreparedRun::load_own_memory(ChosenDevice& one) const {
-    if (!nvm_folder_.empty()) {
-        std::filesystem::create_directories(nvm_folder_);
-        load_memory(one.device->memory(), memory_file(one.name));
-    }
-}
-
 void PreparedRun::flush() {
     for (std::ofstream* file : {&log_, &outputs_}) {
         if (file->is_open()) {
@@ -125,11 +123,6 @@ void PreparedRun::flush() {
 }
 
 void PreparedRun::finish() {
-    for (const auto& node : session_->nodes()) {
-        if (!nvm_folder_.empty()) {
-            save_memory(node->device().memory(), memory_file(node->name()));
-        }
-    }
     flush();
     for (const std::ofstream* file : {&log_, &outputs_}) {
         if (file->is_open() && !file->good()) {

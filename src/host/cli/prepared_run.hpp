@@ -24,14 +24,10 @@ class PreparedRun {
 
     /// The log and the outputs, as far as they are written, to their files.
     void flush();
-    /// Stored parameters and files to their end. Throws InputError.
+    /// The files to their end. Throws InputError.
     void finish();
 
   private:
-    std::string memory_file(const std::string& name) const;
-    void load_own_memory(ChosenDevice& one) const;
-
-    std::string nvm_folder_;
     std::ofstream log_;
     std::ofstream outputs_;
     std::vector<const Part*> parts_;

@@ -8,6 +8,7 @@
 #include "host/cli/chosen_devices.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
+#include "host/devices/stored_memory_file.hpp"
 #include "host/replay/replay.hpp"
 
 namespace canproof::host {
@@ -34,7 +35,7 @@ int replay_log(const ReplayOptions& options) {
         device->set_node_id(options.node);
     }
     if (!options.nvm.empty()) {
-        load_memory(device->memory(), options.nvm);
+        keep_in_file(device->memory(), options.nvm, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     }
     std::ofstream outputs;
     if (!options.outputs.empty()) {
@@ -44,9 +45,6 @@ int replay_log(const ReplayOptions& options) {
         }
     }
     replay(*device, input, std::cout, options.outputs.empty() ? nullptr : &outputs);
-    if (!options.nvm.empty()) {
-        save_memory(device->memory(), options.nvm);
-    }
     return 0;
 }
 
