@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
+#include "host/base/replace_file.hpp"
 #include "host/bus/candump.hpp"
 
 namespace canproof::host {
@@ -18,10 +21,10 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
     if (const auto folder = path.parent_path(); !folder.empty()) {
         std::filesystem::create_directories(folder);
     }
-    std::ofstream out{path, std::ios::binary};
-    out << bytes;
-    if (!out.flush()) {
-        throw InputError{fmt::format("cannot write {}", path.string())};
+    try {
+        replace_file(path, bytes);
+    } catch (const std::system_error& error) {
+        throw InputError{fmt::format("cannot write {}: {}", path.string(), error.code().message())};
     }
 }
 

@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 std::ifstream open_input(const std::string& path);
-/// Writes the whole file; folders on the way are made.
+/// Replaces the whole file, or leaves it as it was; folders on the way are made.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace canproof::host
