@@ -38,6 +38,7 @@ class JournalMemory final : public NonVolatileMemory {
         }
         return true;
     }
+    bool commit() override { return true; }
 
     /// From the byte `count` from now on every write fails, as in a worn memory.
     void fail_after(std::size_t count) { writes_left_ = count; }

@@ -3,6 +3,7 @@ import csv
 import datetime
 import fnmatch
 import hashlib
+import os
 import pathlib
 import re
 import tomllib
@@ -102,6 +103,19 @@ def apply_reviews(scoped, generated, reviews, faults):
             yield finding
 
 
+def replace_file(path, text):
+    """The old text or the new, whatever ends this on the way."""
+    beside = path.with_name(f".{path.name}.{os.getpid()}.new")
+    try:
+        with open(beside, "w") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
 def add_review(arguments, generated):
     """`review FILE RULE --by NAME --judgement TEXT`: writes or renews the record for the file as it stands."""
     file, rule = arguments.file, arguments.rule
@@ -115,4 +129,4 @@ def add_review(arguments, generated):
         quoted = review["judgement"].replace("\\", "\\\\").replace('"', '\\"')
         lines += ["[[review]]", f'rule = "{review["rule"]}"', f'file = "{review["file"]}"', f'date = {review["date"]}',
                   f'by = "{review["by"]}"', f'fingerprint = "{review["fingerprint"]}"', f'judgement = "{quoted}"', ""]
-    REVIEWS.write_text("\n".join(lines))
+    replace_file(REVIEWS, "\n".join(lines))

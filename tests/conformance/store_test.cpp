@@ -326,6 +326,35 @@ TEST_F(Store, AMemoryThatKeepsNothingIsFoundOut) {
     EXPECT_EQ(save(), hardware_error);
 }
 
+TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
+    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    EXPECT_EQ(faulty.commits, 1U);
+    set_values("2222");
+    faulty.fail_commit(1);
+    EXPECT_EQ(save(), hardware_error);
+    power_on_with(faulty);
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+}
+
+TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
+    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_commit(1);
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#8011100100000606"}));
+    power_on_with(faulty);
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+    faulty.fail_commit(0);
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
+    EXPECT_EQ(faulty.commits, 1U);
+}
+
 TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
     verifies<req::CO_STORE_005>();
     host::Memory small{64};

@@ -123,6 +123,16 @@ TEST(LssStore, AMemoryThatIsTooSmallKeepsNothing) {
     EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
 }
 
+TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
+    verifies<req::CO_LSS_016, req::CO_LSS_020>();
+    FaultyMemory memory{64};
+    EXPECT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
+    EXPECT_EQ(memory.commits, 1U);
+    memory.fail_commit(1);
+    EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
+    expect(LssStore{memory}.load(shipped), 5, 500000);
+}
+
 TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
     verifies<req::CO_LSS_017>();
     FaultyMemory memory{64};

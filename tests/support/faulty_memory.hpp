@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "host/devices/memory.hpp"
 
@@ -24,6 +25,17 @@ class FaultyMemory final : public NonVolatileMemory {
         return (worn || sound.write(at, bytes)) && writes != failing_write;
     }
 
+    /// A commit that fails leaves what the last successful one left.
+    bool commit() override {
+        ++commits;
+        if (commits == failing_commit) {
+            sound.bytes() = committed;
+            return false;
+        }
+        committed = sound.bytes();
+        return true;
+    }
+
     /// The n-th read from now on fails, the others succeed.
     void fail_read(const std::size_t n) {
         reads = 0;
@@ -36,12 +48,21 @@ class FaultyMemory final : public NonVolatileMemory {
         failing_write = n;
     }
 
+    /// The same for commits.
+    void fail_commit(const std::size_t n) {
+        commits = 0;
+        failing_commit = n;
+    }
+
     host::Memory sound;
     bool worn{false};
     std::size_t failing_read{0};
     mutable std::size_t reads{0};
     std::size_t failing_write{0};
     std::size_t writes{0};
+    std::size_t failing_commit{0};
+    std::size_t commits{0};
+    std::vector<std::uint8_t> committed{sound.bytes()};
 };
 
 }  // namespace canproof::test

@@ -18,6 +18,9 @@ class NonVolatileMemory {
     /// Writes in ascending order of addresses; a power cut may leave any first part written. False when the memory
     /// failed.
     virtual bool write(std::size_t at, ByteView bytes) = 0;
+    /// Makes what was written permanent: when it returns true, no power cut undoes it. False when the memory failed; it
+    /// then has what the last successful commit() left.
+    virtual bool commit() = 0;
 
   protected:
     NonVolatileMemory() = default;

@@ -1,7 +1,9 @@
 #include "firmware/canopen/lss_store.hpp"
 
 #include "firmware/base/crc32.hpp"
+#include "firmware/base/requirement.hpp"
 #include "firmware/base/sequence_number.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -46,7 +48,11 @@ bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     write_le(view, bit_rate_at, 4U, content.configuration.bit_rate);
     view.set(node_id_at, content.configuration.node_id);
     write_le(view, crc_at, 4U, crc_of(bytes));
-    return memory_.write(address(slot), ByteView{bytes});
+    bool done = memory_.write(address(slot), ByteView{bytes});
+    if (done) {
+        done = memory_.commit();
+    }
+    return done;
 }
 
 LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept {
@@ -61,6 +67,7 @@ LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept 
     return first.has_value() ? first->configuration : shipped;
 }
 
+static_assert(implements<req::CO_LSS_020>);
 LssError LssStore::store(const LssConfiguration& configuration) noexcept {
     const auto first = read(0U);
     const auto second = read(1U);

@@ -225,7 +225,7 @@ void ParameterStore::write_values(const ParameterGroups fresh, Writer& to) const
     }
 }
 
-static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005>);
+static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005> && implements<req::CO_STORE_010>);
 AbortCode ParameterStore::write_set(const ParameterGroups fresh, const ParameterGroups kept) noexcept {
     if (memory_.size() < needed_size()) {
         return AbortCode::hardware_error;
@@ -245,6 +245,9 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     set_field_le<0U, crc_size>(crc, to.crc());
     to.write(ByteView{crc});
     if (!to.done() || !is_intact(to_bank)) {
+        return AbortCode::hardware_error;
+    }
+    if (!memory_.commit()) {
         return AbortCode::hardware_error;
     }
     use(to_bank, header);

@@ -1,9 +1,9 @@
 // evidence: the pack to hand over.
 #include <fmt/format.h>
 
+#include "host/base/replace_folder.hpp"
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
-#include "host/cli/files.hpp"
 #include "host/cli/sound_register.hpp"
 #include "host/evidence/freshness.hpp"
 #include "host/evidence/pack.hpp"
@@ -84,15 +84,14 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     return all;
 }
 
-/// A pack written before goes first; a folder that holds anything else is not ours to clear.
-void clear(const std::filesystem::path& folder) {
+/// A pack written before is replaced; a folder that holds anything else is not ours.
+void check_place(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
     }
     if (!std::filesystem::exists(folder / "manifest.json")) {
         throw InputError{fmt::format("{} holds other files; name an empty folder or remove it", folder.string())};
     }
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace
@@ -122,14 +121,13 @@ int write_evidence(const EvidenceOptions& options) {
     }
     input.provenance = provenance_of(root);
     input.provenance.configuration += ", tests in " + places.verdicts.parent_path().filename().string();
-    const PackFiles files = make_pack(input);
+    PackFiles files = make_pack(input);
     const std::filesystem::path folder{options.out};
-    clear(folder);
-    for (const auto& [name, bytes] : files) {
-        write_file(folder / name, bytes);
-    }
-    write_file(folder / "manifest.json", write_manifest(files, input.provenance));
-    fmt::print("{} files; open {}\n", files.size() + 1, (folder / "index.html").string());
+    check_place(folder);
+    const std::string manifest = write_manifest(files, input.provenance);
+    files["manifest.json"] = manifest;
+    replace_folder(folder, files);
+    fmt::print("{} files; open {}\n", files.size(), (folder / "index.html").string());
     return 0;
 }
 

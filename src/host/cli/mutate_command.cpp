@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/base/replace_folder.hpp"
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
@@ -93,9 +94,7 @@ int mutate(const MutateOptions& options) {
     if (whole) {
         write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
         if (options.code) {
-            for (const auto& [name, bytes] : code_exhibit(outcomes)) {
-                write_file(root / "build" / "exhibits" / "code-mutation" / name, bytes);
-            }
+            replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
         }
         for (const SurvivorRecord* record : idle) {
             fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),

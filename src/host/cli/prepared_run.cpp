@@ -9,6 +9,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/make_bus.hpp"
+#include "host/devices/stored_memory_file.hpp"
 #include "host/run/device_names.hpp"
 
 namespace canproof::host {
@@ -82,21 +83,25 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
+/// In `folder`, which is made, or nowhere when it has no name.
+void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
+    if (!folder.empty()) {
+        std::filesystem::create_directories(folder);
+        keep_in_file(one.device->memory(), std::filesystem::path{folder} / (one.name + ".bin"), notice);
+    }
+}
+
 }  // namespace
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : notice_{std::move(notice)},
-      nvm_folder_{options.nvm},
-      stimulus_{options.stimulus},
-      log_{options.log},
-      outputs_{options.outputs} {
+    : notice_{std::move(notice)}, stimulus_{options.stimulus}, log_{options.log}, outputs_{options.outputs} {
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     std::uint32_t bit_rate = 0;
     for (ChosenDevice& one : devices) {
-        load_own_memory(one);
+        keep_memory(one, options.nvm, notice_);
         if (!one.notice.empty()) {
             notice_(one.notice);
         }
@@ -112,17 +117,6 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
     outputs.outputs = outputs_.stream();
     outputs.observer = observer;
     session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);
-}
-
-std::string PreparedRun::memory_file(const std::string& name) const {
-    return (std::filesystem::path{nvm_folder_} / (name + ".bin")).string();
-}
-
-void PreparedRun::load_own_memory(ChosenDevice& one) const {
-    if (!nvm_folder_.empty()) {
-        std::filesystem::create_directories(nvm_folder_);
-        load_memory(one.device->memory(), memory_file(one.name));
-    }
 }
 
 void PreparedRun::open_outputs() {
@@ -141,11 +135,6 @@ void PreparedRun::flush() {
 }
 
 void PreparedRun::finish() {
-    for (const auto& node : session_->nodes()) {
-        if (!nvm_folder_.empty()) {
-            save_memory(node->device().memory(), memory_file(node->name()));
-        }
-    }
     log_.finish();
     outputs_.finish();
 }

@@ -29,16 +29,12 @@ class PreparedRun {
     void tell_node_ids();
     /// The log and the outputs, as far as they are written, to their files.
     void flush();
-    /// Stored parameters and files to their end. Throws InputError.
+    /// The files to their end. Throws InputError.
     void finish();
 
   private:
-    std::string memory_file(const std::string& name) const;
-    void load_own_memory(ChosenDevice& one) const;
-
     NoticeListener notice_;
     NodeIdClashes clashes_;
-    std::string nvm_folder_;
     std::string stimulus_;
     OutputFile log_;
     OutputFile outputs_;

@@ -9,6 +9,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/output_file.hpp"
+#include "host/devices/stored_memory_file.hpp"
 #include "host/replay/replay.hpp"
 
 namespace canproof::host {
@@ -39,15 +40,12 @@ int replay_log(const ReplayOptions& options) {
         fmt::print(stderr, "{}\n", chosen.notice);
     }
     if (!options.nvm.empty()) {
-        load_memory(device->memory(), options.nvm);
+        keep_in_file(device->memory(), options.nvm, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     }
     OutputFile outputs{options.outputs};
     OutputFile::open({&outputs}, {options.log, options.stimulus});
     replay(*device, input, std::cout, outputs.stream());
     outputs.finish();
-    if (!options.nvm.empty()) {
-        save_memory(device->memory(), options.nvm);
-    }
     return 0;
 }
 

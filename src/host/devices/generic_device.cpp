@@ -141,10 +141,11 @@ void GenericDevice::power_on(const LssConfiguration& stored, Instant now) {
 }
 
 LssError GenericDevice::store_configuration(const LssConfiguration& configuration) {
-    if (store_answer_ == LssError::none) {
+    const LssError answer = store_ == nullptr ? store_answer_ : store_->store(configuration);
+    if (answer == LssError::none) {
         stored_ = configuration;
     }
-    return store_answer_;
+    return answer;
 }
 
 }  // namespace canproof::host

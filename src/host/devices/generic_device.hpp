@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/node.hpp"
 #include "host/speccompiler/dictionary_rows.hpp"
 
@@ -56,7 +57,9 @@ class GenericDevice final : private Application {
     std::uint32_t bit_rate() const { return bit_rate_; }
     /// What LSS last stored.
     const LssConfiguration& stored() const { return stored_; }
-    /// What store configuration answers from now on; only LssError::none keeps anything.
+    /// Store configuration goes to `store` from now on, which must live as long.
+    void store_in(LssStore& store) { store_ = &store; }
+    /// What store configuration answers without a store; only LssError::none keeps anything.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
     /// How often a communication error began or ended.
@@ -103,6 +106,7 @@ class GenericDevice final : private Application {
     int communication_errors_{0};
     LssConfiguration stored_{};
     std::uint32_t bit_rate_{0};
+    LssStore* store_{nullptr};
     LssError store_answer_{LssError::none};
     std::vector<Domain> domains_;
     AbortCode domain_refusal_{AbortCode::none};

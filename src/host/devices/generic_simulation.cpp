@@ -49,6 +49,7 @@ GenericSimulation::GenericSimulation(Part part)
     for (const auto& [index, subindex] : domains) {
         device_.lend(index, subindex, std::min(domain_size, all_domains_size / domains.size()));
     }
+    device_.store_in(store_);
 }
 
 void GenericSimulation::set_node_id(NodeId node_id) {
@@ -56,25 +57,15 @@ void GenericSimulation::set_node_id(NodeId node_id) {
 }
 
 void GenericSimulation::power_on(Instant now) {
-    kept_ = store_.load(shipped_);
-    device_.power_on(kept_, now);
+    device_.power_on(store_.load(shipped_), now);
 }
 
 void GenericSimulation::receive(const Frame& frame, Instant now) {
     device_.receive(frame, now);
-    keep_configuration();
 }
 
 void GenericSimulation::advance(Instant now) {
     device_.advance(now);
-}
-
-void GenericSimulation::keep_configuration() {
-    const LssConfiguration& wanted = device_.stored();
-    if (wanted.node_id != kept_.node_id || wanted.bit_rate != kept_.bit_rate) {
-        kept_ = wanted;
-        static_cast<void>(store_.store(kept_));
-    }
 }
 
 bool GenericSimulation::set_input(const std::string& name, double value, Instant now) {

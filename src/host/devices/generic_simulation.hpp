@@ -36,13 +36,10 @@ class GenericSimulation final : public SimulatedDevice {
     const ObjectDictionary* objects() const override { return &device_.objects(); }
 
   private:
-    void keep_configuration();
-
     Part part_;
     GenericDevice device_;
     LssStore store_;
     LssConfiguration shipped_;
-    LssConfiguration kept_;
     double can_state_{0.0};
     bool overrun_{false};
 };

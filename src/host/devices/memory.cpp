@@ -27,4 +27,13 @@ bool Memory::write(std::size_t at, ByteView bytes) {
     return true;
 }
 
+bool Memory::commit() {
+    if (!keeper_) {
+        return true;
+    }
+    const bool done = keeper_(bytes_);
+    (done ? kept_ : bytes_) = done ? bytes_ : kept_;
+    return done;
+}
+
 }  // namespace canproof::host

@@ -83,7 +83,7 @@ CampaignState new_state(const CampaignOptions& options, const std::vector<FuzzTa
     }
     std::filesystem::remove_all(files.work());
     std::filesystem::create_directories(files.work());
-    std::ofstream{files.work() / "began"} << state.started << '\n';
+    write_text(files.work() / "began", state.started + "\n");
     return state;
 }
 
@@ -133,11 +133,7 @@ void write_report(const CampaignContext& context, const std::optional<Night>& la
     std::filesystem::create_directories(folder);
     write_json(folder / "report.json", write_campaign_json(context.state, last));
     write_json(folder / "exhibit.json", write_campaign_exhibit(context.state));
-    std::ofstream page{folder / "index.html"};
-    page << write_campaign_html(context.state, last);
-    if (!page.flush()) {
-        throw InputError{fmt::format("cannot write {}", (folder / "index.html").string())};
-    }
+    write_text(folder / "index.html", write_campaign_html(context.state, last));
     context.display.say(fmt::format("report: {}", (folder / "index.html").string()));
 }
 

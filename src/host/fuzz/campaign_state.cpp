@@ -6,7 +6,9 @@
 #include <ctime>
 #include <fstream>
 #include <numeric>
+#include <system_error>
 
+#include "host/base/replace_file.hpp"
 #include "host/bus/candump.hpp"
 
 namespace canproof::host {
@@ -51,16 +53,17 @@ nlohmann::json read_json(const std::filesystem::path& file) {
     }
 }
 
-void write_json(const std::filesystem::path& file, const nlohmann::json& content) {
-    const std::filesystem::path written = file.string() + ".new";
-    {
-        std::ofstream out{written};
-        out << content.dump(1) << '\n';
-        if (!out.flush()) {
-            throw InputError{fmt::format("cannot write {}; name a folder that can be written to", file.string())};
-        }
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    try {
+        replace_file(file, text);
+    } catch (const std::system_error& error) {
+        throw InputError{fmt::format("cannot write {}: {}; name a folder that can be written to", file.string(),
+                                     error.code().message())};
     }
-    std::filesystem::rename(written, file);
+}
+
+void write_json(const std::filesystem::path& file, const nlohmann::json& content) {
+    write_text(file, content.dump(1) + "\n");
 }
 
 std::string utc_now() {

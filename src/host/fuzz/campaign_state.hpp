@@ -114,6 +114,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hi
 /// The file's JSON; `null` when it does not exist. Throws InputError, with the remedy, when it cannot be understood.
 nlohmann::json read_json(const std::filesystem::path& file);
 /// The old file or the new, whatever happens in between. Throws InputError when it cannot be written.
+void write_text(const std::filesystem::path& file, const std::string& text);
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
 /// `2026-11-21T04:05:06Z`, now.
 std::string utc_now();

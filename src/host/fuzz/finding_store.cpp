@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
+#include "host/bus/candump.hpp"
 #include "host/fuzz/campaign_display.hpp"
 
 namespace canproof::host {
@@ -13,7 +16,12 @@ namespace {
 constexpr double replay_limit = 60.0;
 
 void copy_over(const std::filesystem::path& from, const std::filesystem::path& to) {
-    std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing);
+    std::ifstream in{from, std::ios::binary};
+    std::ostringstream bytes;
+    if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(bytes << in.rdbuf()))) {
+        throw InputError{fmt::format("cannot read {}", from.string())};
+    }
+    write_text(to, bytes.str());
 }
 
 /// The target's replay writes the frames, up to the one that ends it; a target without frames writes nothing.

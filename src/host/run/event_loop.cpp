@@ -34,6 +34,11 @@ bool add(int epoll, int operation, int descriptor, std::uint32_t events) {
     return epoll_ctl(epoll, operation, descriptor, &event) == 0;
 }
 
+bool is_ignored(int signal) {
+    struct sigaction now {};
+    return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 EventLoop::EventLoop() {
@@ -41,6 +46,9 @@ EventLoop::EventLoop() {
     sigemptyset(&ending);
     sigaddset(&ending, SIGINT);
     sigaddset(&ending, SIGTERM);
+    if (!is_ignored(SIGHUP)) {  // a blocked signal arrives at a signalfd even when it is ignored
+        sigaddset(&ending, SIGHUP);
+    }
     sigprocmask(SIG_BLOCK, &ending, &mask_before_);
     std::signal(SIGPIPE, SIG_IGN);
     epoll_ = sound(epoll_create1(EPOLL_CLOEXEC), "epoll");

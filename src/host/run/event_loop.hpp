@@ -1,4 +1,4 @@
-// Waits: for descriptors, for a time, for SIGINT and SIGTERM. epoll, timerfd and signalfd; no thread.
+// Waits: for descriptors, for a time, for SIGINT, SIGTERM and SIGHUP. epoll, timerfd and signalfd; no thread.
 #pragma once
 
 #include <csignal>
@@ -11,7 +11,8 @@ namespace canproof::host {
 
 class EventLoop {
   public:
-    /// As long as it lives SIGINT and SIGTERM end the loop instead of the process. Throws std::system_error.
+    /// As long as it lives SIGINT, SIGTERM and SIGHUP end the loop instead of the process. A SIGHUP that is ignored, as
+    /// under nohup, does nothing. Throws std::system_error.
     EventLoop();
     ~EventLoop();
     EventLoop(const EventLoop&) = delete;

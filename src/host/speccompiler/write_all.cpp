@@ -1,6 +1,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "host/base/replace_file.hpp"
 #include "host/speccompiler/writers.hpp"
 
 namespace canproof::host {
@@ -16,11 +17,7 @@ void write_if_changed(const std::filesystem::path& path, const std::string& text
         return;
     }
     std::filesystem::create_directories(path.parent_path());
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    if (!out.flush()) {
-        throw std::filesystem::filesystem_error("cannot write", path, std::make_error_code(std::errc::io_error));
-    }
+    replace_file(path, text);
 }
 
 }  // namespace

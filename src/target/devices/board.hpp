@@ -34,6 +34,8 @@ class MappedMemory final : public NonVolatileMemory {
         }
         return inside;
     }
+    /// FRAM: a byte that was written is permanent.
+    bool commit() override { return true; }
 
   private:
     static volatile std::uint8_t* bytes() { return reinterpret_cast<volatile std::uint8_t*>(parameter_memory); }

@@ -89,10 +89,23 @@ TEST(EventLoop, RegularFileIsAlwaysReady) {
 }
 
 TEST(EventLoop, SignalToEndIsHeardAndTheProcessLives) {
-    EventLoop loop;
-    std::raise(SIGTERM);
-    loop.wait({}, long_pause);
-    EXPECT_TRUE(loop.is_interrupted());
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        EventLoop loop;
+        std::raise(signal);
+        loop.wait({}, long_pause);
+        EXPECT_TRUE(loop.is_interrupted()) << signal;
+    }
+}
+
+TEST(EventLoop, HangupThatIsIgnoredEndsNothing) {
+    const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    {
+        EventLoop loop;
+        std::raise(SIGHUP);
+        loop.wait({}, Duration{1});
+        EXPECT_FALSE(loop.is_interrupted());
+    }
+    std::signal(SIGHUP, before);
 }
 
 TEST(LineInput, GivesWholeLinesAsTheyCome) {

@@ -1,0 +1,39 @@
+// An open file, closed by whoever holds it last.
+#pragma once
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace canproof::host {
+
+class Descriptor {
+  public:
+    Descriptor() = default;
+    explicit Descriptor(int number) : number_{number} {}
+    ~Descriptor() { close(); }
+    Descriptor(Descriptor&& other) noexcept : number_{std::exchange(other.number_, -1)} {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        if (this != &other) {
+            close();
+            number_ = std::exchange(other.number_, -1);
+        }
+        return *this;
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int number() const { return number_; }
+    bool is_open() const { return number_ >= 0; }
+
+  private:
+    void close() const {
+        if (number_ >= 0) {
+            ::close(number_);
+        }
+    }
+
+    int number_{-1};
+};
+
+}  // namespace canproof::host

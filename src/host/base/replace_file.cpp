@@ -1,0 +1,151 @@
+#include "host/base/replace_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* ending = ".new";
+constexpr mode_t everybody = 0666;  // less the umask
+constexpr mode_t permissions = 07777;
+
+[[noreturn]] void refuse(const fs::path& path) {
+    throw fs::filesystem_error{"cannot write", path, std::error_code{errno, std::generic_category()}};
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path{"."};
+}
+
+std::string beginning(const fs::path& target) {
+    return "." + target.filename().string() + ".";
+}
+
+bool write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) {
+            return false;
+        }
+        bytes.remove_prefix(count < 0 ? 0U : static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+/// A regular file is replaced; a device or a FIFO has no content to keep.
+void write_into(const fs::path& path, std::string_view bytes) {
+    const Descriptor file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
+    if (!file.is_open() || !write_all(file.number(), bytes)) {
+        refuse(path);
+    }
+}
+
+}  // namespace
+
+FileBeside::FileBeside(fs::path target) : target_{std::move(target)} {
+    int number = 0;
+    do {
+        beside_ = folder_of(target_) /
+                  (beginning(target_) + std::to_string(getpid()) + "-" + std::to_string(number) + ending);
+        file_ = Descriptor{open(beside_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, everybody)};
+        ++number;
+    } while (!file_.is_open() && errno == EEXIST);
+    if (!file_.is_open()) {
+        fail();
+    }
+    struct stat old {};
+    const bool known = stat(target_.c_str(), &old) == 0;
+    const bool may = !known || access(target_.c_str(), W_OK) == 0;
+    if (!may || flock(file_.number(), LOCK_EX | LOCK_NB) != 0 ||
+        (known && fchmod(file_.number(), old.st_mode & permissions) != 0)) {
+        const int error = errno;
+        unlink(beside_.c_str());
+        errno = error;
+        fail();
+    }
+}
+
+FileBeside::~FileBeside() {
+    if (!placed_) {
+        unlink(beside_.c_str());
+    }
+}
+
+void FileBeside::fail() const {
+    refuse(target_);
+}
+
+void FileBeside::write(std::string_view bytes) {
+    if (!write_all(file_.number(), bytes) || fsync(file_.number()) != 0) {
+        fail();
+    }
+}
+
+void FileBeside::sync_folder() const {
+    const Descriptor folder{open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    // EINVAL: a file system that knows no such thing
+    if (!folder.is_open() || (fsync(folder.number()) != 0 && errno != EINVAL)) {
+        fail();
+    }
+}
+
+void FileBeside::replace() {
+    if (rename(beside_.c_str(), target_.c_str()) != 0) {
+        fail();
+    }
+    placed_ = true;
+    sync_folder();
+}
+
+bool FileBeside::create() {
+    const bool linked = link(beside_.c_str(), target_.c_str()) == 0;
+    // EPERM: a file system without links
+    const bool moved = !linked && errno == EPERM &&
+                       renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
+    if (!linked && !moved) {
+        if (errno == EEXIST || errno == ENOENT) {  // somebody else was first, and has removed what lay beside
+            return false;
+        }
+        fail();
+    }
+    placed_ = moved;
+    sync_folder();
+    return true;
+}
+
+void remove_leftovers(const fs::path& target) {
+    const std::string begins = beginning(target);
+    std::error_code ignored;  // a leftover that stays does no harm
+    for (const auto& entry : fs::directory_iterator{folder_of(target), ignored}) {
+        const std::string name = entry.path().filename().string();
+        const bool is_ours = name.size() > begins.size() + std::string_view{ending}.size() &&
+                             name.compare(0, begins.size(), begins) == 0 && entry.path().extension() == ending;
+        const std::string number = is_ours ? name.substr(begins.size(), name.size() - begins.size() - 4) : "x";
+        if (number.find_first_not_of("0123456789-") == std::string::npos) {
+            fs::remove(entry.path(), ignored);
+        }
+    }
+}
+
+void replace_file(const fs::path& path, std::string_view bytes) {
+    const auto status = fs::status(path);
+    const bool is_link = fs::is_symlink(fs::symlink_status(path));
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        write_into(path, bytes);
+        return;
+    }
+    FileBeside fresh{is_link ? fs::canonical(path) : path};
+    fresh.write(bytes);
+    fresh.replace();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,81 @@
+#include "host/base/replace_folder.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include "host/base/descriptor.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path) {
+    throw fs::filesystem_error{"cannot write", path, std::error_code{errno, std::generic_category()}};
+}
+
+void write_plainly(const fs::path& path, const std::string& bytes) {
+    fs::create_directories(path.parent_path());
+    std::ofstream out{path, std::ios::binary};
+    out << bytes;
+    out.close();
+    if (!out) {
+        refuse(path);
+    }
+}
+
+void sync_all(const fs::path& folder) {
+    const Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (!file.is_open() || syncfs(file.number()) != 0) {
+        refuse(folder);
+    }
+}
+
+/// The two change places in one step; where the file system cannot do that, in two.
+void exchange(const fs::path& fresh, const fs::path& folder) {
+    if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
+        return;
+    }
+    if (errno != EINVAL && errno != ENOSYS) {
+        refuse(folder);
+    }
+    const fs::path old = fresh.string() + ".old";
+    fs::rename(folder, old);
+    fs::rename(fresh, folder);
+    fs::rename(old, fresh);
+}
+
+}  // namespace
+
+void replace_folder(const fs::path& folder, const std::map<std::string, std::string>& files) {
+    const fs::path named = fs::weakly_canonical(folder);
+    const fs::path target = named.has_filename() ? named : named.parent_path();
+    const fs::path fresh = target.parent_path() / ("." + target.filename().string() + ".new");
+    fs::remove_all(fresh);
+    fs::create_directories(fresh);
+    try {
+        for (const auto& [name, bytes] : files) {
+            write_plainly(fresh / name, bytes);
+        }
+        sync_all(fresh);
+        if (fs::exists(target)) {
+            exchange(fresh, target);
+        } else {
+            fs::rename(fresh, target);
+        }
+        sync_all(target.parent_path());
+    } catch (const std::exception&) {
+        std::error_code ignored;
+        fs::remove_all(fresh, ignored);
+        throw;
+    }
+    fs::remove_all(fresh);
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,42 @@
+// Folders that are replaced as a whole.
+#include "host/base/replace_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <system_error>
+
+#include "support/scratch_folder.hpp"
+
+namespace canproof::host::test {
+
+using canproof::test::ScratchFolder;
+using Names = std::set<std::string>;
+
+TEST(ReplaceFolder, HoldsTheNewFilesAndNothingElse) {
+    const ScratchFolder folder;
+    replace_folder(folder / "pack", {{"a", "1"}, {"b/c", "2"}});
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/b/c"), "2");
+    replace_folder(folder / "pack", {{"a", "3"}});
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "3");
+    EXPECT_FALSE(std::filesystem::exists(folder / "pack/b"));
+    EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
+TEST(ReplaceFolder, StaysAsItIsWhenOneFileCannotBeWritten) {
+    const ScratchFolder folder;
+    replace_folder(folder / "pack", {{"a", "1"}});
+    EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "1");
+    EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
+TEST(ReplaceFolder, RemovesWhatAKilledProgramLeft) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / ".pack.new");
+    ScratchFolder::fill(folder / ".pack.new/stale", "x");
+    replace_folder(folder / "pack", {{"a", "1"}});
+    EXPECT_FALSE(std::filesystem::exists(folder / "pack/stale"));
+    EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
+}  // namespace canproof::host::test
