@@ -15,7 +15,7 @@ using Outputs = generated::ax130751::Outputs;
 
 /// What a cycle gives all outputs.
 struct OutputCycle {
-    bool shutdown{false};  ///< a diagnostic fault shuts them off
+    bool shutdown{false};  ///< a diagnostic fault, or a state other than operational, shuts them off
     Instant now{};
 };
 

@@ -193,6 +193,7 @@ TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
 
 TEST_F(Ax130751Diagnostics, AFaultThatPassedWithoutANodeIdIsNotTold) {
     verifies<req::AOR_DIAG_007>();
+    send("000#807F");
     send("7E5#0401");
     EXPECT_EQ(send("7E5#11FF"), (Frames{"7E4#110000"}));
     EXPECT_EQ(send("7E5#0400"), Frames{}) << "no node-ID, no boot-up";
