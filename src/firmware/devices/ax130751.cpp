@@ -191,7 +191,7 @@ bool Device::run_blocks(const Instant now) noexcept {
         changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
     }
     const bool runs = node_.state() == NmtState::operational;
-    const OutputCycle cycle{supervision_.shuts_down() || (!runs), now};
+    const OutputCycle cycle{supervision_.shuts_down() || (!runs), supervision_.has_power(), now};
     for (UniversalOutput& output : universal_) {
         changes = output.advance(cycle, inputs_, outputs_) || changes;
     }
@@ -312,8 +312,8 @@ void Device::restart(const Instant now) {
         universal_[output - 1U].reset();
         types_[output - 1U] = objects_.get(field::o6310_ao_output_type[output]);
     }
-    relay_.reset(outputs_);
     supervision_.advance(inputs_, objects_);
+    relay_.reset(supervision_.has_power(), outputs_);
     show_configuration();
     overdue_ = 0U;
     silent_ = false;

@@ -229,6 +229,30 @@ TEST_F(Ax130751Interlock, AnInputInErrorPutsTheRelayOffWhateverItsOverrideSays) 
     EXPECT_FALSE(relay_on());
 }
 
+// 1.4 with the names of the pins in 2.1: state OFF needs current
+TEST_F(Ax130751Interlock, ARelayWithoutCurrentLiesOnNc) {
+    verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
+    const auto contact = [this](float supplied) {
+        inputs.supply = supplied;
+        set_inputs();
+        pass(1);
+        EXPECT_NE(device->outputs().relay_nc, device->outputs().relay_no);
+        return device->outputs().relay_nc;
+    };
+    EXPECT_FALSE(contact(24.0F)) << "OFF";
+    EXPECT_TRUE(contact(0.0F));
+    EXPECT_TRUE(contact(6.9F));
+    EXPECT_FALSE(contact(7.0F)) << "an under-voltage fault: OFF";
+    EXPECT_TRUE(contact(39.5F));
+    EXPECT_FALSE(contact(24.0F));
+    send("000#807F");
+    EXPECT_FALSE(contact(24.0F));
+    EXPECT_TRUE(contact(1.0F)) << "in every state";
+    power_on();
+    EXPECT_TRUE(device->outputs().relay_nc) << "power-on without a supply";
+    EXPECT_FALSE(contact(24.0F));
+}
+
 // 1.8, 3.4.86: 5555h is what lets a unit without a master drive anything
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
