@@ -123,6 +123,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowTimeIsSliced, ()) {
     Ax130751Bench restless;  // called at odd times in between as well
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
+        bench->start();  // outputs run in operational only
     }
     const int steps = *rc::gen::inRange(10, 120);
     for (int step = 0; step < steps; ++step) {
@@ -157,6 +158,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsStayInTheRangeOfTheirTypeWhateverIsWritten, ()
     verifies<req::AOR_OUT_016>("property");
     Ax130751Bench bench;
     bench.power_on();
+    bench.start();
     const int steps = *rc::gen::inRange(10, 150);
     for (int step = 0; step < steps; ++step) {
         const Write write = some_write();

@@ -21,12 +21,13 @@ struct Ax130751Unit {
     }
     static bool may_also_send(const Frame&) { return false; }
 
-    /// 1.3 Table 3, section 4: no output leaves the range of any type, and without a supply nothing is driven.
+    /// 1.3 Table 3, section 4: no output leaves the range of any type, and without a supply nothing is driven, not the
+    /// coil of the relay either: AOR-D-283.
     static void check(const Device& device, const Inputs& inputs, bool settled) {
         const ax130751::Outputs& outputs = device.outputs();
         const bool shut = settled && !(inputs.supply >= 7.0F && inputs.supply <= 39.0F);
         require(outputs.relay_nc != outputs.relay_no);
-        require(!(shut && outputs.relay_nc));
+        require(!(shut && outputs.relay_no));
         for (std::size_t i = 0; i < 2; ++i) {
             const float volts = outputs.out_voltage[i];
             require(volts >= -10.0F && volts <= 12.0F);

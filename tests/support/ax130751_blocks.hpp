@@ -5,11 +5,13 @@
 
 namespace canproof::test {
 
-/// A booted AX130751. Everything is written at a whole millisecond; blocks see it in the cycle after.
+/// An AX130751 in operational, where its outputs run. Everything is written at a whole millisecond; blocks see it in
+/// the cycle after.
 class Ax130751Blocks : public Ax130751Test {
   protected:
     void SetUp() override {
         Ax130751Test::SetUp();
+        start();
         pass(1);
     }
 

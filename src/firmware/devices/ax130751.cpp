@@ -190,7 +190,8 @@ bool Device::run_blocks(const Instant now) noexcept {
     for (std::uint8_t block = 1U; block <= math_count; ++block) {
         changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
     }
-    const OutputCycle cycle{supervision_.shuts_down(), now};
+    const bool runs = node_.state() == NmtState::operational;
+    const OutputCycle cycle{supervision_.shuts_down() || (!runs), supervision_.has_power(), now};
     for (UniversalOutput& output : universal_) {
         changes = output.advance(cycle, inputs_, outputs_) || changes;
     }
@@ -206,16 +207,18 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// What makes CANopen messages faulty as sources.
+/// What makes CANopen messages faulty as sources, and the state in which outputs run.
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
         silent = silent || node_.has_error(error);
     }
     const std::uint8_t overdue = node_.overdue_rpdos();
-    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_)) {
+    const NmtState state = node_.state();
+    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_) || (state != watched_state_)) {
         silent_ = silent;
         overdue_ = overdue;
+        watched_state_ = state;
         wake(now);
     }
 }
@@ -309,8 +312,8 @@ void Device::restart(const Instant now) {
         universal_[output - 1U].reset();
         types_[output - 1U] = objects_.get(field::o6310_ao_output_type[output]);
     }
-    relay_.reset(outputs_);
     supervision_.advance(inputs_, objects_);
+    relay_.reset(supervision_.has_power(), outputs_);
     show_configuration();
     overdue_ = 0U;
     silent_ = false;

@@ -93,6 +93,7 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
+    NmtState watched_state_{NmtState::initialising};
     bool was_quiet_{false};  ///< the last cycle: it changed nothing
 };
 

@@ -74,13 +74,13 @@ bool override_state(const std::uint8_t value) noexcept {
 
 }  // namespace
 
-void RelayOutput::reset(Outputs& outputs) noexcept {
+void RelayOutput::reset(const bool powered, Outputs& outputs) noexcept {
     relay_.reset();
     control_ = DigitalReading{};
     unlatch_ = DigitalReading{};
     enable_ = DigitalReading{};
     override_ = DigitalReading{};
-    show(false, outputs);
+    show(false, powered, outputs);
 }
 
 static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_018>);
@@ -90,7 +90,7 @@ void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const OutputDrive drive = drive_of(wanted, cycle.shutdown || absent);
     const RelayDemand demand{control_.on(), unlatch_.on(),
                              override_state(objects_.get(field::o2293_relay_override_state[1U]))};
-    show(relay_.advance(drive, demand, wanted, times(), cycle.now), outputs);
+    show(relay_.advance(drive, demand, wanted, times(), cycle.now), cycle.powered, outputs);
 }
 
 OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {
@@ -142,9 +142,10 @@ RelayTimes RelayOutput::times() const noexcept {
                       milliseconds(objects_.get(field::o22a2_relay_off_delay[1U])), blink};
 }
 
-static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_T_CONTACT>);
-void RelayOutput::show(const bool on, Outputs& outputs) noexcept {
-    const auto* const row = own::t_aor_t_contact::find(on);
+/// The coil carries current in state OFF alone.
+static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_RELAY_019> && implements<req::AOR_T_CONTACT>);
+void RelayOutput::show(const bool on, const bool powered, Outputs& outputs) noexcept {
+    const auto* const row = own::t_aor_t_contact::find(on || (!powered));
     outputs.relay_nc = cell_or(row, &own::t_aor_t_contact::Row::normally_closed, false);
     outputs.relay_no = cell_or(row, &own::t_aor_t_contact::Row::normally_open, false);
 }

@@ -12,7 +12,8 @@ class RelayOutput {
     RelayOutput(const ObjectDictionary& objects, const Sources& sources) noexcept
         : objects_{objects}, sources_{sources} {}
 
-    void reset(Outputs& outputs) noexcept;
+    /// OFF; `powered`: the coil can be supplied.
+    void reset(bool powered, Outputs& outputs) noexcept;
     /// Drives the contact, which no other block sees.
     void advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
     /// When it will change by itself, its inputs staying as they are.
@@ -22,7 +23,7 @@ class RelayOutput {
     RelayPolarity polarity() const noexcept;
     RelayTimes times() const noexcept;
     OutputDrive drive_of(const RelayPolarity& polarity, bool shutdown) noexcept;
-    static void show(bool on, Outputs& outputs) noexcept;
+    static void show(bool on, bool powered, Outputs& outputs) noexcept;
 
     const ObjectDictionary& objects_;
     const Sources& sources_;

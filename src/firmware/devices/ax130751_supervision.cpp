@@ -15,9 +15,8 @@ namespace field = generated::ax130751::field;
 /// The protection of the hardware, which nothing configures. What is no number is no supply within its range either.
 static_assert(implements<req::AOR_DIAG_008> && implements<req::AOR_K_SUPPLY_SHUTDOWN_LOW> &&
               implements<req::AOR_K_SUPPLY_SHUTDOWN_HIGH>);
-bool is_beyond_hardware(const float supply) noexcept {
-    const bool within = (supply >= own::supply_shutdown_low) && (supply <= own::supply_shutdown_high);
-    return !within;
+bool is_within_hardware(const float supply) noexcept {
+    return (supply >= own::supply_shutdown_low) && (supply <= own::supply_shutdown_high);
 }
 
 }  // namespace
@@ -43,7 +42,8 @@ void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
 
     const bool supply_shuts = objects.get(field::o5025_enable_power_supply_fault_disables_outputs) != 0U;
     const bool heat_shuts = objects.get(field::o5034_enable_temperature_fault_shutdown) != 0U;
-    shutdown_ = is_beyond_hardware(inputs.supply) || ((low || high) && supply_shuts) || (hot && heat_shuts);
+    powered_ = is_within_hardware(inputs.supply);
+    shutdown_ = (!powered_) || ((low || high) && supply_shuts) || (hot && heat_shuts);
 }
 
 }  // namespace canproof::ax130751

@@ -16,6 +16,8 @@ class Supervision {
 
     bool has_supply_fault() const noexcept { return under_.is_present() || over_.is_present(); }
     bool has_temperature_fault() const noexcept { return temperature_.is_present(); }
+    /// Whether the hardware is on: within the range of its own protection (chapter 4).
+    bool has_power() const noexcept { return powered_; }
     /// Whether all outputs are to be off.
     bool shuts_down() const noexcept { return shutdown_; }
 
@@ -23,6 +25,7 @@ class Supervision {
     LimitFault under_{};
     LimitFault over_{};
     LimitFault temperature_{};
+    bool powered_{false};
     bool shutdown_{false};
 };
 

@@ -24,10 +24,15 @@ struct Point {
     int y;
 };
 
-/// An AX130751 alone on a bus, set up and asked over SDO.
+/// An AX130751 alone on a bus, started, set up and asked over SDO.
 class Converter {
   public:
-    Converter() { device_.power_on({}, now_); }
+    Converter() {
+        device_.power_on({}, now_);
+        Frame start = data_frame(0x000, 2);  // of all nodes: outputs run in operational only
+        start.data[0] = 0x01;
+        device_.receive(start, now_);
+    }
 
     void put8(int index, int sub, int value) { put(0x2F, index, sub, value); }
     void put16(int index, int sub, int value) { put(0x2B, index, sub, value); }

@@ -11,6 +11,7 @@ class Ax130751Accuracy : public Ax130751Test {
   protected:
     void SetUp() override {
         Ax130751Test::SetUp();
+        start();
         for (int output = 1; output <= 2; ++output) {
             EXPECT_EQ(write(0x2330, output, 0, 2), "");  // no ramps
             EXPECT_EQ(write(0x2331, output, 0, 2), "");

@@ -10,6 +10,10 @@ namespace {
 
 class Ax130751Examples : public Ax130751Test {
   protected:
+    void SetUp() override {
+        Ax130751Test::SetUp();
+        start();
+    }
     void put(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         EXPECT_EQ(write(index, sub, value, bytes), "") << std::hex << index << ":" << sub;
     }

@@ -229,4 +229,135 @@ TEST_F(Ax130751Interlock, AnInputInErrorPutsTheRelayOffWhateverItsOverrideSays) 
     EXPECT_FALSE(relay_on());
 }
 
+// 1.4 with the names of the pins in 2.1: state OFF needs current
+TEST_F(Ax130751Interlock, ARelayWithoutCurrentLiesOnNc) {
+    verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
+    const auto contact = [this](float supplied) {
+        inputs.supply = supplied;
+        set_inputs();
+        pass(1);
+        EXPECT_NE(device->outputs().relay_nc, device->outputs().relay_no);
+        return device->outputs().relay_nc;
+    };
+    EXPECT_FALSE(contact(24.0F)) << "OFF";
+    EXPECT_TRUE(contact(0.0F));
+    EXPECT_TRUE(contact(6.9F));
+    EXPECT_FALSE(contact(7.0F)) << "an under-voltage fault: OFF";
+    EXPECT_TRUE(contact(39.5F));
+    EXPECT_FALSE(contact(24.0F));
+    send("000#807F");
+    EXPECT_FALSE(contact(24.0F));
+    EXPECT_TRUE(contact(1.0F)) << "in every state";
+    power_on();
+    EXPECT_TRUE(device->outputs().relay_nc) << "power-on without a supply";
+    EXPECT_FALSE(contact(24.0F));
+}
+
+// 1.8, 3.4.86: 5555h is what lets a unit without a master drive anything
+TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
+    verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
+    make_voltage();
+    make_relay();
+    set16(0x6310, 2, 1020);
+    set8(0x2241, 2, 1);  // inverse: ON without a command
+    set16(0x2300, 1, 3000);
+    pass(1);
+    EXPECT_TRUE(is_on(2));
+    for (const char* command : {"000#807F", "000#027F"}) {  // pre-operational, stopped
+        SCOPED_TRACE(command);
+        send(command);
+        pass(1);
+        EXPECT_FLOAT_EQ(volts(1), 0.0F);
+        EXPECT_FALSE(is_on(2));
+        EXPECT_FALSE(relay_on());
+        EXPECT_EQ(device->objects().read(0x7330, 1), 0U);
+        EXPECT_EQ(device->objects().read(0x2370, 1), 0U);
+        pass(500);
+        EXPECT_FLOAT_EQ(volts(1), 0.0F);
+        start();
+        pass(1);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F) << "takes up its input again";
+        EXPECT_TRUE(is_on(2));
+        EXPECT_TRUE(relay_on());
+    }
+    send("000#807F");
+    connect(0x2360, 1, 1);
+    set8(0x2293, 1, 1);
+    connect(0x2290, 1, 1);
+    extra(1, 100);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no override changes it";
+    EXPECT_TRUE(device->outputs().relay_no);
+}
+
+TEST_F(Ax130751Interlock, BlocksGoOnWithoutOperational) {
+    verifies<req::AOR_OUT_026>();
+    send("000#807F");
+    choose(0x3010, 0, canopen, 4);
+    extra(1, 70);
+    EXPECT_EQ(get16(0x3018, 0), 70);
+}
+
+TEST_F(Ax130751Interlock, ARampBeginsAtOffWhenTheNodeIsStartedAgain) {
+    verifies<req::AOR_OUT_026, req::AOR_OUT_012>();
+    command(1, 5000);
+    pass(1000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    send("000#807F");
+    pass(1);
+    start();
+    pass(1 + 200);
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V in a second
+}
+
+TEST_F(Ax130751Interlock, AResetOfTheCommunicationPutsThemOff) {
+    verifies<req::AOR_OUT_026>();
+    make_voltage();
+    make_relay();
+    send("000#827F");
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    EXPECT_FALSE(relay_on());
+    start();
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 4.0F) << "7300h is as it was";
+}
+
+// 3.2.13
+TEST_F(Ax130751Interlock, OutputsGoOffWhereACommunicationFaultTakesTheNodeOutOfOperational) {
+    verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
+    no_ramps(1);
+    set16(0x7341, 1, 1500);
+    set16(0x1400, 5, 50);
+    for (const int behaviour : {0, 1, 2}) {
+        SCOPED_TRACE(behaviour);
+        set8(0x1029, 1, behaviour);
+        send("27F#A00F000001");  // 4 V, relay ON
+        pass(2);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F);
+        EXPECT_TRUE(relay_on());
+        pass(60);
+        EXPECT_FLOAT_EQ(volts(1), behaviour == 1 ? 1.5F : 0.0F) << "7341h in operational";
+        EXPECT_FALSE(relay_on());
+        start();
+        send("27F#A00F000001");
+    }
+}
+
+TEST_F(Ax130751Interlock, AfterTheStartByItselfOutputsRun) {
+    verifies<req::AOR_OUT_026, req::AOR_START_001, req::AOR_OD_5555>();
+    no_ramps(1);
+    set8(0x2342, 1, 0);
+    set16(0x7321, 1, 2000);  // 2 V at 0
+    store();
+    power_on();
+    pass(100);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "waits for the master";
+    set8(0x5555, 0, 1);
+    store();
+    power_on();
+    pass(2);
+    EXPECT_EQ(device->state(), NmtState::operational);
+    EXPECT_FLOAT_EQ(volts(1), 2.0F);
+}
+
 }  // namespace canproof::test

@@ -646,21 +646,6 @@ TEST_F(Ax130751Output, DigitalOverrideDisableAndFault) {
 
 // --- cycle ---------------------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, OutputsDoNotDependOnTheNmtState) {
-    verifies<req::AOR_OUT_026>();
-    no_ramps(1);
-    command(1, 1000);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // pre-operational
-    start();
-    pass(5);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);
-    send("000#027F");
-    pass(5);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // stopped
-    send("000#817F");                 // reset node: 7300h is 0 again
-    EXPECT_FLOAT_EQ(volts(1), 0.0F);
-}
-
 TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
     verifies<req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: the relay is ON
@@ -675,11 +660,15 @@ TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
     send("000#817F");
     EXPECT_TRUE(all_off()) << "reset";
     pass(1);
+    EXPECT_TRUE(all_off()) << "pre-operational";
+    start();
+    pass(1);
     EXPECT_FLOAT_EQ(volts(1), 3.5F);
     EXPECT_TRUE(relay_on());
     power_on();
     EXPECT_TRUE(all_off()) << "power-on";
     EXPECT_FLOAT_EQ(get_real(0x5020), 24.0F) << "measured at once";
+    start();
     pass(1);
     EXPECT_FLOAT_EQ(volts(1), 3.5F);
 }
@@ -817,6 +806,7 @@ TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
 TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     // Math 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a cycle.
+    send("000#807F");
     extra_as_percent(2);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
         set8(0x4200, sub, source);
@@ -837,6 +827,7 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
 
 TEST_F(Ax130751Output, ALateCallMakesUpForWhatWasDue) {
     verifies<req::AOR_OUT_027>();
+    send("000#807F");
     start();                 // TPDO1 from here on each 100 ms: 2370h:1 and 2370h:2
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(300);
@@ -876,8 +867,9 @@ TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
 
 TEST_F(Ax130751Output, NothingToDoNeedsNoCycle) {
     verifies<req::AOR_OUT_001>();
+    set16(0x1800, 5, 0);  // no TPDO1
     pass(5000);
-    EXPECT_EQ(device->next_deadline(), never) << "at rest in pre-operational";
+    EXPECT_EQ(device->next_deadline(), never) << "at rest";
     command(1, 5000);
     EXPECT_LE(device->next_deadline(), now + milliseconds(1)) << "a ramp is under way";
     pass(5000);
