@@ -45,7 +45,7 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
     angles_ = {angles.pitch, angles.roll, gravity_angle(gravity)};
 }
 
-/// The Euler roll of the last direction that had one, in the frame of today; 0 if it has none there.
+/// The Euler roll of the last direction that had one, in the frame in use; 0 if it has none there.
 float Inclination::last_roll(const InclinationSettings& settings) const noexcept {
     const Vector3 gravity = gravity_from(undo_rotation(rolled_, settings.installation));
     return in_gimbal_lock(gravity, generated::ax060805::exact_angle) ? 0.0F : euler_angles(gravity).roll;

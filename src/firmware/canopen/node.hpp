@@ -129,6 +129,10 @@ class Node final : private ObjectAccess {
         tpdos_.value_changed(index, subindex, now);
     }
 
+    /// See ParameterStore::mark_saves().
+    void mark_saves(const std::uint8_t mark) noexcept { store_.mark_saves(mark); }
+    std::uint8_t saved_mark() const noexcept { return store_.saved_mark(); }
+
     NmtState state() const noexcept { return state_; }
     /// The active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }

@@ -189,7 +189,11 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t val
         return AbortCode::cannot_store;
     }
     const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
-    return write_set(is_store ? groups : no_groups, groups_ & ~groups);
+    ParameterGroups kept = groups_ & ~groups;
+    if (is_store && ((groups & group_bit(ParameterGroup::manufacturer)) != 0U)) {
+        kept = (kept & all_groups) | (ParameterGroups{mark_} << mark_shift);
+    }
+    return write_set(is_store ? groups : no_groups, kept);
 }
 
 void ParameterStore::Writer::write(const ByteView bytes) noexcept {

@@ -47,6 +47,11 @@ class ParameterStore {
     /// when the memory failed; what was stored before is then still stored.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
+    /// A number of the device's, 0…31, that a save of the manufacturer parameters keeps with them: what it was made at.
+    void mark_saves(const std::uint8_t mark) noexcept { mark_ = mark; }
+    /// The mark of the manufacturer parameters that are stored.
+    std::uint8_t saved_mark() const noexcept { return static_cast<std::uint8_t>(groups_ >> mark_shift); }
+
     /// Bytes of memory that this dictionary needs.
     std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
 
@@ -54,6 +59,7 @@ class ParameterStore {
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
+    static constexpr std::uint32_t mark_shift = 3U;  ///< of the mark in the header's byte of groups
     using Header = std::array<std::uint8_t, header_size>;
 
     /// Writes bytes one behind the other and keeps their CRC; after a failure nothing more.
@@ -91,9 +97,10 @@ class ParameterStore {
     StoredNodeId stored_node_id_;
     std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
     std::size_t payload_size_;  ///< bytes of all stored values
+    std::uint8_t mark_{0U};     ///< of the next save
     std::size_t bank_{0U};      ///< the bank in use, and what its header says:
     std::uint32_t sequence_{0U};
-    ParameterGroups groups_{no_groups};  ///< none when nothing is stored
+    ParameterGroups groups_{no_groups};  ///< and the mark above them; none when nothing is stored
     std::uint8_t saved_node_id_{0U};     ///< of the node that saved
     bool in_use_{false};
 };

@@ -101,6 +101,18 @@ constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
 
+/// What a save is marked with, to tell later at which bit rate it was made: 1 and more by Table 21, 0 for a rate that
+/// is not there.
+constexpr std::uint8_t mark_of(const std::uint32_t bit_rate) noexcept {
+    std::uint8_t mark{0U};
+    for (const own::t_inc_t21::Row& row : own::t_inc_t21::rows) {
+        if (row.bit_rate == bit_rate) {
+            mark = static_cast<std::uint8_t>(row.index + 1U);
+        }
+    }
+    return mark;
+}
+
 constexpr float reversed_if(const bool reversed, const float value) noexcept {
     return reversed ? -value : value;
 }
@@ -130,7 +142,7 @@ static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006> && im
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     const LssConfiguration stored = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
-    bit_rate_ = stored.bit_rate;
+    use_bit_rate(stored.bit_rate);
     node_.power_on(stored, now);
     set_inputs(inputs, now);
 }
@@ -241,7 +253,8 @@ void Device::put_factory_values(const ParameterGroup group) {
     }
 }
 
-static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001>);
+static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001> &&
+              implements<req::INC_SLEW_002>);
 void Device::restart(const Instant now) {
     namespace table = own::t_inc_t8;
     const auto* const range = table::find(factory_.range);
@@ -253,6 +266,9 @@ void Device::restart(const Instant now) {
     take_settings();
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
+    }
+    if (node_.saved_mark() != mark_of(bit_rate_)) {
+        objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
     }
     drive_slew_rate();
     inclination_.restart();
@@ -283,9 +299,14 @@ void Device::communication_failed(const bool, const Instant) {
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
-    bit_rate_ = bit_rate;
+    use_bit_rate(bit_rate);
     objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate));
     drive_slew_rate();
+}
+
+void Device::use_bit_rate(const std::uint32_t bit_rate) noexcept {
+    bit_rate_ = bit_rate;
+    node_.mark_saves(mark_of(bit_rate));
 }
 
 LssError Device::store_configuration(const LssConfiguration& configuration) {

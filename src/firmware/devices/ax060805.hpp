@@ -84,6 +84,7 @@ class Device final : private Application {
     void restart_filter(std::size_t angle) noexcept;
     void take_function(std::size_t function) noexcept;
     void obey_auto_null(Instant now) noexcept;
+    void use_bit_rate(std::uint32_t bit_rate) noexcept;
     void drive_slew_rate() noexcept;
 
     Signal signal_of(std::uint8_t source) const noexcept;

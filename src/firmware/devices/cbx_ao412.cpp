@@ -176,7 +176,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
     }
 }
 
-static_assert(implements<req::AO4_AOUT_009>);
+static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         put_version(hardware_version_index, factory_.hardware_version);

@@ -1,5 +1,5 @@
-// The AX060805 on its network: PDOs, LSS, storing, identity, heartbeat, self-start, slew rate (3.9, 3.10, 4.1, 4.2,
-// 4.3.1), node 127.
+// The AX060805 on its network: PDOs, LSS, storing, identity, heartbeat, self-start (3.9, 3.10, 4.1, 4.2), node
+// 127.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -218,42 +218,6 @@ TEST_F(Network, BitRatesOfTable21) {
         }
     }
     EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // no other table
-}
-
-TEST_F(Network, SlewRateIsSetAtOnce) {
-    verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
-    EXPECT_FALSE(device->outputs().slew_rate_fast);
-    EXPECT_EQ(read(0x2000), 0U);
-    write(0x2000, 0, 1, 1);
-    EXPECT_TRUE(device->outputs().slew_rate_fast);
-    write(0x2000, 0, 0, 1);
-    EXPECT_FALSE(device->outputs().slew_rate_fast);
-    EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
-}
-
-TEST_F(Network, SlewRateFollowsTheBitRate) {
-    verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
-    const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
-    configure_lss();
-    for (std::size_t index = 0; index < fast.size(); ++index) {
-        if (index != 5) {
-            send("7E5#1300" + hex_le(index, 1));
-            send("7E5#150100");
-            pass(2);
-            EXPECT_EQ(device->outputs().slew_rate_fast, fast[index]) << index;
-            EXPECT_EQ(read(0x2000), fast[index] ? 1U : 0U) << index;
-        }
-    }
-    send("7E5#130000");
-    send("7E5#150100");
-    pass(2);
-    send("7E5#17");
-    power_on();
-    EXPECT_TRUE(device->outputs().slew_rate_fast);  // suits 1 Mbit/s
-    write(0x2000, 0, 0, 1);
-    store_all();
-    power_on();
-    EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
 }
 
 TEST_F(Network, StoreAndRestoreByGroup) {

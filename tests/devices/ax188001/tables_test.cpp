@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "generated/ax188001/requirements.hpp"
 #include "support/verifies.hpp"
@@ -83,6 +84,27 @@ TEST(Ax188001Tables, RejectionOfMainsHum) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::hz_50), 1.33e-3F);
     EXPECT_EQ(left(t::FilterHz::hz_50, t::MainsHz::none), 0.0F);
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
+}
+
+// 1.1: harmonics are rejected as well. Of a frequency that is x times its own, a sinc filter of fourth order lets
+// (sin(pi x) / (pi x))^4 pass.
+TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsTheirFundamental) {
+    verifies<req::TCS_T_REJECTION>();
+    namespace t = own::t_tcs_t_rejection;
+    const auto passes = [](double x) {
+        constexpr double pi = 3.14159265358979323846;
+        return std::pow(std::sin(pi * x) / (pi * x), 4.0);
+    };
+    for (const double filter : {50.0, 60.0}) {
+        for (const double mains : {50.0, 60.0}) {
+            const auto* row = t::find(filter == 50.0 ? t::FilterHz::hz_50 : t::FilterHz::hz_60,
+                                      mains == 50.0 ? t::MainsHz::hz_50 : t::MainsHz::hz_60);
+            ASSERT_NE(row, nullptr);
+            for (int harmonic = 2; harmonic <= 50; ++harmonic) {
+                EXPECT_LT(passes(harmonic * mains / filter), row->left) << filter << ' ' << harmonic * mains;
+            }
+        }
+    }
 }
 
 }  // namespace canproof::test

@@ -35,6 +35,15 @@ TEST_F(Startup, AnInvalidNodeIdKeepsTheModuleSilent) {
     }
 }
 
+// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is set beside it, and the digits are BCD
+TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
+    verifies<req::AO4_ID_001, req::AO4_OD_1018>();
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // AB 0105
+    factory.serial_number = 0xCBDA9387;
+    power_on();
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810048793DACB"}));  // KZ 9387
+}
+
 TEST_F(Startup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
     // kbit/s as printed, thirds and sixths rounded to whole bits

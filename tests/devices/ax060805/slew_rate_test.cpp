@@ -1,0 +1,139 @@
+// Slew rate of the AX060805's transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
+#include "generated/ax060805/requirements.hpp"
+#include "support/inclinometer_bench.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class SlewRate : public InclinometerTest {
+  protected:
+    void store_all() { write(0x1010, 1, 0x65766173, 4); }
+    bool is_fast() const { return device->outputs().slew_rate_fast; }
+    /// LSS makes the rate of `index` (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s) active.
+    void activate(std::size_t index) {
+        send("7E5#0401");
+        send("7E5#1300" + hex_le(index, 1));
+        send("7E5#150100");
+        pass(2);
+    }
+    /// As activate(), and stores it; ends in LSS waiting.
+    void activate_and_store(std::size_t index) {
+        activate(index);
+        send("7E5#17");
+        send("7E5#0400");
+    }
+    void expect_fast(bool fast, const char* when) {
+        EXPECT_EQ(is_fast(), fast) << when;
+        EXPECT_EQ(read(0x2000), fast ? 1U : 0U) << when;
+    }
+};
+
+}  // namespace
+
+TEST_F(SlewRate, IsSetAtOnce) {
+    verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
+    EXPECT_FALSE(device->outputs().slew_rate_fast);
+    EXPECT_EQ(read(0x2000), 0U);
+    write(0x2000, 0, 1, 1);
+    EXPECT_TRUE(device->outputs().slew_rate_fast);
+    write(0x2000, 0, 0, 1);
+    EXPECT_FALSE(device->outputs().slew_rate_fast);
+    EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
+}
+
+TEST_F(SlewRate, FollowsTheBitRate) {
+    verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
+    const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
+    for (std::size_t index = 0; index < fast.size(); ++index) {
+        if (index != 5) {
+            activate(index);
+            EXPECT_EQ(device->outputs().slew_rate_fast, fast[index]) << index;
+            EXPECT_EQ(read(0x2000), fast[index] ? 1U : 0U) << index;
+        }
+    }
+    activate_and_store(0);
+    power_on();
+    EXPECT_TRUE(device->outputs().slew_rate_fast);  // suits 1 Mbit/s
+    write(0x2000, 0, 0, 1);
+    store_all();
+    power_on();
+    EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
+}
+
+TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheSlowOne) {
+    verifies<req::INC_SLEW_002, req::INC_STORE_001>();
+    write(0x2003, 0, 7, 1);
+    store_all();  // at 125 kbit/s
+    power_on();
+    expect_fast(false, "the rate of the save");
+    activate_and_store(0);
+    power_on();
+    expect_fast(true, "1 Mbit/s");
+    EXPECT_EQ(read(0x2003), 7U);
+    send("000#8100");
+    expect_fast(true, "after a reset as well");
+}
+
+TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheFastOne) {
+    verifies<req::INC_SLEW_002>();
+    activate_and_store(2);
+    store_all();  // at 500 kbit/s
+    power_on();
+    expect_fast(true, "the rate of the save");
+    activate_and_store(4);
+    power_on();
+    expect_fast(false, "125 kbit/s");
+}
+
+TEST_F(SlewRate, OneThatWasSetAndStoredHoldsAtItsBitRate) {
+    verifies<req::INC_SLEW_002, req::INC_STORE_001, req::INC_STORE_002>();
+    write(0x2000, 0, 1, 1);
+    store_all();
+    power_on();
+    expect_fast(true, "power-on");
+    write(0x2000, 0, 0, 1);
+    send("000#8100");
+    expect_fast(true, "reset");
+    write(0x1011, 3, 0x64616F6C, 4);
+    power_on();
+    expect_fast(false, "restored: as suits 125 kbit/s");
+}
+
+TEST_F(SlewRate, OneThatWasSetGivesWayToANewBitRateWithAndWithoutPowerOn) {
+    verifies<req::INC_SLEW_002>();
+    write(0x2000, 0, 1, 1);
+    store_all();  // fast at 125 kbit/s
+    activate_and_store(3);
+    expect_fast(false, "250 kbit/s, without power-on");
+    power_on();
+    expect_fast(false, "250 kbit/s, after power-on");
+    activate_and_store(4);
+    power_on();
+    expect_fast(true, "the bit rate of the save again");
+}
+
+TEST_F(SlewRate, ASaveOfTheCommunicationLeavesItsBitRateAlone) {
+    verifies<req::INC_SLEW_002, req::INC_STORE_001>();
+    write(0x2000, 0, 1, 1);
+    store_all();  // fast at 125 kbit/s
+    activate_and_store(3);
+    write(0x1010, 2, 0x65766173, 4);  // the communication parameters alone
+    power_on();
+    expect_fast(false, "250 kbit/s");
+    activate_and_store(4);
+    power_on();
+    expect_fast(true, "what was stored at 125 kbit/s");
+}
+
+TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
+    verifies<req::INC_SLEW_002>();
+    activate(2);  // 500 kbit/s until the next power-on
+    send("7E5#0400");
+    store_all();
+    power_on();
+    expect_fast(false, "125 kbit/s");
+}
+
+}  // namespace canproof::test
