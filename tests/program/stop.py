@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""stop.py PROGRAM: a run that is behind its bus says so, and still obeys Ctrl-C with status 0.
-
-Twenty devices are told to send a SYNC each microsecond: 1006h (communication cycle period) 1, 1005h with bit 30 (producer). What the
-end takes is counted in processor time, so that the load of the machine does not matter.
+"""stop.py PROGRAM: what may not keep the program from hearing its user, or others from being served. What an end takes is counted in
+processor time, so that the load of the machine does not matter.
 """
+import collections
 import os
+import re
 import signal
+import socket
 import subprocess
 import sys
+import threading
 
 MOST_SECONDS = 0.5  # of processor time, from the signal to the end
 
@@ -18,27 +20,70 @@ def processor_seconds(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def main():
+def end(process, by):
+    """Ends it by a signal; what it said on stderr from then on."""
+    before = processor_seconds(process.pid)
+    process.send_signal(by)
+    said = process.stderr.read()
+    _, status, used = os.wait4(process.pid, 0)
+    assert os.waitstatus_to_exitcode(status) == 0, f"ended with {status}: {said}"
+    took = used.ru_utime + used.ru_stime - before
+    assert took < MOST_SECONDS, f"the end took {took} s of processor time"
+    return said
+
+
+def start(*words):
+    return subprocess.Popen([sys.argv[1], *words], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def overload():
+    """A run that is behind its bus says so, and still obeys Ctrl-C. Twenty devices are told to send a SYNC each microsecond: 1006h
+    (communication cycle period) 1, 1005h with bit 30 (producer)."""
     nodes = range(1, 21)
-    run = subprocess.Popen([sys.argv[1], "run", "--plain", *(f"cbx-ao412@{node}" for node in nodes)], stdin=subprocess.PIPE,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    run = start("run", "--plain", *(f"cbx-ao412@{node}" for node in nodes))
+    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()
     try:
         for node in nodes:
             run.stdin.write(f"6{node:02X}#2306100001000000\n6{node:02X}#2305100080000040\n")
         run.stdin.flush()
         said = run.stderr.readline()
         assert "behind the bus" in said, f"said {said!r}"
-        before = processor_seconds(run.pid)
-        run.send_signal(signal.SIGINT)
-        said = run.stderr.read()
-        _, status, used = os.wait4(run.pid, 0)
-        assert os.waitstatus_to_exitcode(status) == 0, f"ended with {status}: {said}"
-        took = used.ru_utime + used.ru_stime - before
-        assert took < MOST_SECONDS, f"the end took {took} s of processor time"
+        said = end(run, signal.SIGINT)
         assert "was up to" in said, f"said at the end {said!r}"
     finally:
         run.kill()
-    print("a run that is behind says so and ends when it is told")
 
 
-main()
+def fetch(port, headers=""):
+    """The body that the panel's page comes with."""
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.sendall(f"GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n".encode())
+        answer = b""
+        while piece := client.recv(65536):
+            answer += piece
+    return answer.partition(b"\r\n\r\n")[2]
+
+
+def slow_clients():
+    """Sixteen clients that go no further than half a request keep neither another client nor the end waiting."""
+    panel = start("panel", "cbx-ao412@3", "--port", "0")
+    slow = []
+    try:
+        port = int(re.search(r":(\d+)/", panel.stdout.readline()).group(1))
+        for _ in range(16):
+            slow.append(socket.create_connection(("127.0.0.1", port)))
+            slow[-1].sendall(b"GET / HTTP/1.1\r\nHost: local")
+        page = fetch(port)
+        assert page.startswith(b"<!doctype html>"), page[:100]
+        ranges = "Range: bytes=" + ",".join(["0-"] * 2600) + "\r\n"
+        assert fetch(port, ranges) == page, "ranges change what comes"
+        end(panel, signal.SIGTERM)
+    finally:
+        panel.kill()
+        for client in slow:
+            client.close()
+
+
+overload()
+slow_clients()
+print("who is behind or slow keeps nobody waiting")

@@ -141,14 +141,10 @@ const char* asset_type(const std::string& path) {
 
 }  // namespace
 
-Panel::Panel(const Register& content, Clock clock, std::function<void()> wake)
-    : clock_{std::move(clock)},
-      wake_{std::move(wake)},
-      pace_{clock_, [this](const std::string& text) { notice(text); }},
-      recorder_{content} {}
+Panel::Panel(const Register& content, Clock clock)
+    : clock_{std::move(clock)}, pace_{clock_, [this](const std::string& text) { notice(text); }}, recorder_{content} {}
 
 void Panel::take(RunSession& session, std::vector<const Part*> parts) {
-    const std::lock_guard<std::mutex> lock{mutex_};
     session_ = &session;
     parts_ = std::move(parts);
     for (std::size_t i = 0; i < session.nodes().size(); ++i) {
@@ -159,34 +155,24 @@ void Panel::take(RunSession& session, std::vector<const Part*> parts) {
 }
 
 void Panel::power_on() {
-    const std::lock_guard<std::mutex> lock{mutex_};
     session_->power_on();
 }
 
 void Panel::advance_to(Instant now) {
-    const std::lock_guard<std::mutex> lock{mutex_};
     pace_.advance(*session_, now);
     recorder_.on_step(session_->now());
 }
 
 Instant Panel::next_deadline() const {
-    const std::lock_guard<std::mutex> lock{mutex_};
     return session_->next_deadline();
 }
 
 std::vector<Watch> Panel::watches() const {
-    const std::lock_guard<std::mutex> lock{mutex_};
     return session_->bus().watches();
 }
 
-/// Comes from the bus, while the session moves: the lock is held already.
 void Panel::notice(const std::string& text) {
     notices_.push(text);
-}
-
-void Panel::alone(const std::function<void()>& use) const {
-    const std::lock_guard<std::mutex> lock{mutex_};
-    use();
 }
 
 PanelResponse Panel::answer(const PanelRequest& request) {
@@ -201,7 +187,6 @@ PanelResponse Panel::get(const PanelRequest& request) const {
     if (const auto found = panel_assets().find(file); found != panel_assets().end()) {
         return {200, asset_type(file), found->second};
     }
-    const std::lock_guard<std::mutex> lock{mutex_};
     if (request.path == "/api/panel") {
         return ok(description());
     }
@@ -317,7 +302,6 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
         value == body.end() || !value->is_number()) {
         return error_response(400, R"(send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
     }
-    const std::lock_guard<std::mutex> lock{mutex_};
     std::vector<std::string> names;
     for (const Recorder::Device& one : recorder_.devices()) {
         names.push_back(one.name);
@@ -338,7 +322,6 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
     one.signal = found->name + "." + one.signal;
     stimuli_.push(one);
     session_->schedule(one);
-    wake_();
     return ok({{"seconds", static_cast<double>(one.time.us) / 1.0e6}});
 }
 
@@ -353,12 +336,10 @@ PanelResponse Panel::send(const nlohmann::json& body) {
     } catch (const InputError& error) {
         return error_response(422, error.what());
     }
-    const std::lock_guard<std::mutex> lock{mutex_};
     pace_.advance(*session_, std::max(clock_(), session_->now()));
     if (!session_->put(frame)) {
         return error_response(503, "the bus cannot take a frame now; try again");
     }
-    wake_();
     return ok({{"sent", format_frame(frame)}});
 }
 

@@ -1,9 +1,7 @@
-// A session that several may look at and act on at once: the run loop moves it on, requests read it and queue stimuli
-// and frames. Every public function may be called from any thread.
+// A session that a page looks at and acts on: the run loop moves it on, requests read it and queue stimuli and frames.
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "host/panel/recorder.hpp"
@@ -22,8 +20,8 @@ class Panel {
 
     using Clock = std::function<Instant()>;
 
-    /// `clock` gives the session's time. `wake` is called after a request has changed something.
-    Panel(const Register& content, Clock clock, std::function<void()> wake);
+    /// `clock` gives the session's time.
+    Panel(const Register& content, Clock clock);
 
     /// What the session must tell; good for as long as the panel is.
     SessionObserver& observer() { return recorder_; }
@@ -37,8 +35,6 @@ class Panel {
     void notice(const std::string& text);
     /// What the user should know at the end; empty when there is nothing.
     std::string summary() const { return pace_.summary(); }
-    /// Calls use() while no one else touches the session.
-    void alone(const std::function<void()>& use) const;
 
     /// The answer to any request; what is not allowed is refused.
     PanelResponse answer(const PanelRequest& request);
@@ -53,9 +49,7 @@ class Panel {
     PanelResponse stimulate(const nlohmann::json& body);
     PanelResponse send(const nlohmann::json& body);
 
-    mutable std::mutex mutex_;
     Clock clock_;
-    std::function<void()> wake_;
     Pace pace_;
     Recorder recorder_;
     RunSession* session_{nullptr};

@@ -74,13 +74,10 @@ class PanelBench {
     }
 
     std::ostringstream log;
-    int wakes{0};
-    Panel panel{built_in_register(),
-                [this] {
+    Panel panel{built_in_register(), [this] {
                     now_ = now_ + cost_;
                     return now_;
-                },
-                [this] { ++wakes; }};
+                }};
 
   private:
     static PanelRequest from_own_page(const std::string& method, const std::string& path) {
