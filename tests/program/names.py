@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""names.py PROGRAM: what run, panel and replay make of node-IDs, as a shell sees it."""
+"""names.py PROGRAM: what run, panel and replay make of node-IDs and factory data, as a shell sees it."""
 import os
 import subprocess
 import sys
@@ -20,9 +20,9 @@ def refused():
         with open(eds, "w") as out:
             out.write(call("eds", "ax188001")[1])
         for node in ("0", "128", "200", "254", "256", "-1"):
-            for words in (("run", f"ax188001@{node}"), ("panel", f"ax188001@{node}", "--port", "0"),
+            for words in (("run", f"ax188001@{node}", "--seconds", "0.05"), ("panel", f"ax188001@{node}", "--port", "0"),
                           ("replay", f"ax188001@{node}", "-"), ("replay", "ax188001", f"--node={node}", "-"),
-                          ("run", "--eds", f"{eds}@{node}"), ("replay", "--eds", f"{eds}@{node}", "-"),
+                          ("run", "--eds", f"{eds}@{node}", "--seconds", "0.05"), ("replay", "--eds", f"{eds}@{node}", "-"),
                           ("replay", "--eds", eds, f"--node={node}", "-")):
                 status, out, err = call(*words)
                 assert status == 2, f"{words} ended with {status}"
@@ -54,8 +54,25 @@ def switches():
         assert status == 0 and out == "" and said in err, f"{words}: {status} {out}{err}"
 
 
+def factory():
+    """Factory data: in the answer to 1018h:4, listed, refused."""
+    request = "(0.1) can0 605#4018100400000000\n"
+    done = subprocess.run([program, "replay", "ax188001@5", "--factory", "serial_number=7", "-"], input=request,
+                          capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and "585#4318100407000000" in done.stdout, done
+    _, _, err = call("run", "ax188001@5", "cbx-ao412@3", "--factory", "cbx-ao412.serial_number=7", "--seconds", "0.05")
+    assert "no device" not in err, err
+    assert "serial_number " in call("signals", "ax188001")[1]
+    for given in ("serial=7", "serial_number=-1", "serial_number", "ax130751.serial_number=7"):
+        for words in (("run", "ax188001@5", "--seconds", "0.05"), ("replay", "ax188001@5", "-"),
+                      ("panel", "ax188001@5", "--port", "0")):
+            status, out, err = call(*words, "--factory", given)
+            assert status == 2 and out == "" and f"--factory {given}" in err, f"{words} {given}: {status} {out}{err}"
+
+
 refused()
+factory()
 named()
 shared()
 switches()
-print("node-IDs: refused, named, shared, switches")
+print("node-IDs: refused, named, shared, switches; factory data")

@@ -7,6 +7,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/built_in.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/factory_options.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "host/speccompiler/writers.hpp"
 
@@ -38,9 +39,26 @@ int list_devices() {
     return 0;
 }
 
+namespace {
+
+void list_factory_data(const Part& part) {
+    const auto keys = factory_keys(part);
+    if (!keys.empty()) {
+        fmt::print("\n{:<31}{:<16}{:<6}{:<26}{}\n", "factory data, --factory", "type", "unit", "range", "meaning");
+    }
+    for (const FactoryKey& key : keys) {
+        fmt::print("{:<31}{:<16}{:<6}{:<26}{}\n", key.name, key.words.empty() ? key.type : "choice",
+                   key.unit.size() < 6 ? key.unit : "", key.range(),
+                   key.unit.size() < 6 ? key.text : fmt::format("{}, in {}", key.text, key.unit));
+    }
+}
+
+}  // namespace
+
 int list_signals(const std::string& device) {
+    const Part& part = described_device(device);
     fmt::print("{:<23}{:<8}{:<11}{:<6}{:<18}{}\n", "signal", "", "type", "unit", "range", "meaning");
-    for (const auto& signal : described_device(device).signals) {
+    for (const auto& signal : part.signals) {
         const std::string range =
             signal.minimum && signal.maximum ? fmt::format("{} … {}", *signal.minimum, *signal.maximum) : "";
         for (const auto& name : signal.names()) {
@@ -48,6 +66,7 @@ int list_signals(const std::string& device) {
                        signal.unit, range, signal.text);
         }
     }
+    list_factory_data(part);
     return 0;
 }
 

@@ -24,10 +24,10 @@ int number_of(const std::string& text) {
     return number ? std::stoi(text) : -1;
 }
 
-ChosenDevice from_catalogue(const Part& part) {
+ChosenDevice from_catalogue(const Part& part, const std::string& name, FactoryOptions& factory) {
     ChosenDevice chosen;
-    chosen.name = part.name;
-    chosen.device = make_device(part.name);
+    chosen.name = name;
+    chosen.device = make_device(part.name, factory.for_device(name, part));
     chosen.part = &part;
     chosen.bit_rate = static_cast<std::uint32_t>(part.info.bit_rate);
     return chosen;
@@ -54,12 +54,16 @@ void set_node(ChosenDevice& chosen, const std::string& node) {
 }
 
 ChosenDevice choose_device(const std::string& text) {
+    FactoryOptions none;
+    return choose_device(text, none);
+}
+
+ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
     const auto at = text.find('@');
-    ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)));
+    ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)), text, factory);
     if (chosen.device == nullptr) {
         throw InputError{fmt::format("{} cannot be run; `canproof devices` says which can", text.substr(0, at))};
     }
-    chosen.name = text;
     if (at != std::string::npos) {
         set_node(chosen, text.substr(at + 1));
     }
@@ -83,10 +87,15 @@ ChosenDevice choose_eds(const std::string& text) {
 }
 
 std::vector<ChosenDevice> choose_catalogue() {
+    FactoryOptions none;
+    return choose_catalogue(none);
+}
+
+std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory) {
     std::vector<ChosenDevice> all;
     std::set<int> taken;
     for (const Part& part : built_in_register().parts) {
-        ChosenDevice one = part.is_device() ? from_catalogue(part) : ChosenDevice{};
+        ChosenDevice one = part.is_device() ? from_catalogue(part, part.name, factory) : ChosenDevice{};
         if (one.device == nullptr) {
             continue;
         }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/cli/factory_options.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "host/speccompiler/register.hpp"
 
@@ -24,10 +25,12 @@ struct ChosenDevice {
 void set_node(ChosenDevice& chosen, const std::string& node);
 /// NAME or NAME@NODE. Throws InputError.
 ChosenDevice choose_device(const std::string& text);
+ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// FILE or FILE@NODE: a device from an EDS or DCF; its name is the file's without folder and extension. Throws
 /// InputError, with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
 /// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
 std::vector<ChosenDevice> choose_catalogue();
+std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 
 }  // namespace canproof::host

@@ -16,12 +16,16 @@ constexpr int wrong_use = 2;
 constexpr const char* node_help =
     "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
 
+constexpr const char* factory_help =
+    "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
+    "one";
+
 void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")->callback([&chosen] {
         chosen = list_devices;
     });
     static std::string device;
-    auto* signals = app.add_subcommand("signals", "physical inputs and outputs of a device");
+    auto* signals = app.add_subcommand("signals", "physical inputs and outputs of a device, and its factory data");
     signals->add_option("DEVICE", device)->required();
     signals->callback([&chosen] { chosen = [] { return list_signals(device); }; });
 
@@ -52,6 +56,7 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
     command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
+    command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
     command
         .add_option("--bus", running.bus,
                     "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536 (serves; has no remote frames)")
@@ -94,6 +99,7 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
         ->expected(1, 2);
     replay->add_option("--eds", options.eds, "EDS or DCF file that describes the device");
     replay->add_option("--node", options.node, node_help);
+    replay->add_option("--factory", options.factory, factory_help)->allow_extra_args(false);
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
     replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
     replay->add_option("--outputs", options.outputs, "CSV file to write changes of outputs to");

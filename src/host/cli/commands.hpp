@@ -17,6 +17,7 @@ struct ReplayOptions {
     std::string eds;                  ///< file; instead of `device`
     std::string log;                  ///< file, or - for standard input
     std::optional<std::string> node;  ///< as shipped without it
+    std::vector<std::string> factory;
     std::string nvm;
     std::string stimulus;
     std::string outputs;
@@ -26,6 +27,7 @@ struct ReplayOptions {
 struct RunOptions {
     std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here and in `eds`: the whole catalogue
     std::vector<std::string> eds;      ///< FILE or FILE@NODE
+    std::vector<std::string> factory;  ///< KEY=VALUE or DEVICE.KEY=VALUE
     std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT]
     std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
     bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller

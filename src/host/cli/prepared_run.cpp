@@ -18,15 +18,17 @@ namespace {
 
 std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
     std::vector<ChosenDevice> all;
+    FactoryOptions factory{options.factory};
     for (const auto& text : options.devices) {
-        all.push_back(choose_device(text));
+        all.push_back(choose_device(text, factory));
     }
     for (const auto& text : options.eds) {
         all.push_back(choose_eds(text));
     }
     if (all.empty()) {
-        all = choose_catalogue();
+        all = choose_catalogue(factory);
     }
+    factory.check_used();
     std::set<std::string> names;
     for (const ChosenDevice& one : all) {
         if (!names.insert(one.name).second) {

@@ -16,7 +16,9 @@ namespace canproof::host {
 
 int replay_log(const ReplayOptions& options) {
     std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
-    ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
+    FactoryOptions factory{options.factory};
+    ChosenDevice chosen = options.eds.empty() ? choose_device(options.device, factory) : choose_eds(options.eds);
+    factory.check_used();
     SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
     if (options.log == "-") {

@@ -1,5 +1,6 @@
 #include "firmware/devices/ax060805.hpp"
 #include "generated/ax060805/constants.hpp"
+#include "host/devices/angle_range.hpp"
 #include "host/devices/devices.hpp"
 #include "host/devices/simulation.hpp"
 #include "host/plant/inclinometer_plant.hpp"
@@ -12,10 +13,25 @@ namespace own = generated::ax060805;
 
 constexpr std::size_t memory_size = 4096;  // two banks of parameters, and LSS at the end
 
+ax060805::FactoryData factory_data(const FactoryValues& values) {
+    ax060805::FactoryData data;
+    values.take("revision_number", data.revision);
+    values.take("serial_number", data.serial_number);
+    values.take("verify_configuration_1", data.made_on);
+    values.take("verify_configuration_2", data.made_at);
+    values.take("calibrated_pitch_angle_data", data.calibration.pitch);
+    values.take("calibrated_roll_angle_data", data.calibration.roll);
+    const auto range = values.text(angle_range_key);
+    for (const AngleRange& one : angle_ranges) {
+        data.range = range == one.word ? one.range : data.range;
+    }
+    return data;
+}
+
 class Ax060805Simulation final
     : public Simulation<ax060805::Device, ax060805::Inputs, ax060805::Outputs, ax060805::FactoryData> {
   public:
-    Ax060805Simulation() : Simulation{memory_size} {}
+    explicit Ax060805Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
     /// As if LSS had stored it; the bit rate stays.
     void set_node_id(NodeId node_id) override {
@@ -48,8 +64,8 @@ class Ax060805Simulation final
 
 }  // namespace
 
-std::unique_ptr<SimulatedDevice> make_ax060805() {
-    return std::make_unique<Ax060805Simulation>();
+std::unique_ptr<SimulatedDevice> make_ax060805(const FactoryValues& factory) {
+    return std::make_unique<Ax060805Simulation>(factory);
 }
 
 }  // namespace canproof::host

@@ -10,11 +10,20 @@ namespace {
 // Two banks of about 1.6 kB of parameters, and LSS at the end; the STM32F405 (chapter 4) has more.
 constexpr std::size_t memory_size = 8192;
 
+ax130751::FactoryData factory_data(const FactoryValues& values) {
+    ax130751::FactoryData data;
+    values.take("revision_number", data.revision);
+    values.take("serial_number", data.serial_number);
+    values.take("configuration_date", data.made_on);
+    values.take("configuration_time", data.made_at);
+    return data;
+}
+
 /// AX130751 and AX130771: one firmware (1018h:2 has one value for both).
 class Ax130751Simulation final
     : public Simulation<ax130751::Device, ax130751::Inputs, ax130751::Outputs, ax130751::FactoryData> {
   public:
-    Ax130751Simulation() : Simulation{memory_size} {}
+    explicit Ax130751Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
     /// As if LSS had stored it; the bit rate stays.
     void set_node_id(NodeId node_id) override {
@@ -28,8 +37,8 @@ class Ax130751Simulation final
 
 }  // namespace
 
-std::unique_ptr<SimulatedDevice> make_ax130751() {
-    return std::make_unique<Ax130751Simulation>();
+std::unique_ptr<SimulatedDevice> make_ax130751(const FactoryValues& factory) {
+    return std::make_unique<Ax130751Simulation>(factory);
 }
 
 }  // namespace canproof::host

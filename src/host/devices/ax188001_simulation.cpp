@@ -10,10 +10,17 @@ namespace {
 
 constexpr std::size_t memory_size = 1024;  // two banks of parameters, and LSS at the end
 
+ax188001::FactoryData factory_data(const FactoryValues& values) {
+    ax188001::FactoryData data;
+    values.take("revision_number", data.revision);
+    values.take("serial_number", data.serial_number);
+    return data;
+}
+
 class Ax188001Simulation final
     : public Simulation<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData> {
   public:
-    Ax188001Simulation() : Simulation{memory_size} {}
+    explicit Ax188001Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
     /// As if LSS had stored it; the bit rate stays.
     void set_node_id(NodeId node_id) override {
@@ -60,8 +67,8 @@ class Ax188001Simulation final
 
 }  // namespace
 
-std::unique_ptr<SimulatedDevice> make_ax188001() {
-    return std::make_unique<Ax188001Simulation>();
+std::unique_ptr<SimulatedDevice> make_ax188001(const FactoryValues& factory) {
+    return std::make_unique<Ax188001Simulation>(factory);
 }
 
 }  // namespace canproof::host

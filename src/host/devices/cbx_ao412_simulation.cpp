@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "firmware/devices/cbx_ao412.hpp"
 #include "host/devices/devices.hpp"
 #include "host/devices/simulation.hpp"
@@ -8,10 +10,25 @@ namespace {
 
 constexpr std::size_t eeprom_size = 256 * 4;  // the manual promises at least 256 bytes (2.2); two banks need more
 
+cbx_ao412::FactoryData factory_data(const FactoryValues& values) {
+    cbx_ao412::FactoryData data;
+    values.take("revision_number", data.revision);
+    values.take("serial_number", data.serial_number);
+    values.take("manufacturer_hardware_version", data.hardware_version);
+    values.take("manufacturer_software_version", data.software_version);
+    values.take("application_software_date", data.software_date);
+    values.take("application_software_time", data.software_time);
+    for (std::size_t i = 0; i < data.offset.size(); ++i) {
+        values.take(fmt::format("calibration_offset_value_{}", i + 1), data.offset[i]);
+        values.take(fmt::format("calibration_gain_value_{}", i + 1), data.gain[i]);
+    }
+    return data;
+}
+
 class CbxAo412Simulation final
     : public Simulation<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::Outputs, cbx_ao412::FactoryData> {
   public:
-    CbxAo412Simulation() : Simulation{eeprom_size} {}
+    explicit CbxAo412Simulation(const FactoryValues& factory) : Simulation{eeprom_size, factory_data(factory)} {}
 
     void set_node_id(NodeId node_id) override { set_coding_switches(node_id.value()); }
     bool set_coding_switches(std::uint8_t value) override {
@@ -28,8 +45,8 @@ class CbxAo412Simulation final
 
 }  // namespace
 
-std::unique_ptr<SimulatedDevice> make_cbx_ao412() {
-    return std::make_unique<CbxAo412Simulation>();
+std::unique_ptr<SimulatedDevice> make_cbx_ao412(const FactoryValues& factory) {
+    return std::make_unique<CbxAo412Simulation>(factory);
 }
 
 }  // namespace canproof::host

@@ -2,10 +2,10 @@
 
 namespace canproof::host {
 
-std::unique_ptr<SimulatedDevice> make_device(const std::string& name) {
+std::unique_ptr<SimulatedDevice> make_device(const std::string& name, const FactoryValues& factory) {
     struct Maker {
         const char* name;
-        std::unique_ptr<SimulatedDevice> (*make)();
+        std::unique_ptr<SimulatedDevice> (*make)(const FactoryValues& factory);
     };
     constexpr Maker makers[]{
         {"ax060805", make_ax060805}, {"ax130751", make_ax130751},   {"ax130771", make_ax130751},
@@ -13,7 +13,7 @@ std::unique_ptr<SimulatedDevice> make_device(const std::string& name) {
     };
     for (const Maker& maker : makers) {
         if (name == maker.name) {
-            return maker.make();
+            return maker.make(factory);
         }
     }
     return nullptr;

@@ -7,9 +7,9 @@
 
 namespace canproof::host {
 
-std::unique_ptr<SimulatedDevice> make_ax060805();
-std::unique_ptr<SimulatedDevice> make_ax130751();
-std::unique_ptr<SimulatedDevice> make_ax188001();
-std::unique_ptr<SimulatedDevice> make_cbx_ao412();
+std::unique_ptr<SimulatedDevice> make_ax060805(const FactoryValues& factory = {});
+std::unique_ptr<SimulatedDevice> make_ax130751(const FactoryValues& factory = {});
+std::unique_ptr<SimulatedDevice> make_ax188001(const FactoryValues& factory = {});
+std::unique_ptr<SimulatedDevice> make_cbx_ao412(const FactoryValues& factory = {});
 
 }  // namespace canproof::host

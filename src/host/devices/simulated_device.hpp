@@ -11,6 +11,7 @@
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "host/devices/factory_values.hpp"
 #include "host/devices/memory.hpp"
 #include "host/devices/node_id.hpp"
 
@@ -55,7 +56,7 @@ class SimulatedDevice {
     Memory memory_;
 };
 
-/// The device of that name (`cbx-ao412`); nullptr when it cannot be run.
-std::unique_ptr<SimulatedDevice> make_device(const std::string& name);
+/// The device of that name (`cbx-ao412`) with its factory data; nullptr when it cannot be run.
+std::unique_ptr<SimulatedDevice> make_device(const std::string& name, const FactoryValues& factory = {});
 
 }  // namespace canproof::host

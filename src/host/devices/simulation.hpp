@@ -61,8 +61,8 @@ class Simulation : public SimulatedDevice {
     const ObjectDictionary* objects() const override { return &device_.objects(); }
 
   protected:
-    explicit Simulation(std::size_t memory_size)
-        : SimulatedDevice{memory_size}, device_{memory_, queue_, FactoryData{}} {}
+    Simulation(std::size_t memory_size, const FactoryData& factory)
+        : SimulatedDevice{memory_size}, device_{memory_, queue_, factory} {}
 
     bool put_input(const std::string& name, double value) {
         bool found = false;

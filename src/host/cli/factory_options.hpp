@@ -1,0 +1,52 @@
+// `--factory KEY=VALUE`: what belongs to one unit and left the factory with it. The keys are the entries that the
+// register marks so, with their types and ranges, and the angle range of the AX060805.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/devices/factory_values.hpp"
+#include "host/speccompiler/register.hpp"
+
+namespace canproof::host {
+
+struct FactoryKey {
+    std::string name;  ///< serial_number
+    std::string type;  ///< CiA word; VISIBLE_STRING for a choice of `words`
+    std::string unit;
+    double minimum{0.0};
+    double maximum{0.0};
+    std::size_t length{0};           ///< most characters of a text
+    std::vector<std::string> words;  ///< the only ones; none: any
+    std::string text;
+
+    std::string range() const;
+};
+
+std::vector<FactoryKey> factory_keys(const Part& part);
+
+/// What the user gave: KEY=VALUE for every device that has the key, DEVICE.KEY=VALUE for one by its name.
+class FactoryOptions {
+  public:
+    FactoryOptions() = default;
+    /// Throws InputError for what is no KEY=VALUE.
+    explicit FactoryOptions(const std::vector<std::string>& given);
+
+    /// Those of a device: `name` as the user wrote it, NAME or NAME@NODE. Throws InputError for a value out of range.
+    FactoryValues for_device(const std::string& name, const Part& part);
+    /// Throws InputError when one of them was for none of the devices asked for.
+    void check_used() const;
+
+  private:
+    struct Given {
+        std::string whole;
+        std::string device;  ///< empty: every device
+        std::string key;
+        std::string value;
+        bool used{false};
+        std::vector<std::string> others;  ///< keys of devices that it could have been for
+    };
+    std::vector<Given> given_;
+};
+
+}  // namespace canproof::host
