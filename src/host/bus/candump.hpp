@@ -2,20 +2,14 @@
 #pragma once
 
 #include <istream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
-
-/// Input that cannot be used: says file, line and remedy.
-class InputError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 struct LoggedFrame {
     Instant time{};

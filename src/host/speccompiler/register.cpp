@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <limits>
-#include <sstream>
+
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
 
 std::string Fault::text() const {
-    return fmt::format("{}:{}: {}; {}", place.file, place.line, what, mend);
+    constexpr std::size_t longest = 1000;  // a name may have a million characters
+    return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
+                       what.size() > longest ? "…" : "", mend);
 }
 
 std::string to_text(const Value& value) {
@@ -70,12 +73,14 @@ const Enumeration* Register::enumeration(const Part& in, const std::string& id) 
 SpecFiles read_spec_files(const std::filesystem::path& spec) {
     SpecFiles files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
-        if (file.is_regular_file() && file.path().extension() == ".toml") {
-            std::ifstream in(file.path(), std::ios::binary);
-            std::ostringstream text;
-            text << in.rdbuf();
-            files["spec/" + file.path().lexically_relative(spec).generic_string()] = text.str();
+        if (!file.is_directory() && file.path().extension() == ".toml") {
+            files["spec/" + file.path().lexically_relative(spec).generic_string()] =
+                read_file(file.path(), longest_toml_file);
         }
+    }
+    if (files.empty()) {
+        throw InputError{
+            fmt::format("{} holds no .toml file; name the folder of a register, such as spec", spec.string())};
     }
     return files;
 }
