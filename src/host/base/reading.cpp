@@ -2,41 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t piece_size = 65536;
 const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace
-
-std::string read_file(const std::filesystem::path& path, std::size_t most) {
-    if (std::filesystem::is_directory(path)) {
-        throw InputError{fmt::format("{} is a folder; name a file", path.string())};
-    }
-    std::ifstream in{path, std::ios::binary};
-    if (!in) {
-        throw InputError{fmt::format("cannot read {} ({})", path.string(), std::strerror(errno))};
-    }
-    std::string bytes;
-    std::array<char, piece_size> piece{};
-    while (in && bytes.size() <= most) {
-        in.read(piece.data(), piece.size());
-        bytes.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-    }
-    check_read(in, path.string());
-    if (bytes.size() > most) {
-        throw InputError{fmt::format("{} has more than {} bytes; name another file", path.string(), most)};
-    }
-    return bytes;
-}
 
 void check_read(const std::istream& in, const std::string& name) {
     if (in.bad()) {

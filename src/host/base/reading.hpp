@@ -1,20 +1,14 @@
-// Files read so that a read error is never taken for the end, and never more than a bound.
+// Streams read so that a read error is never taken for the end, and no line beyond a bound.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <istream>
 #include <string>
 
 #include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
-
-/// More than any file has that is read as a whole.
-constexpr std::size_t most_bytes_of_a_file = std::size_t{256} << 20U;
-
-/// The whole file. Throws InputError for a folder, a read error, or more than `most` bytes (no more are read).
-std::string read_file(const std::filesystem::path& path, std::size_t most = most_bytes_of_a_file);
 
 /// Throws InputError when the stream ended by an error and not by the end of what it reads.
 void check_read(const std::istream& in, const std::string& name);

@@ -92,14 +92,17 @@ int check_spec(const std::string& spec) {
     for (const auto& fault : loaded.faults) {
         fmt::print(stderr, "{}\n", fault.text());
     }
+    if (loaded.faults.left_out() != 0) {
+        fmt::print(stderr, "{} more fault(s) are not listed\n", loaded.faults.left_out());
+    }
     std::size_t items = 0;
     for (const auto& part : loaded.content.parts) {
         loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
     }
     if (items == 0 && loaded.faults.empty()) {
-        throw InputError{fmt::format("{} has no item; name the folder of a register with --spec", spec)};
+        throw InputError{fmt::format("the register in {} has no items; name another folder with --spec", spec)};
     }
-    fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size());
+    fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size() + loaded.faults.left_out());
     return loaded.faults.empty() ? 0 : 1;
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <iterator>
+#include <algorithm>
 
-#include "host/bus/candump.hpp"
-#include "host/cli/files.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+#include "host/eds/ini.hpp"
 #include "host/eds/read_eds.hpp"
 
 namespace canproof::host {
@@ -29,12 +29,7 @@ std::string told(const Faults& faults) {
 }  // namespace
 
 std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
-    if (std::filesystem::is_directory(path)) {
-        throw InputError{fmt::format("{} is a folder; name an EDS file", path)};
-    }
-    auto in = open_input(path);
-    const std::string text{std::istreambuf_iterator<char>{in}, {}};
-    EdsResult read = read_eds(text, path);
+    EdsResult read = read_eds(read_file(path, longest_ini_file), path);
     if (!read.faults.empty()) {
         std::string all = told(read.faults);
         all.pop_back();

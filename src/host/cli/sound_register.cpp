@@ -13,7 +13,7 @@ Register sound_register(const std::filesystem::path& spec) {
     LoadResult loaded = load_register(read_spec_files(spec));
     if (!loaded.faults.empty()) {
         throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
-                                     loaded.faults.size(), loaded.faults.front().text())};
+                                     loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
     return std::move(loaded.content);
 }

@@ -59,28 +59,47 @@ Place place_of(const EdsTelling& tell, unsigned line) {
     return {tell.file, line};
 }
 
-void read_type(Entry& entry, const IniSection& section, const EdsTelling& tell) {
+/// Of an entry without a number of a type: its word, or what its sub-index and its value say.
+std::string assumed_type(const IniSection& section, const std::string& word, bool is_counter) {
+    const auto named =
+        std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
+    if (named != type_rows.end()) {
+        return word;
+    }
+    if (is_counter) {
+        return "UNSIGNED8";
+    }
+    const IniValue* value = section.filled("DefaultValue");
+    if (value == nullptr) {
+        return "UNSIGNED32";
+    }
+    const auto term = split_node_id(value->text);
+    const auto number = term ? eds_value(term->rest, "INTEGER64") : std::nullopt;
+    const bool negative = number && std::get<std::int64_t>(*number) < 0;
+    return !number ? "VISIBLE_STRING" : negative ? "INTEGER32" : "UNSIGNED32";
+}
+
+void read_type(Entry& entry, const IniSection& section, bool is_counter, const EdsTelling& tell) {
     const IniValue* object_type = section.filled("ObjectType");
     const IniValue* given = section.filled("DataType");
     if (given == nullptr && object_type != nullptr && eds_unsigned(object_type->text) == std::uint64_t{2}) {
         entry.type = "DOMAIN";
         return;
     }
-    if (given == nullptr) {
-        tell.fault(section.line, fmt::format("[{}] has no DataType", section.name), "add one, such as DataType=0x0005");
+    const auto number = given == nullptr ? std::nullopt : eds_unsigned(given->text);
+    if (!number) {
+        entry.type = assumed_type(section, given == nullptr ? "" : given->text, is_counter);
+        tell.note(given == nullptr ? section.line : given->line,
+                  given == nullptr ? fmt::format("[{}] has no DataType", section.name)
+                                   : fmt::format("DataType {} is no number", given->text),
+                  fmt::format("{} is assumed", entry.type));
         return;
     }
-    const auto number = eds_unsigned(given->text);
-    const TypeRow* row = number && *number <= 0xFFFFU ? type_row(static_cast<unsigned>(*number)) : nullptr;
-    if (row == nullptr) {
-        tell.fault(given->line, fmt::format("DataType {} is none of an entry", given->text),
-                   "use a simple type of CiA 301, such as 0x0005 for UNSIGNED8");
-        return;
-    }
-    entry.type = row->word;
-    entry.length = row->octets;
-    if (row->octets != 0) {
-        tell.note(given->line, fmt::format("DataType {} is carried as {} octets", given->text, row->octets),
+    const TypeRow* row = *number <= 0xFFFFU ? type_row(static_cast<unsigned>(*number)) : nullptr;
+    entry.type = row == nullptr ? "OCTET_STRING" : row->word;
+    entry.length = row == nullptr ? string_room : row->octets;
+    if (entry.length != 0) {
+        tell.note(given->line, fmt::format("DataType {} is carried as {} octets", given->text, entry.length),
                   "its bytes are not interpreted");
     }
 }
@@ -99,18 +118,21 @@ void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell
         }
     }
     if (entry.access.empty()) {
-        tell.fault(given == nullptr ? section.line : given->line,
-                   given == nullptr ? fmt::format("[{}] has no AccessType", section.name)
-                                    : fmt::format("AccessType {} is unknown", given->text),
-                   "use ro, wo, rw, rwr, rww or const");
-        return;
+        entry.access = "rw";
+        tell.note(given == nullptr ? section.line : given->line,
+                  given == nullptr ? fmt::format("[{}] has no AccessType", section.name)
+                                   : fmt::format("AccessType {} is unknown", given->text),
+                  "rw is assumed");
     }
     const IniValue* mapping = section.filled("PDOMapping");
     const auto mapped = mapping == nullptr ? std::optional<std::uint64_t>{0} : eds_unsigned(mapping->text);
     if (!mapped || *mapped > 1U) {
-        tell.fault(mapping->line, fmt::format("PDOMapping {} is neither 0 nor 1", mapping->text), "write 0 or 1");
-    } else if (*mapped == 1U) {
-        entry.mapping = word == "rw" ? "both" : word == "wo" || word == "rww" ? "rpdo" : "tpdo";
+        tell.note(mapping->line, fmt::format("PDOMapping {} is neither 0 nor 1", mapping->text),
+                  fmt::format("{} is assumed", mapped ? 1 : 0));
+    }
+    if (mapped.value_or(0U) != 0U) {
+        const bool both = entry.access == "rw" && word != "rwr" && word != "rww";
+        entry.mapping = both ? "both" : word == "wo" || word == "rww" ? "rpdo" : "tpdo";
     }
 }
 
@@ -126,8 +148,8 @@ Limit read_limit(const Entry& entry, const IniSection& section, const char* key,
         tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
                   "every value of the type is taken");
     } else if (!value) {
-        tell.fault(given->line, fmt::format("{} {} is no value of {}", key, given->text, entry.type),
-                   fmt::format("write {}", type_words(entry.type)));
+        tell.note(given->line, fmt::format("{} {} is no value of {}", key, given->text, entry.type),
+                  "the type alone limits the value");
     } else {
         limit.kind = Limit::Kind::number;
         limit.number = *value;
@@ -144,10 +166,13 @@ void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell
     const auto low = number_of(range.minimum.number);
     const auto high = number_of(range.maximum.number);
     if (low && high && *low > *high) {
-        tell.fault(range.minimum.place.line,
-                   fmt::format("LowLimit {} lies above HighLimit {}", to_text(range.minimum.number),
-                               to_text(range.maximum.number)),
-                   "swap or mend them");
+        tell.note(range.minimum.place.line,
+                  fmt::format("LowLimit {} lies above HighLimit {}", to_text(range.minimum.number),
+                              to_text(range.maximum.number)),
+                  "the type alone limits the value");
+        range.minimum = Limit{};
+        range.maximum = Limit{};
+        return;
     }
     const auto value = entry.node_id ? std::nullopt : number_of(entry.value);
     if (value && ((low && *value < *low) || (high && *value > *high))) {
@@ -174,9 +199,9 @@ void set_string(Entry& entry, const IniValue& given, const EdsTelling& tell) {
         text = eds_octets(given.text).value_or(given.text);
     }
     if (text.size() > longest_string) {
-        tell.fault(given.line, fmt::format("text has {} characters", text.size()),
-                   fmt::format("shorten it to {}", longest_string));
-        return;
+        tell.note(given.line, fmt::format("text has {} characters", text.size()),
+                  fmt::format("the first {} are taken", longest_string));
+        text.resize(longest_string);
     }
     entry.value = text;
 }
@@ -195,7 +220,7 @@ void set_length(Entry& entry) {
 
 void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) {
     entry.default_place = place_of(tell, given.line);
-    if (entry.type == "DOMAIN" || entry.type.empty()) {
+    if (entry.type == "DOMAIN") {
         return;
     }
     if (is_string_type(entry.type)) {
@@ -206,22 +231,22 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
     const auto value = term ? eds_value(term->rest, entry.type) : std::nullopt;
     const bool integer = integer_limits(entry.type).has_value() && entry.type != "BOOLEAN";
     if (!value || (term->has_node_id && !integer)) {
-        tell.fault(given.line, fmt::format("value {} is none of {}", given.text, entry.type),
-                   fmt::format("write {}{}", type_words(entry.type), integer ? ", or $NODEID+0x180" : ""));
+        tell.note(given.line, fmt::format("value {} is none of {}", given.text, entry.type),
+                  fmt::format("{} is assumed", to_text(entry.value)));
         return;
     }
     entry.value = *value;
     entry.node_id = term->has_node_id;
 }
 
-Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, const EdsTelling& tell) {
+Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, bool is_counter, const EdsTelling& tell) {
     Entry entry;
     entry.subindex = subindex;
     entry.place = place_of(tell, section.line);
     entry.default_place = entry.place;
     const IniValue* name = section.filled("ParameterName");
     entry.name = name == nullptr ? section.name : name->text;
-    read_type(entry, section, tell);
+    read_type(entry, section, is_counter, tell);
     read_access(entry, section, tell);
     set_empty_value(entry);
     const IniValue* configured = section.filled("ParameterValue");
@@ -229,10 +254,8 @@ Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, const Eds
     if (value != nullptr) {
         set_eds_value(entry, *value, tell);
     }
-    if (!entry.type.empty()) {
-        read_limits(entry, section, tell);
-        set_length(entry);
-    }
+    read_limits(entry, section, tell);
+    set_length(entry);
     return entry;
 }
 

@@ -35,6 +35,12 @@ bool is_hexadecimal(const std::string& text) {
     return text.rfind("0x", 0) == 0;
 }
 
+/// 10u, 0x10UL: how C spells the type of a number says nothing here.
+std::string without_suffix(const std::string& lower) {
+    const auto last = lower.find_last_not_of("ul");
+    return last == std::string::npos ? lower : lower.substr(0, last + 1);
+}
+
 std::optional<Value> real_value(const std::string& text, const std::string& type) {
     if (is_hexadecimal(text)) {
         const auto bits = eds_unsigned(text);
@@ -52,9 +58,10 @@ std::optional<Value> real_value(const std::string& text, const std::string& type
         }
         return std::isfinite(value) ? std::optional<Value>{value} : std::nullopt;
     }
-    const bool plain = !text.empty() && text.find_first_not_of("0123456789.+-e") == std::string::npos;
+    const std::string number = text.size() > 1 && text.back() == 'f' ? text.substr(0, text.size() - 1) : text;  // 1.5f
+    const bool plain = !number.empty() && number.find_first_not_of("0123456789.+-e") == std::string::npos;
     char* end = nullptr;
-    const double value = plain ? std::strtod(text.c_str(), &end) : 0.0;
+    const double value = plain ? std::strtod(number.c_str(), &end) : 0.0;
     if (!plain || *end != '\0' || !std::isfinite(value) || (type == "REAL32" && std::abs(value) > double{FLT_MAX})) {
         return std::nullopt;
     }
@@ -90,7 +97,7 @@ std::optional<Value> integer_value(const std::string& text, const std::string& t
 }  // namespace
 
 std::optional<std::uint64_t> eds_unsigned(const std::string& text) {
-    const std::string lower = lower_case(text);
+    const std::string lower = without_suffix(lower_case(text));
     const bool octal = lower.size() > 1 && lower.front() == '0' && !is_hexadecimal(lower);
     const unsigned base = is_hexadecimal(lower) ? 16U : octal ? 8U : 10U;
     const std::string digits = is_hexadecimal(lower) ? lower.substr(2) : lower;

@@ -1,5 +1,5 @@
 // Numbers as CiA 306 spells them: decimal, 0x hexadecimal, octal with a leading zero, $NODEID terms, IEEE bits of
-// reals.
+// reals; and with the suffixes of C, as some tools write them.
 #pragma once
 
 #include <cstdint>

@@ -24,78 +24,84 @@ bool has_control(const std::string& text) {
 
 class IniReader {
   public:
-    IniReader(const std::string& name, Faults& faults) : name_{name}, faults_{faults} {}
+    explicit IniReader(const EdsTelling& tell) : tell_{tell} {}
 
     void read_line(const std::string& raw) {
         ++line_;
         if (raw.size() > longest_ini_line) {
-            fault("line is too long", fmt::format("keep lines below {} characters", longest_ini_line));
+            strange(fmt::format("line has more than {} characters", longest_ini_line));
             return;
         }
         const std::string text = trimmed(raw);
-        if (text.empty() || text.front() == ';') {
+        if (text.empty() || text.front() == ';' || text.front() == '#') {
             return;
         }
         if (has_control(text)) {
-            fault("line holds control characters", "save the file as plain text");
+            strange("line holds control characters");
         } else if (text.front() == '[') {
             open_section(text);
         } else {
             add_value(text);
         }
     }
+    bool is_strange() const { return strange_ > most_strange_lines; }
     IniFile take() { return std::move(file_); }
 
   private:
-    void fault(std::string what, std::string mend) {
-        faults_.emplace_back(Place{name_, line_}, std::move(what), std::move(mend));
+    void strange(std::string what) {
+        ++strange_;
+        tell_.note(line_, std::move(what), "it is passed over");
     }
 
     void open_section(const std::string& text) {
-        section_ = nullptr;
-        const std::string name = text.back() == ']' ? trimmed(text.substr(1, text.size() - 2)) : "";
+        const auto close = text.find(']');
+        const std::string name = close == std::string::npos ? "" : trimmed(text.substr(1, close - 1));
         if (name.empty()) {
-            fault(fmt::format("`{}` is no section", text.substr(0, 40)), "write [Name]");
+            ++strange_;
+            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)),
+                       "it is passed over with its lines");
+            section_ = nullptr;
             skips_ = true;
             return;
         }
-        IniSection section;
-        section.name = name;
-        section.line = line_;
-        const auto [place, is_new] = file_.sections.emplace(lower_case(name), section);
-        if (!is_new) {
-            fault(fmt::format("section [{}] stands already in line {}", name, place->second.line),
-                  "keep one of the two");
+        const std::string rest = trimmed(text.substr(close + 1));
+        if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
+            tell_.note(line_, fmt::format("`{}` stands behind the section", rest.substr(0, 40)), "it is passed over");
         }
-        skips_ = !is_new;
-        section_ = is_new ? &place->second : nullptr;
+        const auto [place, is_new] = file_.sections.emplace(lower_case(name), IniSection{name, line_, {}});
+        if (!is_new) {
+            tell_.note(line_, fmt::format("section [{}] stands already in line {}", name, place->second.line),
+                       "the two are taken as one");
+        }
+        skips_ = false;
+        section_ = &place->second;
     }
 
     void add_value(const std::string& text) {
         const auto equals = text.find('=');
         const std::string key = trimmed(text.substr(0, equals));
+        if (skips_) {
+            return;  // told with the section
+        }
         if (equals == std::string::npos || key.empty()) {
-            fault(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)),
-                  "write Key=Value, or ; before a comment");
+            strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
         } else if (section_ == nullptr) {
-            if (!skips_) {
-                fault(fmt::format("{} stands before the first section", key),
-                      "begin with a section such as [FileInfo]");
-            }
+            strange(fmt::format("{} stands before the first section", key));
         } else {
             const auto [place, is_new] =
                 section_->values.emplace(lower_case(key), IniValue{trimmed(text.substr(equals + 1)), line_});
             if (!is_new) {
-                fault(fmt::format("{} stands already in line {}", key, place->second.line), "keep one of the two");
+                tell_.note(line_, fmt::format("{} stands already in line {}", key, place->second.line),
+                           "the first counts");
             }
         }
     }
 
-    const std::string& name_;
-    Faults& faults_;
+    const EdsTelling& tell_;
     IniFile file_;
     IniSection* section_{nullptr};
-    bool skips_{false};  ///< in a section that was refused: told once
+    bool skips_{false};  ///< below what is no section
+    std::size_t strange_{0};
     unsigned line_{0};
 };
 
@@ -123,18 +129,23 @@ const IniSection* IniFile::find(const std::string& name) const {
     return found == sections.end() ? nullptr : &found->second;
 }
 
-IniFile read_ini(const std::string& text, const std::string& name, Faults& faults) {
+IniFile read_ini(const std::string& text, const EdsTelling& tell) {
     if (text.size() > longest_ini_file) {
-        faults.emplace_back(Place{name, 1}, fmt::format("file has {} bytes", text.size()),
-                            fmt::format("an EDS has at most {}", longest_ini_file));
+        tell.fault(1, fmt::format("file has {} bytes", text.size()),
+                   fmt::format("an EDS has at most {}", longest_ini_file));
         return {};
     }
-    IniReader reader{name, faults};
+    IniReader reader{tell};
     const bool marked = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
-    for (std::size_t at = marked ? 3 : 0; at < text.size() && faults.size() < most_ini_faults;) {
+    for (std::size_t at = marked ? 3 : 0; at < text.size() && !reader.is_strange();) {
         const auto end = std::min(text.find('\n', at), text.size());
         reader.read_line(text.substr(at, end - at));
         at = end + 1;
+    }
+    if (reader.is_strange()) {
+        tell.fault(1, fmt::format("more than {} lines are neither [Section] nor Key=Value", most_strange_lines),
+                   "name an EDS or DCF file");
+        return {};
     }
     return reader.take();
 }

@@ -2,10 +2,10 @@
 // regard to case.
 #pragma once
 
+#include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "host/speccompiler/fault.hpp"
 
@@ -37,11 +37,27 @@ struct IniFile {
 constexpr std::size_t longest_ini_line = 8192;
 constexpr std::size_t longest_ini_file = std::size_t{16} << 20U;
 
-/// After so many faults the rest is not read.
-constexpr std::size_t most_ini_faults = 1000;
+/// A file with more lines that are none of CiA 306's is something else.
+constexpr std::size_t most_strange_lines = 1000;
 
-/// What is wrong is added to `faults`; the rest is read. `name` is the file's in messages.
-IniFile read_ini(const std::string& text, const std::string& name, Faults& faults);
+/// Where faults and notes of a file go.
+struct EdsTelling {
+    const std::string& file;
+    Faults& faults;
+    Faults& notes;
+
+    /// The file cannot be given a meaning.
+    void fault(unsigned line, std::string what, std::string mend) const {
+        faults.emplace_back(Place{file, line}, std::move(what), std::move(mend));
+    }
+    /// What is wrong, and what is assumed instead.
+    void note(unsigned line, std::string what, std::string assumed) const {
+        notes.emplace_back(Place{file, line}, std::move(what), std::move(assumed));
+    }
+};
+
+/// Lines that say nothing are notes, and passed over; what cannot be a data sheet at all is a fault.
+IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
 std::string lower_case(const std::string& text);
 

@@ -29,18 +29,22 @@ std::string index_text(std::uint16_t index) {
 class EdsReader {
   public:
     EdsReader(const std::string& text, const std::string& name)
-        : file_{name}, ini_{read_ini(text, file_, result_.faults)}, tell_{file_, result_.faults, result_.notes} {}
+        : file_{name}, tell_{file_, result_.faults, result_.notes}, ini_{read_ini(text, tell_)} {}
 
     EdsResult read() {
         Part& part = result_.part;
         part.name = std::filesystem::path{file_}.stem().string();
         part.prefix = "EDS";
         part.has_device_file = true;
+        if (!result_.faults.empty()) {
+            return std::move(result_);
+        }
         read_device_info();
         find_sub_sections();
         for (const char* list : {"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"}) {
             read_list(list);
         }
+        read_unlisted();
         std::sort(part.objects.begin(), part.objects.end(),
                   [](const Object& a, const Object& b) { return a.index < b.index; });
         check_whole();
@@ -64,9 +68,10 @@ class EdsReader {
         const IniValue* value = section == nullptr ? nullptr : section->filled(key);
         const auto number = value == nullptr ? std::optional<std::uint64_t>{0} : eds_unsigned(value->text);
         if (!number || *number > 1U) {
-            tell_.fault(value->line, fmt::format("{} {} is neither 0 nor 1", key, value->text), "write 0 or 1");
+            tell_.note(value->line, fmt::format("{} {} is neither 0 nor 1", key, value->text),
+                       fmt::format("{} is assumed", number ? 1 : 0));
         }
-        return number == std::uint64_t{1};
+        return number.value_or(0U) != 0U;
     }
 
     void read_device_info() {
@@ -105,7 +110,7 @@ class EdsReader {
             DeviceInfo& info = result_.part.info;
             info.node_id =
                 static_cast<int>(number_in(*section, "NodeID", 1, 127, static_cast<std::uint64_t>(info.node_id)));
-            info.bit_rate = static_cast<std::int64_t>(number_in(*section, "Baudrate", 10, 1000,
+            info.bit_rate = static_cast<std::int64_t>(number_in(*section, "BaudRate", 10, 1000,
                                                                 static_cast<std::uint64_t>(info.bit_rate / 1000))) *
                             1000;
         }
@@ -119,8 +124,8 @@ class EdsReader {
         }
         const auto number = eds_unsigned(value->text);
         if (!number || *number < low || *number > high) {
-            tell_.fault(value->line, fmt::format("{} {} is no number from {} to {}", key, value->text, low, high),
-                        "mend it or leave it out");
+            tell_.note(value->line, fmt::format("{} {} is no number from {} to {}", key, value->text, low, high),
+                       fmt::format("{} is assumed", otherwise));
             return otherwise;
         }
         return *number;
@@ -137,13 +142,16 @@ class EdsReader {
             const auto number = eds_unsigned("0x" + name.substr(sub + 3));
             if (index && number && *index <= 0xFFFFU && name.substr(0, sub).size() <= 4 &&
                 *number <= highest_subindex) {
-                const auto [place, is_new] =
-                    subs_[static_cast<std::uint16_t>(*index)].emplace(static_cast<std::uint8_t>(*number), &section);
-                if (!is_new) {
-                    tell_.fault(section.line,
-                                fmt::format("[{}] describes the same entry as [{}]", section.name, place->second->name),
-                                "keep one of the two");
+                const IniSection*& first =
+                    subs_[static_cast<std::uint16_t>(*index)][static_cast<std::uint8_t>(*number)];
+                if (first == nullptr) {
+                    first = &section;
+                    continue;
                 }
+                const IniSection& later = first->line < section.line ? section : *first;
+                first = first->line < section.line ? first : &section;
+                tell_.note(later.line, fmt::format("[{}] describes the same entry as [{}]", later.name, first->name),
+                           "the first counts");
             }
         }
     }
@@ -163,7 +171,7 @@ class EdsReader {
             ++listed;
             const auto index = eds_unsigned(value.text);
             if (!index || *index > 0xFFFFU || *index == 0) {
-                tell_.fault(value.line, fmt::format("{} is no index", value.text), "write 0x1000 to 0xFFFF");
+                tell_.note(value.line, fmt::format("{} is no index", value.text), "it is passed over");
             } else if (*index >= first_object) {
                 read_object(static_cast<std::uint16_t>(*index), value.line);
             }
@@ -178,16 +186,16 @@ class EdsReader {
     void read_object(std::uint16_t index, unsigned listed_in) {
         const IniSection* section = ini_.find(index_text(index));
         if (section == nullptr) {
-            tell_.fault(listed_in, fmt::format("object {:04X}h is listed but not described", index),
-                        fmt::format("add a section [{:04X}] or take it off the list", index));
+            tell_.note(listed_in, fmt::format("object {:04X}h is listed but not described", index),
+                       "it does not exist");
             return;
         }
         if (entries_ > most_entries) {
             return;  // told in check_whole()
         }
         if (!seen_.emplace(index, listed_in).second) {
-            tell_.fault(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
-                        "list it once");
+            tell_.note(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
+                       "it exists once");
             return;
         }
         Object object;
@@ -207,13 +215,46 @@ class EdsReader {
         }
     }
 
+    /// What the lists forget exists all the same.
+    void read_unlisted() {
+        for (const auto& [name, section] : ini_.sections) {
+            const auto index = name.size() == 4 ? eds_unsigned("0x" + name) : std::nullopt;
+            if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
+                tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
+                           "the object exists");
+                read_object(static_cast<std::uint16_t>(*index), section.line);
+            }
+        }
+    }
+
+    /// CiA 306 takes an object without ObjectType for a VAR.
+    std::uint64_t object_type(const Object& object, const IniSection& section, bool has_subs) const {
+        const IniValue* given = section.filled("ObjectType");
+        const auto code = given == nullptr ? std::optional<std::uint64_t>{7} : eds_unsigned(given->text);
+        const bool has_type = section.filled("DataType") != nullptr;
+        const bool single = code == std::uint64_t{2} || code == std::uint64_t{7};
+        const bool several = code == std::uint64_t{8} || code == std::uint64_t{9};
+        const bool none = code == std::uint64_t{0} || code == std::uint64_t{5} || code == std::uint64_t{6};
+        if (none || (several && (has_subs || section.filled("CompactSubObj") != nullptr)) ||
+            (single && (has_type || !has_subs))) {
+            return *code;
+        }
+        const std::string what = single    ? fmt::format("[{}] is a single value without DataType", section.name)
+                                 : several ? fmt::format("[{}] has no sub-objects", section.name)
+                                           : fmt::format("ObjectType {} is unknown", given->text);
+        tell_.note(given == nullptr ? section.line : given->line, what,
+                   has_subs   ? "a RECORD of its sub-objects is assumed"
+                   : has_type ? "a VAR is assumed"
+                              : fmt::format("object {:04X}h does not exist", object.index));
+        return has_subs ? 9U : has_type ? 7U : 0U;
+    }
+
     void read_entries(Object& object, const IniSection& section) {
-        const std::uint64_t code = number_in(section, "ObjectType", 0, 9, 7);
-        const std::uint64_t compact = number_in(section, "CompactSubObj", 0, highest_subindex, 0);
         const bool has_subs = subs_.count(object.index) != 0;
+        const std::uint64_t code = object_type(object, section, has_subs);
         if (code == 2 || code == 7) {
             object.kind = Object::Kind::var;
-            object.entries.push_back(read_eds_entry(section, 0, tell_));
+            object.entries.push_back(read_eds_entry(section, 0, false, tell_));
             object.entries.front().name = object.name;
             if (has_subs) {
                 tell_.note(section.line, fmt::format("[{}] is a single value but has sub-objects", section.name),
@@ -221,6 +262,7 @@ class EdsReader {
             }
         } else if (code == 8 || code == 9) {
             object.kind = code == 8 ? Object::Kind::array : Object::Kind::record;
+            const std::uint64_t compact = number_in(section, "CompactSubObj", 0, highest_subindex, 0);
             if (compact != 0) {
                 add_compact(object, section, static_cast<unsigned>(compact));
             }
@@ -228,9 +270,6 @@ class EdsReader {
                 add_subs(object);
             }
             complete(object, section);
-        } else if (code != 0 && code != 5 && code != 6) {
-            tell_.fault(section.line, fmt::format("ObjectType {} is unknown", code),
-                        "use 0x7 VAR, 0x8 ARRAY, 0x9 RECORD or 0x2 DOMAIN");
         }
     }
 
@@ -239,7 +278,7 @@ class EdsReader {
     void add_compact(Object& object, const IniSection& section, unsigned count) {
         const IniSection* names = ini_.find(index_text(object.index) + "Name");
         const IniSection* values = ini_.find(index_text(object.index) + "Value");
-        const Entry pattern = read_eds_entry(section, 1, tell_);
+        const Entry pattern = read_eds_entry(section, 1, false, tell_);
         for (unsigned sub = 1; sub <= count; ++sub) {
             Entry entry = pattern;
             entry.subindex = static_cast<std::uint8_t>(sub);
@@ -255,7 +294,7 @@ class EdsReader {
 
     void add_subs(Object& object) {
         for (const auto& [sub, section] : subs_[object.index]) {
-            Entry entry = read_eds_entry(*section, sub, tell_);
+            Entry entry = read_eds_entry(*section, sub, sub == 0, tell_);
             const auto same = std::find_if(object.entries.begin(), object.entries.end(),
                                            [s = sub](const Entry& one) { return one.subindex == s; });
             if (same == object.entries.end()) {
@@ -270,8 +309,8 @@ class EdsReader {
         std::sort(object.entries.begin(), object.entries.end(),
                   [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; });
         if (object.entries.empty()) {
-            tell_.fault(section.line, fmt::format("[{}] has no sub-objects", section.name),
-                        fmt::format("add [{}sub0] and the others, or CompactSubObj", section.name));
+            tell_.note(section.line, fmt::format("[{}] has no sub-objects", section.name),
+                       fmt::format("object {:04X}h does not exist", object.index));
             return;
         }
         if (object.entries.front().subindex != 0) {
@@ -301,8 +340,7 @@ class EdsReader {
                         fmt::format("at most {} can be run", most_entries));
         }
         if (part.objects.empty() && result_.faults.empty()) {
-            tell_.fault(1, "the file lists no objects",
-                        "list them in [MandatoryObjects], [OptionalObjects], [ManufacturerObjects]");
+            tell_.fault(1, "the file describes no objects", "name an EDS or DCF file");
         }
         std::size_t bytes = 0;
         for (const Object& object : part.objects) {
@@ -316,23 +354,16 @@ class EdsReader {
         }
         for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
             if (seen_.count(static_cast<std::uint16_t>(index)) == 0) {
-                tell_.note(1, fmt::format("object {:04X}h, which every device has, is not listed", index),
+                tell_.note(1, fmt::format("object {:04X}h, which every device has, is not described", index),
                            "the device runs without it");
-            }
-        }
-        for (const auto& [name, section] : ini_.sections) {
-            const auto index = name.size() == 4 ? eds_unsigned("0x" + name) : std::nullopt;
-            if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
-                tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
-                           "the object does not exist");
             }
         }
     }
 
     EdsResult result_;
     std::string file_;
-    IniFile ini_;
     EdsTelling tell_;
+    IniFile ini_;
     std::map<std::uint16_t, std::map<std::uint8_t, const IniSection*>> subs_;
     std::map<std::uint16_t, unsigned> seen_;  ///< index → line that lists it
     std::size_t entries_{0};

@@ -9,13 +9,14 @@ namespace canproof::host {
 
 struct EdsResult {
     Part part;
-    Faults faults;  ///< with any of these the part is not to be used
-    Faults notes;   ///< what was read otherwise than it stands; the device runs
+    Faults faults;  ///< the file cannot be given a meaning: the part is not to be used
+    Faults notes;   ///< what is wrong, and what is assumed instead; the device runs
 };
 
-/// Reads everything and tells everything that is wrong, by line. `name` is the file's: the device is called by it,
-/// without folder and extension. The services of the communication area are assigned by index, as CiA 301 does; every
-/// writable entry is stored. Modules, tools and object links are passed over.
+/// Reads everything and tells everything that is wrong, by line. Refused is what is no data sheet, or describes more
+/// than a device can hold; whatever else is wrong is a note. `name` is the file's: the device is called by it, without
+/// folder and extension. The services of the communication area are assigned by index, as CiA 301 does; every writable
+/// entry is stored. Modules, tools and object links are passed over.
 EdsResult read_eds(const std::string& text, const std::string& name);
 
 }  // namespace canproof::host

@@ -11,6 +11,11 @@ namespace canproof::host {
 
 namespace {
 
+/// The checks go through the combinations of inputs, one level of calls for each input.
+constexpr std::size_t most_inputs = 32;
+/// No table of the register takes a tenth of it.
+constexpr std::size_t most_steps = 4000000;
+
 /// A decision table's inputs as small whole numbers: words and booleans by position, integers by themselves.
 class TableCheck {
   public:
@@ -30,14 +35,25 @@ class TableCheck {
                 }
             }
         }
+        if (table_.inputs.size() > most_inputs) {
+            fault(table_.place, fmt::format("{} has {} inputs", table_.id, table_.inputs.size()),
+                  fmt::format("divide it into tables of at most {} inputs", most_inputs));
+        }
         check_cells();
         if (faults_.size() == before && table_.complete) {
             std::vector<std::size_t> rows(table_.rows.size());
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 rows[i] = i;
             }
+            for (std::size_t i = 0; i < table_.inputs.size(); ++i) {
+                pieces_.push_back(pieces(i));
+            }
             std::vector<std::string> at;
             cover(0, rows, at);
+            if (steps_ > most_steps) {
+                fault(table_.place, fmt::format("{} has too many rows and combinations to be checked", table_.id),
+                      "divide it into several tables");
+            }
         }
     }
 
@@ -94,6 +110,11 @@ class TableCheck {
     }
 
     void check_cells() {
+        for (const auto* columns : {&table_.inputs, &table_.outputs}) {
+            for (const Column& column : *columns) {
+                words_.emplace_back(column.words.begin(), column.words.end());
+            }
+        }
         for (const auto& row : table_.rows) {
             for (std::size_t i = 0; i < row.cells.size(); ++i) {
                 const bool input = i < table_.inputs.size();
@@ -105,13 +126,15 @@ class TableCheck {
                     continue;
                 }
                 for (const auto& part : row.cells[i].parts) {
-                    check_part(row, column, part, input);
+                    check_part(row, i, part);
                 }
             }
         }
     }
 
-    void check_part(const Table::Row& row, const Column& column, const Cell::Part& part, bool input) {
+    void check_part(const Table::Row& row, std::size_t i, const Cell::Part& part) {
+        const bool input = i < table_.inputs.size();
+        const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
         bool fits = false;
         if (input && column.kind == Column::Kind::reals) {
             return;  // told with the column
@@ -120,7 +143,7 @@ class TableCheck {
             fits = fits_type(part.first, column.type);
         } else if (column.kind == Column::Kind::words) {
             const auto* word = std::get_if<std::string>(&part.first);
-            fits = word != nullptr && std::find(column.words.begin(), column.words.end(), *word) != column.words.end();
+            fits = word != nullptr && words_[i].count(*word) != 0;
         } else if (column.kind == Column::Kind::booleans) {
             fits = std::holds_alternative<bool>(part.first);
         } else if (column.kind == Column::Kind::reals) {
@@ -140,14 +163,15 @@ class TableCheck {
 
     /// Splits column `i` into pieces on which every row behaves alike, and asks for each which rows are left.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
-        if (told_ >= 5) {
-            return;  // a table with a hole has many; five show where
-        }
         if (i == table_.inputs.size()) {
             judge(rows, at);
             return;
         }
-        for (const auto& [words, first] : pieces(i)) {
+        for (const auto& [words, first] : pieces_[i]) {
+            steps_ += rows.size() + 1;
+            if (told_ >= 5 || steps_ > most_steps) {
+                return;  // a table with a hole has many; five show where
+            }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {
                 if (matches(table_.rows[row].cells[i], first)) {
@@ -219,6 +243,9 @@ class TableCheck {
     const Part& part_;
     Table& table_;
     Faults& faults_;
+    std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< of each input
+    std::vector<std::set<std::string>> words_;                        ///< of each column
+    std::size_t steps_{0};                                            ///< rows that were compared
     int told_{0};
 };
 

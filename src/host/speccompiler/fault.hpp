@@ -1,6 +1,7 @@
 // What is wrong in spec/, where, and how to mend it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,38 @@ struct Fault {
     std::string text() const;
 };
 
-using Faults = std::vector<Fault>;
+/// The first 10,000 are kept: a file of millions of faults takes no more memory than that. The others are counted.
+class Faults {
+  public:
+    static constexpr std::size_t most = 10000;
+
+    void push_back(Fault fault) {
+        if (kept_.size() < most) {
+            kept_.push_back(std::move(fault));
+        } else {
+            ++left_out_;
+        }
+    }
+    void emplace_back(Place at, std::string what, std::string mend) {
+        push_back(Fault{std::move(at), std::move(what), std::move(mend)});
+    }
+
+    bool empty() const { return kept_.empty(); }
+    std::size_t size() const { return kept_.size(); }
+    std::size_t left_out() const { return left_out_; }
+    const Fault& front() const { return kept_.front(); }
+    const Fault& operator[](std::size_t at) const { return kept_[at]; }
+    std::vector<Fault>::const_iterator begin() const { return kept_.begin(); }
+    std::vector<Fault>::const_iterator end() const { return kept_.end(); }
+    std::vector<Fault>::iterator begin() { return kept_.begin(); }
+    std::vector<Fault>::iterator end() { return kept_.end(); }
+    void erase(std::vector<Fault>::const_iterator first, std::vector<Fault>::const_iterator last) {
+        kept_.erase(first, last);
+    }
+
+  private:
+    std::vector<Fault> kept_;
+    std::size_t left_out_{0};
+};
 
 }  // namespace canproof::host

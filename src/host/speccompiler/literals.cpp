@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cfloat>
 #include <cmath>
-#include <regex>
 #include <set>
 
 namespace canproof::host {
@@ -70,8 +71,10 @@ const std::set<std::string>& keywords() {
 }  // namespace
 
 bool is_cpp_name(const std::string& name) {
-    static const std::regex shape{"^[A-Za-z][A-Za-z0-9_]*$"};
-    return std::regex_match(name, shape) && keywords().count(name) == 0;
+    const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    const auto inner = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    return !name.empty() && letter(name.front()) && std::all_of(name.begin(), name.end(), inner) &&
+           keywords().count(name) == 0;
 }
 
 std::string cpp_word(const std::string& word) {

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
             std::cerr << fault.text() << '\n';
         }
         if (!loaded.faults.empty()) {
-            std::cerr << loaded.faults.size() << " fault(s) in the register; nothing written\n";
+            std::cerr << loaded.faults.size() + loaded.faults.left_out()
+                      << " fault(s) in the register; nothing written\n";
             return 1;
         }
         write_all(loaded.content, files, out, changeable ? Cells::changeable : Cells::constant);

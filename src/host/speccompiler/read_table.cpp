@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <regex>
+#include <set>
 
 #include "host/speccompiler/reader.hpp"
 
@@ -52,17 +52,18 @@ std::vector<Column> read_columns(TomlItem& item, const std::string& key) {
 
 std::optional<std::int64_t> to_number(const std::string& digits) {
     std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return error == std::errc{} ? std::optional{number} : std::nullopt;
+    const char* const end = digits.data() + digits.size();
+    const auto [rest, error] = std::from_chars(digits.data(), end, number);
+    return error == std::errc{} && rest == end ? std::optional{number} : std::nullopt;
 }
 
 Cell::Part read_part(const toml::node& node) {
-    static const std::regex range{R"(^(-?\d+)\.\.(-?\d+)$)"};
     const Value value = literal(node);
-    std::smatch match;
-    if (const auto* text = std::get_if<std::string>(&value); text != nullptr && std::regex_match(*text, match, range)) {
-        const auto first = to_number(match[1]);
-        const auto last = to_number(match[2]);
+    const auto* text = std::get_if<std::string>(&value);
+    const auto dots = text == nullptr ? std::string::npos : text->find("..");
+    if (dots != std::string::npos) {
+        const auto first = to_number(text->substr(0, dots));
+        const auto last = to_number(text->substr(dots + 2));
         if (first && last) {
             return {*first, *last};
         }
@@ -91,6 +92,7 @@ void infer(Column& column, const Table& table, std::size_t at) {
     bool booleans = false;
     bool reals = column.type == "REAL32" || column.type == "REAL64";
     const bool collect = column.words.empty();
+    std::set<std::string> collected;
     std::optional<std::int64_t> low;
     std::optional<std::int64_t> high;
     for (const auto& row : table.rows) {
@@ -100,7 +102,7 @@ void infer(Column& column, const Table& table, std::size_t at) {
         for (const auto& part : row.cells[at].parts) {
             if (const auto* text = std::get_if<std::string>(&part.first)) {
                 words = true;
-                if (collect && std::find(column.words.begin(), column.words.end(), *text) == column.words.end()) {
+                if (collect && collected.insert(*text).second) {
                     column.words.push_back(*text);
                 }
             }

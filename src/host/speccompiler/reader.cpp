@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "host/speccompiler/toml_depth.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -247,7 +249,7 @@ std::string part_of(const std::string& path) {
     return path.substr(devices.size(), path.find('/', devices.size()) - devices.size());
 }
 
-void read_file(const std::string& path, const toml::table& root, Register& content, Faults& faults) {
+void read_part_file(const std::string& path, const toml::table& root, Register& content, Faults& faults) {
     TomlItem item{root, path, faults};
     const std::string part = part_of(path);
     if (path.rfind("spec/manuals/", 0) == 0) {
@@ -296,8 +298,14 @@ Register read_register(const SpecFiles& files, Faults& faults) {
             if (is_device) {
                 part_named(content, part_of(path)).has_device_file = true;
             }
+            if (const auto line = too_deep_in(text)) {
+                faults.push_back({{path, *line},
+                                  fmt::format("keys or values go more than {} levels deep", deepest_toml),
+                                  "write shorter keys and fewer brackets"});
+                continue;
+            }
             try {
-                read_file(path, toml::parse(text, path), content, faults);
+                read_part_file(path, toml::parse(text, path), content, faults);
             } catch (const toml::parse_error& error) {
                 faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
                                   fmt::format("not TOML: {}", error.description()),

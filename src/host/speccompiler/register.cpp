@@ -6,14 +6,16 @@
 #include <array>
 #include <cctype>
 #include <limits>
-#include <sstream>
 
-#include "host/base/reading.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
 
 std::string Fault::text() const {
-    return fmt::format("{}:{}: {}; {}", place.file, place.line, what, mend);
+    constexpr std::size_t longest = 1000;  // a name may have a million characters
+    return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
+                       what.size() > longest ? "…" : "", mend);
 }
 
 std::vector<std::string> origins(const Item& item) {
@@ -79,13 +81,18 @@ const Enumeration* Register::enumeration(const Part& in, const std::string& id) 
 SpecFiles read_spec_files(const std::filesystem::path& spec) {
     SpecFiles files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
-        if (file.path().extension() != ".toml") {
+        if (file.is_directory() || file.path().extension() != ".toml") {
             continue;
         }
         if (!file.is_regular_file()) {
             throw InputError{fmt::format("{} is no file; the register holds files and folders", file.path().string())};
         }
-        files["spec/" + file.path().lexically_relative(spec).generic_string()] = read_file(file.path());
+        files["spec/" + file.path().lexically_relative(spec).generic_string()] =
+            read_file(file.path(), longest_toml_file);
+    }
+    if (files.empty()) {
+        throw InputError{
+            fmt::format("{} holds no .toml file; name the folder of a register, such as spec", spec.string())};
     }
     return files;
 }

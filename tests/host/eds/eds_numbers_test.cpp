@@ -20,7 +20,12 @@ TEST(EdsNumbers, BasesAreThoseOfC) {
     EXPECT_EQ(value_of("0XfF", "UNSIGNED32"), "255");
     EXPECT_EQ(value_of("010", "UNSIGNED32"), "8");
     EXPECT_EQ(value_of("0", "UNSIGNED32"), "0");
-    for (const char* wrong : {"", "x", "0x", "09", "1 h", "12abc", "+5", "--1", "0x1G", "99999999999999999999999"}) {
+    EXPECT_EQ(value_of("0x10UL", "UNSIGNED32"), "16");  // as C spells it
+    EXPECT_EQ(value_of("10u", "UNSIGNED32"), "10");
+    EXPECT_EQ(value_of("-5L", "INTEGER64"), "-5");
+    EXPECT_EQ(value_of("0x1234567890ABCDEFLL", "INTEGER64"), "1311768467294899695");
+    for (const char* wrong :
+         {"", "x", "UL", "0xUL", "1UL0", "0x", "09", "1 h", "12abc", "+5", "--1", "0x1G", "99999999999999999999999"}) {
         EXPECT_EQ(value_of(wrong, "UNSIGNED32"), "none") << wrong;
     }
 }
@@ -51,7 +56,8 @@ TEST(EdsNumbers, RealsAreDecimalOrIeeeBits) {
     EXPECT_EQ(value_of("-2.5E2", "REAL32"), "-250");
     EXPECT_EQ(value_of("0x3FC00000", "REAL32"), "1.5");  // sign 0, exponent 127, mantissa 1.1
     EXPECT_EQ(value_of("0xC000000000000000", "REAL64"), "-2");
-    for (const char* wrong : {"nan", "inf", "1e40", "0x7F800000", "0x1FFFFFFFF", "1.5.2", "e", ""}) {
+    EXPECT_EQ(value_of("1.5f", "REAL32"), "1.5");
+    for (const char* wrong : {"f", "nan", "inf", "1e40", "0x7F800000", "0x1FFFFFFFF", "1.5.2", "e", ""}) {
         EXPECT_EQ(value_of(wrong, "REAL32"), "none") << wrong;
     }
 }
