@@ -13,25 +13,49 @@
 
 namespace canproof::host {
 
+namespace {
+
+std::optional<Instant> instant_of(const std::optional<double>& seconds) {
+    if (!seconds) {
+        return std::nullopt;
+    }
+    return Instant{static_cast<std::uint64_t>(std::llround(*seconds * 1.0e6))};
+}
+
+void tell(const std::string& text) {
+    fmt::print(stderr, "{}\n", text);
+}
+
+void tell_counts(const LogCounts& counts) {
+    if (counts.error_frames != 0) {
+        tell(fmt::format("{} error frame(s) in the log, which no node receives", counts.error_frames));
+    }
+    if (counts.coded_lengths != 0) {
+        tell(fmt::format("{} frame(s) with a length code above 8, received as eight bytes", counts.coded_lengths));
+    }
+}
+
+}  // namespace
+
 int replay_log(const ReplayOptions& options) {
     std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
     const ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
     SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
-    if (options.log == "-") {
-        input.frames = read_candump_log(std::cin, "standard input");
-    } else {
-        auto in = open_input(options.log);
-        input.frames = read_candump_log(in, options.log);
+    std::ifstream file;
+    if (options.log != "-") {
+        file = open_input(options.log);
     }
+    CandumpReader log{options.log == "-" ? std::cin : file, options.log == "-" ? "standard input" : options.log};
+    input.source = [&log](LoggedFrame& frame) { return log.next(frame); };
+    input.notice = tell;
     if (!options.stimulus.empty()) {
         auto in = open_input(options.stimulus);
         input.stimuli = read_stimuli(in, options.stimulus);
         check_stimuli(input.stimuli, {chosen.part});
     }
-    if (options.until) {
-        input.until = Instant{static_cast<std::uint64_t>(std::llround(*options.until * 1.0e6))};
-    }
+    input.start = instant_of(options.start);
+    input.until = instant_of(options.until);
     if (options.node != 0) {
         device->set_node_id(options.node);
     }
@@ -45,6 +69,7 @@ int replay_log(const ReplayOptions& options) {
     if (!options.nvm.empty()) {
         save_memory(device->memory(), options.nvm);
     }
+    tell_counts(log.counts());
     return 0;
 }
 
