@@ -17,7 +17,8 @@ inline std::ofstream frame_log;
 
 /// Times count from the beginning of the input: there `canproof replay` switches the device on.
 inline void log_frame(const Frame& frame, Instant now) {
-    frame_log << host::format_candump_line({Instant{elapsed(frame_probe.start, now).us}, "can0", frame}) << std::endl;
+    frame_log << host::format_candump_line({Instant{elapsed(frame_probe.start, now).us}, "can0", frame}) << " R"
+              << std::endl;
 }
 
 /// From here on into FOLDER/frames.log; beside it FOLDER/replay, the command that plays it, and the data sheet that the

@@ -102,6 +102,8 @@ def unreadable_inputs(folder):
     directory = os.open(held, os.O_RDONLY)
     refused(canproof("replay", "cbx-ao412", "-", stdin=directory, input=None), "a folder as standard input",
             "standard input cannot be read to its end")
+    refused(canproof("run", "cbx-ao412", "--seconds", "0.01", stdin=directory, input=None),
+            "a folder as standard input of run", "standard input is a folder")
     os.close(directory)
     refused(canproof("replay", "cbx-ao412", "/dev/zero"), "/dev/zero as log", "/dev/zero:1: a line has more than")
     refused(canproof("replay", "cbx-ao412", log, "--stimulus", "/dev/zero"), "/dev/zero as stimulus",

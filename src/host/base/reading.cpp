@@ -29,7 +29,7 @@ bool LineReader::next() {
     ++number_;
     if (in_.fail()) {
         throw InputError{
-            fmt::format("{}: a line has more than {} characters; is this a file of text?", where(), longest_line - 1)};
+            fmt::format("{}: a line has more than {} characters; is this a file of text?", where(), longest_line)};
     }
     // The count takes the line's end in, which the last line may lack.
     line_.assign(buffer.data(), in_.eof() ? count : count - 1);

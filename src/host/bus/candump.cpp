@@ -40,6 +40,21 @@ void read_data(Frame& frame, const std::string& data, const std::string& where) 
     }
 }
 
+/// Classic CAN has codes from 9 to 15 for a length of eight as well: candump writes one of those behind `_`.
+std::string without_length_code(const std::string& data, const std::string& where) {
+    const auto at = data.find('_');
+    if (at == std::string::npos) {
+        return data;
+    }
+    const std::string code = data.substr(at + 1);
+    const std::string rest = data.substr(0, at);
+    const bool has_eight = rest.size() == 2 * max_frame_length || rest == "R8" || rest == "r8";
+    if (!has_eight || code.size() != 1 || !all_of(code, "9ABCDEFabcdef")) {
+        refuse(where, fmt::format("`_{}` is no length code from 9 to F behind eight bytes", code));
+    }
+    return rest;
+}
+
 }  // namespace
 
 Instant parse_seconds(const std::string& text, const std::string& where) {
@@ -70,7 +85,7 @@ Frame parse_frame(const std::string& text, const std::string& where) {
     if (frame.id > (frame.extended ? 0x1FFFFFFFU : 0x7FFU)) {
         refuse(where, fmt::format("identifier {} is too large", id));
     }
-    const std::string data = text.substr(hash + 1);
+    const std::string data = without_length_code(text.substr(hash + 1), where);
     if (!data.empty() && (data[0] == 'R' || data[0] == 'r')) {
         frame.remote = true;
         const std::string length = data.substr(1);
@@ -83,6 +98,24 @@ Frame parse_frame(const std::string& text, const std::string& where) {
     }
     return frame;
 }
+
+namespace {
+
+constexpr std::uint32_t error_flag = 0x20000000U;
+constexpr std::uint32_t highest_identifier = 0x1FFFFFFFU;
+
+/// `20000004#0000000000000000`: of the identifier one bit says that this is an error frame, others which.
+bool is_error_frame(const std::string& frame) {
+    const std::string id = frame.substr(0, frame.find('#'));
+    return id.size() == 8 && id.size() < frame.size() && all_of(id, hex_digits) &&
+           (std::stoul(id, nullptr, 16) & ~std::uint64_t{highest_identifier}) == error_flag;
+}
+
+LogMark mark_of(const std::string& word) {
+    return word == "T" ? LogMark::transmitted : (word == "R" ? LogMark::received : LogMark::none);
+}
+
+}  // namespace
 
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where) {
     std::istringstream words{line};
@@ -98,22 +131,41 @@ LoggedFrame parse_candump_line(const std::string& line, const std::string& where
         refuse(where, fmt::format("time `{}` does not stand in brackets", time));
     }
     logged.time = parse_seconds(time.substr(1, time.size() - 2), where);
+    logged.mark = mark_of(rest);
+    logged.error = is_error_frame(frame);
+    if (logged.error) {
+        read_data(logged.frame, frame.substr(frame.find('#') + 1), where);
+        return logged;
+    }
+    logged.coded = frame.find('_') != std::string::npos;
     logged.frame = parse_frame(frame, where);
-    logged.transmitted = rest == "T";
     return logged;
 }
 
-std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& name) {
-    std::vector<LoggedFrame> log;
-    LineReader lines{in, name};
-    while (lines.next()) {
-        if (lines.line().find_first_not_of(" \t") == std::string::npos) {
+bool CandumpReader::next(LoggedFrame& frame) {
+    while (lines_.next()) {
+        if (lines_.line().find_first_not_of(" \t") == std::string::npos) {
             continue;
         }
-        log.push_back(parse_candump_line(lines.line(), lines.where()));
-        if (log.size() > 1 && log.back().time < log[log.size() - 2].time) {
-            throw InputError{fmt::format("{}: time goes backwards; sort the log by time", lines.where())};
+        frame = parse_candump_line(lines_.line(), lines_.where());
+        if (frame.time < last_) {
+            throw InputError{fmt::format("{}: time goes backwards; sort the log by time", lines_.where())};
         }
+        last_ = frame.time;
+        counts_.coded_lengths += frame.coded ? 1U : 0U;
+        if (!frame.error) {
+            return true;
+        }
+        ++counts_.error_frames;
+    }
+    return false;
+}
+
+std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& name) {
+    CandumpReader reader{in, name};
+    std::vector<LoggedFrame> log;
+    for (LoggedFrame frame; reader.next(frame);) {
+        log.push_back(frame);
     }
     return log;
 }

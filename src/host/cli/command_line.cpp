@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <iostream>
 
 #include "host/bus/candump.hpp"
@@ -19,6 +20,18 @@ constexpr const char* node_help =
 constexpr const char* factory_help =
     "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
     "one";
+
+/// Beyond it a double no longer holds microseconds.
+constexpr double most_seconds = 4.0e9;
+
+const CLI::Validator seconds{[](std::string& text) -> std::string {
+                                 char* end = nullptr;
+                                 const double value = std::strtod(text.c_str(), &end);
+                                 const bool fits =
+                                     !text.empty() && *end == '\0' && value >= 0.0 && value <= most_seconds;
+                                 return fits ? "" : text + " is no time from 0 to 4000000000 seconds";
+                             },
+                             "SECONDS"};
 
 void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")->callback([&chosen] {
@@ -65,7 +78,9 @@ void add_run_options(CLI::App& command, RunOptions& running) {
                        "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
     command.add_flag("--control-interface", running.control_interface,
                      "may set the interface's bit rate when LSS asks, and restart it after bus-off");
-    command.add_option("--log", running.log, "candump log of all frames; T marks those of the devices");
+    command.add_option("--log", running.log, "all frames as `candump -L` writes them; FILE.pcapng for Wireshark");
+    command.add_flag("--log-marks", running.log_marks,
+                     "T behind the devices' frames and R behind the others, as `candump -L -x` has");
     command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
     command.add_option("--stimulus", running.stimulus,
                        "CSV seconds,signal,value; device.signal for one of several devices");
@@ -76,7 +91,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen) {
     static RunOptions running;
     auto* run = app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
     add_run_options(*run, running);
-    run->add_option("--seconds", running.seconds, "end after so long");
+    run->add_option("--seconds", running.seconds, "end after so long")->check(seconds);
     run->add_flag("--plain", running.plain, "every frame as a line, on a terminal as well");
     run->callback([&chosen] { chosen = [] { return run_devices(running); }; });
 
@@ -103,7 +118,12 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
     replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
     replay->add_option("--outputs", options.outputs, "CSV file to write changes of outputs to");
-    replay->add_option("--until", options.until, "end of virtual time in seconds")->check(CLI::Range(0.0, 1.0e9));
+    replay->add_option("--until", options.until, "end, in seconds of the log's time")->check(seconds);
+    replay
+        ->add_option(
+            "--start", options.start,
+            "power-on, in seconds of the log's time; the first frame of a log that counts by the clock, else 0")
+        ->check(seconds);
     replay->callback([&chosen] {
         if (words.size() != (options.eds.empty() ? 2U : 1U)) {
             throw CLI::ValidationError{"replay", "write DEVICE LOG, or --eds FILE LOG"};

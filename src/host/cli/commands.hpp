@@ -21,6 +21,7 @@ struct ReplayOptions {
     std::string nvm;
     std::string stimulus;
     std::string outputs;
+    std::optional<double> start;
     std::optional<double> until;
 };
 
@@ -32,7 +33,8 @@ struct RunOptions {
     std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
     bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller
     bool plain{false};                 ///< no table, even on a terminal
-    std::string log;                   ///< candump log of all frames
+    std::string log;                   ///< log of all frames; .pcapng for that format
+    bool log_marks{false};             ///< T and R behind the frames of a candump log
     std::string nvm;                   ///< folder with one memory image a device
     std::string stimulus;
     std::string outputs;

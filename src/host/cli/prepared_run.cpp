@@ -116,6 +116,7 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
     SessionOutputs outputs;
     outputs.frames = frames;
     outputs.log = log_.stream();
+    outputs.log_format = log_format(options.log, options.log_marks);
     outputs.outputs = outputs_.stream();
     outputs.observer = observer;
     session_ = std::make_unique<RunSession>(std::move(bus), std::move(nodes), std::move(stimuli), outputs);

@@ -14,6 +14,30 @@
 
 namespace canproof::host {
 
+namespace {
+
+std::optional<Instant> instant_of(const std::optional<double>& seconds) {
+    if (!seconds) {
+        return std::nullopt;
+    }
+    return Instant{static_cast<std::uint64_t>(std::llround(*seconds * 1.0e6))};
+}
+
+void tell(const std::string& text) {
+    fmt::print(stderr, "{}\n", text);
+}
+
+void tell_counts(const LogCounts& counts) {
+    if (counts.error_frames != 0) {
+        tell(fmt::format("{} error frame(s) in the log, which no node receives", counts.error_frames));
+    }
+    if (counts.coded_lengths != 0) {
+        tell(fmt::format("{} frame(s) with a length code above 8, received as eight bytes", counts.coded_lengths));
+    }
+}
+
+}  // namespace
+
 int replay_log(const ReplayOptions& options) {
     std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
     FactoryOptions factory{options.factory};
@@ -21,33 +45,34 @@ int replay_log(const ReplayOptions& options) {
     factory.check_used();
     SimulatedDevice* const device = chosen.device.get();
     ReplayInput input;
-    if (options.log == "-") {
-        input.frames = read_candump_log(std::cin, "standard input");
-    } else {
-        auto in = open_input(options.log);
-        input.frames = read_candump_log(in, options.log);
+    std::ifstream file;
+    if (options.log != "-") {
+        file = open_input(options.log);
     }
+    CandumpReader log{options.log == "-" ? std::cin : file, options.log == "-" ? "standard input" : options.log};
+    input.source = [&log](LoggedFrame& frame) { return log.next(frame); };
+    input.notice = tell;
     if (!options.stimulus.empty()) {
         auto in = open_input(options.stimulus);
         input.stimuli = read_stimuli(in, options.stimulus);
         check_stimuli(input.stimuli, {chosen.part});
     }
-    if (options.until) {
-        input.until = Instant{static_cast<std::uint64_t>(std::llround(*options.until * 1.0e6))};
-    }
+    input.start = instant_of(options.start);
+    input.until = instant_of(options.until);
     if (options.node) {
         set_node(chosen, *options.node);
     }
     if (!chosen.notice.empty()) {
-        fmt::print(stderr, "{}\n", chosen.notice);
+        tell(chosen.notice);
     }
     if (!options.nvm.empty()) {
-        keep_in_file(device->memory(), options.nvm, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
+        keep_in_file(device->memory(), options.nvm, tell);
     }
     OutputFile outputs{options.outputs};
     OutputFile::open({&outputs}, {options.log, options.stimulus});
     replay(*device, input, std::cout, outputs.stream());
     outputs.finish();
+    tell_counts(log.counts());
     return 0;
 }
 

@@ -27,9 +27,10 @@ constexpr Duration table_period = milliseconds(200);
 constexpr Duration longest_wait = milliseconds(1000);
 constexpr std::size_t notices_kept = 20;
 
-bool is_pipe(int descriptor) {
+/// `kind`: S_IFIFO, S_IFDIR
+bool is(mode_t kind, int descriptor) {
     struct stat found {};
-    return fstat(descriptor, &found) == 0 && S_ISFIFO(found.st_mode);
+    return fstat(descriptor, &found) == 0 && (found.st_mode & S_IFMT) == kind;
 }
 
 class Run {
@@ -155,7 +156,7 @@ class Run {
     }
 
     bool is_table_;
-    bool is_piped_{is_pipe(STDOUT_FILENO)};
+    bool is_piped_{is(S_IFIFO, STDOUT_FILENO)};
     bool output_ended_{false};
     std::vector<std::string> notices_;
     PreparedRun prepared_;
@@ -172,6 +173,9 @@ class Run {
 }  // namespace
 
 int run_devices(const RunOptions& options) {
+    if (is(S_IFDIR, STDIN_FILENO)) {
+        throw InputError{"standard input is a folder; give it lines such as 603#4000100000000000, or /dev/null"};
+    }
     Run{options}.run();
     return 0;
 }

@@ -82,7 +82,10 @@ LinePlot analog_outputs_plot() {
     device->set_node_id(3);
     std::ostringstream frames;
     std::stringstream outputs;
-    replay(*device, {read_candump_log(log, "example"), {}, Instant{90000}}, frames, &outputs);
+    ReplayInput input;
+    input.frames = read_candump_log(log, "example");
+    input.until = Instant{90000};
+    replay(*device, input, frames, &outputs);
     LinePlot plot = output_plot(outputs, "CBX-AO412", {"aout1", "aout2", "aout3", "aout4"});
     plot.title = "CAN-CBX-AO412: outputs set by SDO and by RPDO";
     plot.y_label = "voltage, V";

@@ -52,35 +52,42 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
 
 namespace {
 
-const Signal* input_named(const std::string& name, const std::vector<const Part*>& devices) {
+std::vector<const Signal*> inputs_named(const std::string& name, const std::vector<const Part*>& devices) {
+    std::vector<const Signal*> found;
     for (const Part* device : devices) {
         for (const auto& signal : device->signals) {
             const auto names = signal.names();
             if (signal.input && std::find(names.begin(), names.end(), name) != names.end()) {
-                return &signal;
+                found.push_back(&signal);
             }
         }
     }
-    return nullptr;
+    return found;
+}
+
+void check_value(const Stimulus& stimulus, const Signal& signal) {
+    const bool is_truth = signal.type == "BOOLEAN";
+    const bool is_real = signal.type == "REAL32" || signal.type == "REAL64";
+    const double low = is_truth ? 0.0 : signal.minimum.value();  // the register has both of every number
+    const double high = is_truth ? 1.0 : signal.maximum.value();
+    const bool whole = is_real || std::floor(stimulus.value) == stimulus.value;
+    if (!whole || stimulus.value < low || stimulus.value > high) {
+        throw InputError{fmt::format("{}: {} takes {} from {} to {}, not {}", stimulus.where, stimulus.signal,
+                                     is_real ? "values" : "whole numbers", low, high, stimulus.value)};
+    }
 }
 
 }  // namespace
 
 void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const Part*>& devices) {
     for (const auto& stimulus : stimuli) {
-        const Signal* signal = input_named(stimulus.signal, devices);
-        if (signal == nullptr) {
+        const std::vector<const Signal*> signals = inputs_named(stimulus.signal, devices);
+        if (signals.empty()) {
             throw InputError{fmt::format("{}: there is no input `{}`; `canproof signals` lists them", stimulus.where,
                                          stimulus.signal)};
         }
-        const bool is_truth = signal->type == "BOOLEAN";
-        const bool is_real = signal->type == "REAL32" || signal->type == "REAL64";
-        const double low = is_truth ? 0.0 : signal->minimum.value_or(-INFINITY);
-        const double high = is_truth ? 1.0 : signal->maximum.value_or(INFINITY);
-        const bool whole = is_real || std::floor(stimulus.value) == stimulus.value;
-        if (!whole || stimulus.value < low || stimulus.value > high) {
-            throw InputError{fmt::format("{}: {} takes {} from {} to {}, not {}", stimulus.where, stimulus.signal,
-                                         is_real ? "values" : "whole numbers", low, high, stimulus.value)};
+        for (const Signal* signal : signals) {
+            check_value(stimulus, *signal);
         }
     }
 }

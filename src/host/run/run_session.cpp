@@ -1,7 +1,5 @@
 #include "host/run/run_session.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "host/bus/candump.hpp"
@@ -15,14 +13,18 @@ RunSession::RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<Dev
       traffic_(nodes_.size()),
       stimuli_{std::move(stimuli)},
       outputs_{outputs},
-      last_outputs_(nodes_.size()) {
+      log_{outputs.log, outputs.log_format} {
+    for (const auto& node : nodes_) {
+        changes_.emplace_back(nodes_.size() > 1 ? node->name() + "." : "");
+    }
     bus_->listen([this](const BusFrame& frame) { record(frame); });
 }
 
 void RunSession::power_on() {
     if (outputs_.outputs != nullptr) {
-        *outputs_.outputs << "seconds,signal,value\n";
+        *outputs_.outputs << output_heading;
     }
+    log_.begin(bus_->interface());
     stimulate(Instant{});
     for (auto& node : nodes_) {
         node->power_on(Instant{});
@@ -52,19 +54,17 @@ void RunSession::advance_to(Instant now, const std::function<bool()>& may_go_on)
 
 void RunSession::advance_known(Instant now, const std::function<bool()>& may_go_on) {
     for (Instant due = next_deadline(); due <= now; due = next_deadline()) {
-        step(due < now_ ? now_ : due);
+        step(time_.reach(due));
         if (!may_go_on()) {
             return;
         }
     }
-    if (now_ < now) {
-        now_ = now;
-    }
+    time_.reach(now);
 }
 
 bool RunSession::put(const Frame& frame) {
-    const bool taken = bus_->put(frame, now_);
-    step(now_);
+    const bool taken = bus_->put(frame, now());
+    step(now());
     return taken;
 }
 
@@ -78,7 +78,6 @@ void RunSession::schedule(const Stimulus& stimulus) {
 
 /// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
-    now_ = at;
     for (auto& node : nodes_) {
         node->device().advance(at);
     }
@@ -110,13 +109,10 @@ void RunSession::stimulate(Instant at) {
 
 void RunSession::record(const BusFrame& frame) {
     const LoggedFrame logged{frame.time, bus_->interface(), frame.frame};
-    const std::string line = format_candump_line(logged);
     if (outputs_.frames != nullptr) {
-        *outputs_.frames << line << '\n';
+        *outputs_.frames << format_candump_line(logged) << '\n';
     }
-    if (outputs_.log != nullptr) {
-        *outputs_.log << line << (frame.sender == nullptr ? " R\n" : " T\n");
-    }
+    log_.write(logged, frame.sender != nullptr);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (nodes_[i].get() == frame.sender) {
             ++traffic_[i].frames;
@@ -130,17 +126,7 @@ void RunSession::record(const BusFrame& frame) {
 
 void RunSession::write_outputs(Instant at) {
     for (std::size_t n = 0; outputs_.outputs != nullptr && n < nodes_.size(); ++n) {
-        const SimulatedDevice& device = nodes_[n]->device();
-        const auto values = device.outputs();
-        std::vector<double>& last = last_outputs_[n];
-        const std::string prefix = nodes_.size() > 1 ? nodes_[n]->name() + "." : "";
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (last.empty() || last[i] != values[i]) {
-                *outputs_.outputs << fmt::format("{},{}{},{:.6g}\n", format_seconds(at), prefix,
-                                                 device.output_names()[i], values[i]);
-            }
-        }
-        last = values;
+        changes_[n].write(*outputs_.outputs, at, nodes_[n]->device());
     }
 }
 

@@ -11,8 +11,11 @@
 
 #include "host/bus/bus.hpp"
 #include "host/bus/candump.hpp"
+#include "host/replay/output_changes.hpp"
 #include "host/replay/stimulus.hpp"
 #include "host/run/device_node.hpp"
+#include "host/run/forward_time.hpp"
+#include "host/run/frame_log.hpp"
 
 namespace canproof::host {
 
@@ -27,8 +30,9 @@ class SessionObserver {
 
 /// Where a session writes; each may be nullptr.
 struct SessionOutputs {
-    std::ostream* frames{nullptr};   ///< every frame as a candump line
-    std::ostream* log{nullptr};      ///< the same, T behind the devices' own frames and R behind the others'
+    std::ostream* frames{nullptr};  ///< every frame as a candump line
+    std::ostream* log{nullptr};     ///< the same in log_format
+    LogFormat log_format{LogFormat::candump};
     std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` when there are several devices
     SessionObserver* observer{nullptr};
 };
@@ -59,7 +63,7 @@ class RunSession {
 
     Bus& bus() { return *bus_; }
     const Bus& bus() const { return *bus_; }
-    Instant now() const { return now_; }
+    Instant now() const { return time_.now(); }
     const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
     /// Parallel to nodes().
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
@@ -78,8 +82,9 @@ class RunSession {
     std::vector<Stimulus> stimuli_;
     std::size_t next_stimulus_{0};
     SessionOutputs outputs_;
-    std::vector<std::vector<double>> last_outputs_;
-    Instant now_{};
+    FrameLog log_;
+    std::vector<OutputChanges> changes_;  ///< parallel to nodes_
+    ForwardTime time_;
 };
 
 }  // namespace canproof::host

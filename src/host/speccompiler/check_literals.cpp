@@ -103,6 +103,10 @@ class LiteralCheck {
                   fmt::format("use {}", type_words(signal.type)));
             return;
         }
+        if (signal.type != "BOOLEAN" && (!signal.minimum || !signal.maximum)) {
+            fault(signal.place, fmt::format("{} has no range", signal.id), "give it min and max");
+            return;
+        }
         if (signal.minimum && signal.maximum && *signal.minimum > *signal.maximum) {
             fault(signal.place,
                   fmt::format("{} minimum {} exceeds its maximum {}", signal.id, *signal.minimum, *signal.maximum),

@@ -25,6 +25,7 @@ class PanelBench {
         }
         SessionOutputs outputs;
         outputs.log = &log;
+        outputs.log_format = LogFormat::marked;
         outputs.observer = &panel.observer();
         session_ = std::make_unique<RunSession>(std::make_unique<ArbitratedBus>("inproc", 125000, BusFaultRates{}),
                                                 std::move(nodes), std::vector<Stimulus>{}, outputs);

@@ -27,6 +27,7 @@ struct TestRun {
         }
         SessionOutputs outputs;
         outputs.log = &log;
+        outputs.log_format = LogFormat::marked;
         outputs.outputs = &changes;
         session = std::make_unique<RunSession>(std::make_unique<ArbitratedBus>("inproc", 125000, faults),
                                                std::move(nodes), std::move(stimuli), outputs);
@@ -113,6 +114,46 @@ TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
         EXPECT_TRUE(std::is_permutation(expected.begin(), expected.end(), again.begin())) << device << "@" << node;
         EXPECT_EQ(again.front().substr(0, 4), error_control);
     }
+}
+
+TEST(RunSession, LinesOfEachDeviceAreThoseOfItsReplay_OnACrowdedBus) {
+    // Heartbeats each 5 ms and requests back to back: an answer (580h + node) overtakes a heartbeat (700h + node) that
+    // waits for the bus. The replay of a log with marks has the same order and the same times.
+    TestRun run{{"cbx-ao412@3", "cbx-ao412@4", "ax188001@20"}};
+    for (const char* node : {"603", "604", "614"}) {
+        run.put(10000, node + std::string{"#2B17100005000000"});
+    }
+    for (std::uint64_t us = 20000; us < 500000; us += 9000) {
+        run.put(us, "603#4000100000000000");
+        run.put(us, "604#4000100000000000");
+        run.put(us, "614#4000100000000000");
+        run.put(us, "080#");
+    }
+    run.session->advance_to(Instant{1000000});
+    bool overtaken = false;
+    for (const auto& [device, node] :
+         {std::pair{"cbx-ao412", 3}, std::pair{"cbx-ao412", 4}, std::pair{"ax188001", 20}}) {
+        std::string own;
+        std::istringstream lines{run.log.str()};
+        for (std::string line; std::getline(lines, line);) {
+            const LoggedFrame logged = parse_candump_line(line, "log");
+            if (logged.mark == LogMark::transmitted && (logged.frame.id & 0x7FU) == static_cast<unsigned>(node)) {
+                own += format_candump_line(logged) + "\n";
+            }
+        }
+        const std::string again = replayed(device, node, run.log.str());
+        EXPECT_EQ(again.substr(0, own.size()), own) << device << "@" << node;
+        // Without marks they are written as the device makes them: the same frames, some of them in another order.
+        std::string plain = run.log.str();
+        plain.erase(std::remove_if(plain.begin(), plain.end(), [](char one) { return one == 'T' || one == 'R'; }),
+                    plain.end());
+        const auto unmarked = frames_of(replayed(device, node, plain), "");
+        const auto marked = frames_of(again, "");
+        ASSERT_EQ(unmarked.size(), marked.size());
+        EXPECT_TRUE(std::is_permutation(marked.begin(), marked.end(), unmarked.begin()));
+        overtaken = overtaken || marked != unmarked;
+    }
+    EXPECT_TRUE(overtaken);
 }
 
 TEST(RunSession, OwnFramesAreNotTakenForAnothersInReplay) {

@@ -161,6 +161,8 @@ const std::vector<Broken> other_cases{
      "AO4-S-1 default 6 is outside 0 to 5", "correct the default or the range"},
     {"SignalDefaultOfOtherType", items_file, signal("type = \"BOOLEAN\"\ndefault = 0.5\n"), 8,
      "AO4-S-1 default 0.5 is no BOOLEAN", "use true or false"},
+    {"SignalWithoutRange", items_file, signal("type = \"UNSIGNED32\"\nmin = 0\ndefault = 1\n"), 1,
+     "AO4-S-1 has no range", "give it min and max"},
     {"SignalCountWithoutNumber", items_file, signal("type = \"BOOLEAN\"\ndefault = false\ncount = 2\n"), 1,
      "signal in has a count but no {n} in its name", "write name"},
     {"SectionTwice", manual_file,

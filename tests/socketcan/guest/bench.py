@@ -132,7 +132,7 @@ class Run:
             os.unlink(self.log)
         open(self.log, "wb").close()
         os.chmod(self.log, 0o666)  # the program may run without rights
-        self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", self.log], stdin=subprocess.DEVNULL,
+        self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", self.log, "--log-marks"], stdin=subprocess.DEVNULL,
                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.said = ""
 

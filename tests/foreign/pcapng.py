@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""tests/foreign/pcapng.py PROGRAM: what `--log FILE.pcapng` writes, read by tshark. Each frame has the
+identifier, flags, length, data and direction that it had on the bus, and times do not go back. tshark is installed when it is missing."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+program = str(pathlib.Path(sys.argv[1]).resolve())
+REQUESTS = "603#4000100000000000\n603#4018100400000000\n703#R\n1FFFFF03#0102\n7FF#\n"
+FIELDS = ["frame.time_epoch", "can.id", "can.flags.xtd", "can.flags.rtr", "can.len", "data.data",
+          "frame.interface_name", "frame.packet_flags_direction"]
+
+
+def install():
+    print("installing: tshark")
+    as_root = [] if os.geteuid() == 0 else ["sudo"]
+    subprocess.run([*as_root, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "install", "-y", "-qq",
+                    "--no-install-recommends", "tshark"], check=True, stdout=subprocess.DEVNULL)
+
+
+def run(*words):
+    """A run that ends with its input's last answer: in-process, two devices."""
+    subprocess.run([program, "run", "cbx-ao412@3", "--plain", "--seconds", "0.5", *words], input=REQUESTS, text=True,
+                   check=True, stdout=subprocess.PIPE)
+
+
+def read(path):
+    """The FIELDS of each frame."""
+    fields = [word for field in FIELDS for word in ("-e", field)]
+    said = subprocess.run(["tshark", "-n", "-r", str(path), "-T", "fields", "-E", "separator=/t", *fields],
+                          check=True, capture_output=True, text=True).stdout
+    return [line.split("\t") for line in said.splitlines()]
+
+
+def truth(text):
+    return text in ("1", "True")
+
+
+with tempfile.TemporaryDirectory() as name:
+    if shutil.which("tshark") is None:
+        install()
+    path = pathlib.Path(name) / "run.pcapng"
+    run("--log", str(path))
+    frames = read(path)
+    seen = [(int(f[1], 0), truth(f[2]), truth(f[3]), int(f[4] or 0), f[5], f[6]) for f in frames]
+    times = [float(f[0]) for f in frames]
+    expected = {(0x703, False, False, 1, "00"), (0x603, False, False, 8, "4000100000000000"),
+                (0x583, False, False, 8, "4300100091010800"), (0x703, False, True, 0, ""),
+                (0x1FFFFF03, True, False, 2, "0102"), (0x7FF, False, False, 0, "")}
+    assert expected <= {one[:5] for one in seen}, expected - {one[:5] for one in seen}
+    assert {one[5] for one in seen} == {"inproc"}, seen
+    assert times == sorted(times) and times[-1] < 1.0, times
+    for f in frames:
+        own = int(f[1], 0) in (0x583, 0x703) and not truth(f[3])
+        assert int(f[7], 0) == (2 if own else 1), f  # outbound, inbound
+print(f"{len(frames)} frames, as they were sent")

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""tests/program/inputs.py PROGRAM: real logs, real times and values out of range, given to the real program."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PATIENCE = 120  # seconds until a program that does not end counts as hanging; nothing waits for it to pass
+program = str(pathlib.Path(sys.argv[1]).resolve())
+failures = []
+EPOCH = "(1436509052.249713) vcan0 603#4000100000000000\n"
+HEADING = "seconds,signal,value\n"
+
+
+def expect(holds, what):
+    if not holds:
+        failures.append(what)
+        print(f"FAILED  {what}")
+
+
+def replay(log, *words):
+    return subprocess.run([program, "replay", *map(str, words)], input=log, capture_output=True, text=True,
+                          timeout=PATIENCE)
+
+
+def refused(log, says, *words):
+    result = replay(log, *words)
+    expect(result.returncode == 2 and says in result.stderr, f"{words}: {result.returncode}, {result.stderr!r}")
+
+
+def logs_of_the_clock():
+    """A log of `candump -L` has the time of day: replay begins with its first frame, and says so."""
+    result = replay(EPOCH, "ax060805", "--node", 3, "-")
+    expect(result.returncode == 0, f"a log of the clock: {result.stderr!r}")
+    expect(result.stderr.startswith("power-on at 1436509052.249713"), f"nothing of the start in {result.stderr!r}")
+    lines = result.stdout.splitlines()
+    expect(len(lines) == 2 and lines[0] == "(1436509052.249713) vcan0 703#00" and " 583#43001000" in lines[1],
+           f"a log of the clock gives {lines}")
+    result = replay(EPOCH, "cbx-ao412", "--node", 3, "--start", "1436509050", "-")
+    expect(result.stdout.startswith("(1436509050.000000) vcan0 703#00\n(1436509052.249713) vcan0 583#"),
+           f"--start: {result.stdout!r}")
+    result = replay(EPOCH, "cbx-ao412", "--node", 3, "--start", "0", "-")
+    expect(result.returncode == 0 and "are left out" in result.stderr, f"--start 0: {result.stderr!r}")
+    refused(EPOCH, "before the start", "cbx-ao412", "--until", "5", "-")
+
+
+def what_candump_writes():
+    """Error frames, length codes and a byte order mark: counted, and the rest is answered."""
+    log = ("\ufeff(1.0) can0 20000004#0001000000000000\n(1.1) can0 603#4000100000000000_F\n"
+           "(1.2) can0 20000080#0000000000000000\n")
+    result = replay(log, "cbx-ao412", "--node", 3, "-")
+    expect(result.returncode == 0 and "(1.100000) can0 583#4300100091010800" in result.stdout,
+           f"error frames and length codes: {result.stderr!r}")
+    expect("2 error frame(s)" in result.stderr and "1 frame(s) with a length code" in result.stderr,
+           f"no count in {result.stderr!r}")
+
+
+def times_out_of_range():
+    for value in ("nan", "-1", "1e300", "inf", "x", "-nan", "4000000001"):
+        refused("", "is no time from 0 to", "cbx-ao412", f"--until={value}", "-")
+        refused("", "is no time from 0 to", "cbx-ao412", f"--start={value}", "-")
+        result = subprocess.run([program, "run", "cbx-ao412", f"--seconds={value}"], stdin=subprocess.DEVNULL,
+                                capture_output=True, text=True, timeout=PATIENCE)
+        expect(result.returncode == 2 and "is no time from 0 to" in result.stderr, f"--seconds={value}: {result}")
+
+
+def values_out_of_range(folder):
+    file = folder / "stimuli.csv"
+    for device, signal, value, says in (
+            ("ax060805", "noise_seed", "1e300", "from 0 to 4294967295"), ("ax060805", "noise_seed", "-1", "from 0 to"),
+            ("ax060805", "pitch", "181", "from -180 to 180"), ("ax130751", "supply", "-0.1", "from 0 to 60"),
+            ("cbx-ao412", "switch_low", "16", "from 0 to 15"), ("cbx-ao412", "can_state", "4", "from 0 to 3")):
+        file.write_text(f"{HEADING}1,{signal},{value}\n")
+        refused("", f"stimuli.csv:2: {signal} takes", device, "-", "--stimulus", file)
+        refused("", says, device, "-", "--stimulus", file)
+
+
+def outputs_go_forward(folder):
+    stimuli, outputs = folder / "fault.csv", folder / "outputs.csv"
+    stimuli.write_text(f"{HEADING}3,internal_fault,1\n")
+    result = replay("", "cbx-ao412", "-", "--stimulus", stimuli, "--outputs", outputs, "--until", "5")
+    times = [float(line.split(",")[0]) for line in outputs.read_text().splitlines()[1:]]
+    expect(result.returncode == 0 and times == sorted(times) and times[-1] >= 3.0, f"times of outputs: {times}")
+
+
+with tempfile.TemporaryDirectory() as name:
+    place = pathlib.Path(name)
+    logs_of_the_clock()
+    what_candump_writes()
+    times_out_of_range()
+    values_out_of_range(place)
+    outputs_go_forward(place)
+if not failures:
+    print("every input is used or refused")
+sys.exit(1 if failures else 0)
