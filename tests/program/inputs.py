@@ -32,7 +32,7 @@ def logs_of_the_clock():
     """A log of `candump -L` has the time of day: replay begins with its first frame, and says so."""
     result = replay(EPOCH, "ax060805", "--node", 3, "-")
     expect(result.returncode == 0, f"a log of the clock: {result.stderr!r}")
-    expect(result.stderr.startswith("power-on at 1436509052.249713"), f"nothing of the start in {result.stderr!r}")
+    expect("power-on at 1436509052.249713" in result.stderr, f"nothing of the start in {result.stderr!r}")
     lines = result.stdout.splitlines()
     expect(len(lines) == 2 and lines[0] == "(1436509052.249713) vcan0 703#00" and " 583#43001000" in lines[1],
            f"a log of the clock gives {lines}")
