@@ -483,7 +483,8 @@ AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept
     if (wrong_state && (entry.index == store_index)) {
         return AbortCode::device_state;
     }
-    return store_.execute(entry, value);
+    const AbortCode code = store_.execute(entry, value);
+    return ((code == AbortCode::none) && (entry.index == store_index)) ? application_.save(entry) : code;
 }
 
 AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {

@@ -48,6 +48,12 @@ class Application : public LssApplication {
     virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
     /// Any entry outside the communication area, or of Service::program, has a new value.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
+    /// 1010h, whose sub-index `entry` is, has stored its groups: what the device keeps elsewhere is stored now. Its
+    /// abort code is the answer to 1010h.
+    virtual AbortCode save(const EntryRef& entry) {
+        static_cast<void>(entry);
+        return AbortCode::none;
+    }
     /// The defaults of a group were put into the dictionary: those that belong to this very unit (serial number,
     /// calibration) go in now.
     virtual void put_factory_values(ParameterGroup group) = 0;

@@ -13,8 +13,6 @@ namespace {
 namespace own = generated::ax130751;
 
 constexpr std::uint32_t override_value_index = 0x2300U;
-constexpr std::uint32_t bit_rate_index = 0x5B50U;
-constexpr std::uint32_t node_id_index = 0x5B51U;
 constexpr std::uint32_t output_type_index = 0x6310U;
 constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
 constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
@@ -235,21 +233,31 @@ AbortCode Device::check_access(const EntryRef&) {
     return AbortCode::none;  // no entry depends on the state of the device
 }
 
-static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
     const TableEntry place = table_entry(entry.index);
     if (place.offset == point_x_offset) {
         return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
     }
-    if (is_field_value(entry.index)) {
-        return universal_[entry.row->subindex - 1U].check_field_value(to_int16(value));
+    return is_field_value(entry.index) ? universal_[entry.row->subindex - 1U].check_field_value(to_int16(value))
+                                       : AbortCode::none;
+}
+
+/// 5B50h and 5B51h lie where LSS stores, with the other manufacturer objects in time only.
+static_assert(implements<req::AOR_NODE_002>);
+AbortCode Device::save(const EntryRef& entry) {
+    constexpr std::uint32_t all = 1U;
+    constexpr std::uint32_t manufacturer = 4U;
+    const std::uint32_t group = entry.row->subindex;
+    const LssConfiguration wanted{objects_.get(field::o5b51_change_node_id), wanted_bit_rate()};
+    const bool differs = (std::uint32_t{wanted.node_id} != kept_.node_id) || (wanted.bit_rate != kept_.bit_rate);
+    if (((group != all) && (group != manufacturer)) || (!differs)) {
+        return AbortCode::none;
     }
-    if (entry.index == bit_rate_index) {
-        const auto bit_rate = cell_or(own::t_aor_t22::find(value[0U]), &own::t_aor_t22::Row::bit_rate, kept_.bit_rate);
-        return keep_configuration(LssConfiguration{kept_.node_id, bit_rate});
+    if (lss_store_.store(wanted) != LssError::none) {
+        return AbortCode::hardware_error;
     }
-    return (entry.index == node_id_index) ? keep_configuration(LssConfiguration{value[0U], kept_.bit_rate})
-                                          : AbortCode::none;
+    kept_ = wanted;
+    return AbortCode::none;
 }
 
 void Device::after_write(const EntryRef& entry, const Instant) {
@@ -314,7 +322,8 @@ void Device::restart(const Instant now) {
     }
     supervision_.advance(inputs_, objects_);
     relay_.reset(supervision_.has_power(), outputs_);
-    show_configuration();
+    show_bit_rate();
+    show_node_id();
     overdue_ = 0U;
     silent_ = false;
     epoch_ = now;
@@ -338,40 +347,43 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
-/// What LSS has not changed stays as 5B50h and 5B51h keep it.
+/// What LSS has not changed stays as 1010h stored it, and in 5B50h and 5B51h as it was written.
 static_assert(implements<req::AOR_NODE_005>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
-    LssConfiguration wanted{configuration};
-    if (std::uint32_t{configuration.node_id} == lss_stored_.node_id) {
-        wanted.node_id = kept_.node_id;
-    }
-    if (configuration.bit_rate == lss_stored_.bit_rate) {
-        wanted.bit_rate = kept_.bit_rate;
-    }
+    const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;
+    const bool stays_bit_rate = configuration.bit_rate == lss_stored_.bit_rate;
+    const LssConfiguration wanted{stays_node_id ? kept_.node_id : configuration.node_id,
+                                  stays_bit_rate ? kept_.bit_rate : configuration.bit_rate};
     const LssError error = lss_store_.store(wanted);
-    if (error == LssError::none) {
-        kept_ = wanted;
-        lss_stored_ = configuration;
-        show_configuration();
+    if (error != LssError::none) {
+        return error;
+    }
+    kept_ = wanted;
+    lss_stored_ = configuration;
+    if (!stays_node_id) {
+        show_node_id();
+    }
+    if (!stays_bit_rate) {
+        show_bit_rate();
     }
     return error;
 }
 
-AbortCode Device::keep_configuration(const LssConfiguration& configuration) noexcept {
-    if (lss_store_.store(configuration) != LssError::none) {
-        return AbortCode::hardware_error;
-    }
-    kept_ = configuration;
-    return AbortCode::none;
+std::uint32_t Device::wanted_bit_rate() const noexcept {
+    return cell_or(own::t_aor_t22::find(objects_.get(field::o5b50_change_baud_rate)), &own::t_aor_t22::Row::bit_rate,
+                   kept_.bit_rate);
 }
 
 static_assert(implements<req::AOR_NODE_003>);
-void Device::show_configuration() noexcept {
+void Device::show_bit_rate() noexcept {
     for (const own::t_aor_t22::Row& row : own::t_aor_t22::rows) {
         if (row.bit_rate == kept_.bit_rate) {
             objects_.set(field::o5b50_change_baud_rate, row.index);
         }
     }
+}
+
+void Device::show_node_id() noexcept {
     objects_.set(field::o5b51_change_node_id, kept_.node_id);
 }
 

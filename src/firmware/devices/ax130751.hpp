@@ -30,7 +30,7 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS, 5B50h or 5B51h stored.
+    /// Starts with the node-ID and bit rate that LSS, or 1010h with 5B50h and 5B51h, stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// The physical inputs as they are from `now` on; the blocks notice them in their next cycle.
@@ -48,6 +48,7 @@ class Device final : private Application {
   private:
     AbortCode check_access(const EntryRef& entry) override;
     AbortCode before_write(const EntryRef& entry, ByteView value) override;
+    AbortCode save(const EntryRef& entry) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;
@@ -63,8 +64,9 @@ class Device final : private Application {
     void wake(Instant now) noexcept;
     Instant next_change() const noexcept;
     void follow_minima(const EntryRef& entry) noexcept;
-    AbortCode keep_configuration(const LssConfiguration& configuration) noexcept;
-    void show_configuration() noexcept;
+    std::uint32_t wanted_bit_rate() const noexcept;
+    void show_bit_rate() noexcept;
+    void show_node_id() noexcept;
 
     std::array<std::uint8_t, generated::ax130751::image_size> image_{};
     ObjectDictionary objects_;

@@ -128,29 +128,53 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     EXPECT_EQ(read(0x5032, 0), 99U);
 }
 
-// 3.4.87, 3.4.88
-TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoHoldFromTheNextPowerOn) {
+// 3.4.87, 3.4.88, and the bold sentence of 3.2.7
+TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoAreLostUntil1010hStoresThem) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B50, req::AOR_OD_5B51>();
-    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
-    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");
-    EXPECT_EQ(read(0x5B51, 0), 0x30U);
-    EXPECT_EQ(read(0x5B50, 0), 2U);
-    EXPECT_EQ(device->node_id(), 127);
+    const auto set = [this] {
+        EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+        EXPECT_EQ(write(0x5B50, 0, 2, 1), "");
+        EXPECT_EQ(read(0x5B51, 0), 0x30U);
+        EXPECT_EQ(read(0x5B50, 0), 2U);
+        EXPECT_EQ(device->node_id(), 127);
+        EXPECT_EQ(device->bit_rate(), 125000U);
+        EXPECT_EQ(read(0x1400, 1), 0x4000027FU);
+    };
+    set();
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->bit_rate(), 125000U);
-    EXPECT_EQ(read(0x1400, 1), 0x4000027FU);
+    EXPECT_EQ(read(0x5B51, 0), 127U);
+    EXPECT_EQ(read(0x5B50, 0), 4U);
+    set();
+    EXPECT_EQ(send("000#817F"), (Frames{"77F#00"})) << "a reset of the node loads what is stored";
+    EXPECT_EQ(read(0x5B51, 0), 127U);
+    set();
+    for (const int other_group : {2, 3}) {
+        store(other_group);
+        EXPECT_EQ(power_on(), (Frames{"77F#00"})) << other_group;
+        set();
+    }
+    EXPECT_EQ(store(4), (Frames{"5FF#6010100400000000"}));
+    EXPECT_EQ(device->node_id(), 127) << "until the next power-on";
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
     EXPECT_EQ(device->bit_rate(), 500000U);
     node = 0x30;
     EXPECT_EQ(read(0x5B51, 0), 0x30U);
     EXPECT_EQ(read(0x5B50, 0), 2U);
+    EXPECT_EQ(read(0x1400, 1), 0x40000230U);
+    EXPECT_EQ(write(0x5B51, 0, 0x31, 1), "");
+    store(1);
+    EXPECT_EQ(power_on(), (Frames{"731#00"}));
+    node = 0x31;
     EXPECT_EQ(write(0x5B51, 0, 0, 1), "06090032");
     EXPECT_EQ(write(0x5B51, 0, 128, 1), "06090031");
     EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
 }
 
-TEST_F(Ax130751Storage, LssKeepsWhatSdoHasSetAndItHasNot) {
+TEST_F(Ax130751Storage, LssKeepsWhat1010hHasStoredAndItHasNotSet) {
     verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+    store();
     send("7E5#0401");
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
@@ -161,20 +185,38 @@ TEST_F(Ax130751Storage, LssKeepsWhatSdoHasSetAndItHasNot) {
     EXPECT_EQ(device->bit_rate(), 250000U);
     node = 0x30;
     EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s
+    store();
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B51, 0), 0x31U);
     EXPECT_EQ(read(0x5B50, 0), 2U);
     EXPECT_EQ(power_on(), (Frames{"731#00"}));
     EXPECT_EQ(device->bit_rate(), 500000U);
     EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
+    store();
     give_node_id(0x33);
     EXPECT_EQ(read(0x5B51, 0), 0x33U) << "what LSS has set itself it stores";
+}
+
+TEST_F(Ax130751Storage, LssStoresNothingThat1010hHasNotStored) {
+    verifies<req::AOR_NODE_005, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s, not stored
+    give_node_id(0x31);
+    EXPECT_EQ(read(0x5B50, 0), 2U) << "LSS does not replace it either";
+    EXPECT_EQ(read(0x5B51, 0), 0x31U);
+    EXPECT_EQ(power_on(), (Frames{"731#00"}));
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
+    give_node_id(0x33);
+    EXPECT_EQ(read(0x5B51, 0), 0x33U) << "set by LSS after SDO wrote it";
+    store();
+    EXPECT_EQ(power_on(), (Frames{"733#00"}));
 }
 
 TEST_F(Ax130751Storage, RestoringTouchesNeitherNodeIdNorBitRate) {
     verifies<req::AOR_NODE_004, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     give_node_id(0x20);
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");
+    store();
     for (const int group : {1, 2, 3, 4}) {
         restore(group);
         EXPECT_EQ(power_on(), (Frames{"720#00"})) << group;
@@ -288,11 +330,31 @@ TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
 }
 
-TEST_F(Ax130751Storage, AMemoryThatFailsRefusesNodeIdAndBitRate) {
+TEST_F(Ax130751Storage, AMemoryThatFailsAtNodeIdAndBitRateRefuses1010h) {
+    verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5032, 0, 90, 1), "");
+    const std::size_t before = memory.written();
+    store();
+    const std::size_t of_a_save = memory.written() - before;
+    for (const std::size_t more : {0U, 1U, 19U}) {  // of the 20 bytes of node-ID and bit rate
+        SCOPED_TRACE(more);
+        EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+        memory.cut_power_after(of_a_save + more);
+        EXPECT_EQ(write(0x1010, 1, 0x65766173, 4), "06060000");
+        memory.restore_power();
+        EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+        EXPECT_EQ(read(0x5B51, 0), 127U);
+        EXPECT_EQ(read(0x5032, 0), 90U);
+    }
+    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+    EXPECT_EQ(store(), (Frames{"5FF#6010100100000000"}));
+    EXPECT_EQ(power_on(), (Frames{"730#00"}));
+}
+
+TEST_F(Ax130751Storage, AMemoryThatFailsRefusesWhatLssStores) {
     verifies<req::AOR_NODE_003, req::AOR_LSS_003, req::AOR_OD_5B51>();
     memory.cut_power_after(0);
-    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "06060000");
-    EXPECT_EQ(write(0x5B50, 0, 2, 1), "06060000");
+    EXPECT_EQ(write(0x1010, 4, 0x65766173, 4), "06060000");
     send("7E5#0401");
     EXPECT_EQ(send("7E5#1120"), (Frames{"7E4#110000"}));
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170200"}));  // 2: the storage medium failed
