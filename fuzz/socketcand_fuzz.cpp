@@ -1,8 +1,10 @@
 // A socketcand client that says anything, in pieces of any size: what goes onto the bus are CAN frames, what is held
-// stays bounded. Input: a byte that gives the size of a piece, then so many bytes.
+// stays bounded. The same bytes as a server's, to the client. Input: a byte that gives the size of a piece, then so
+// many bytes.
 #include <algorithm>
 #include <string_view>
 
+#include "host/bus/socketcand_client.hpp"
 #include "host/bus/socketcand_session.hpp"
 #include "support/claims.hpp"
 #include "support/require.hpp"
@@ -18,6 +20,10 @@ using fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     host::SocketcandSession session{"fuzz", 0};
+    host::SocketcandClient client{"can0", [](const Frame& frame) {
+                                      require(frame.length <= max_frame_length && !frame.remote);
+                                      require(frame.id <= (frame.extended ? 0x1FFFFFFFU : 0x7FFU));
+                                  }};
     const std::string text{data, data + size};
     Instant now{};
     for (std::size_t at = 0; at < text.size();) {
@@ -27,6 +33,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             session.receive(std::string_view{text}.substr(at + 1, length), now);
         }
         session.advance(now);
+        client.take(std::string_view{text}.substr(at + 1, length));
+        require(client.held() <= host::SocketcandClient::longest_command + 1);
+        client.sent(client.output().size());
         require(session.output().size() <= host::SocketcandSession::output_limit);
         // A frame leaves for every second piece: the door is full at times.
         if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""socketcand.py PROGRAM: python-can joins a run of two devices as a socketcand client.
+"""socketcand.py PROGRAM: python-can and a second run join a run of two devices as clients of socketcand.
 
 The port is the kernel's choice, read from what the program says. Frames by hand: CBX-AO412 7.9.2 (device type 191h with 0008h),
 CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended one: identifiers alone are compared.
@@ -44,6 +44,8 @@ def converse(port):
     second = wait_for(one, 0x703, "05")
     period = second.timestamp - first.timestamp
     assert abs(period - 0.010) < 0.0015, f"heartbeat after {period} s"
+    two.send(frame(0x606, "4000100000000000"))  # behind the client that another program is: AX060805 4.2.1
+    wait_for(two, 0x586, "430010009A010310")
     two.send(frame(0x605, "4000100100000000"))  # 1000h has no sub-index 1
     wait_for(two, 0x585, "8000100111000906")
     one.shutdown()
@@ -64,17 +66,22 @@ def wait_for_boot_up(run, nodes):
 def main():
     command = [sys.argv[1], "run", "cbx-ao412@3", "ax188001@5", "--bus", "socketcand:127.0.0.1:0", "--seconds", "600"]
     run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    programs = [run]
     try:
         port = None
-        while not port:  # other lines, such as those that name the devices, may come before it
+        while not port:  # other lines, such as those that name the devices, come before it
             said = run.stderr.readline()
             assert said, "the program ended before it named its port"
             port = re.search(r"listens at port (\d+)", said)
-        wait_for_boot_up(run, [3, 5])
-        converse(int(port.group(1)))
+        port = int(port.group(1))
+        command = [sys.argv[1], "run", "ax060805@6", "--bus", f"socketcand-client:127.0.0.1:{port}/can0", "--seconds", "600"]
+        programs.append(subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL))
+        wait_for_boot_up(run, [3, 5, 6])
+        converse(port)
     finally:
-        run.terminate()
-    assert run.wait(PATIENCE) == 0, "the program did not end as it should"
+        for program in reversed(programs):
+            program.terminate()
+    assert [program.wait(PATIENCE) for program in programs] == [0, 0], "a program did not end as it should"
     print("python-can: joined, asked, heard")
 
 

@@ -6,37 +6,14 @@
 #include <sstream>
 #include <vector>
 
+#include "host/bus/socketcand_text.hpp"
+
 namespace canproof::host {
 
 namespace {
 
 constexpr std::uint64_t micros = 1000000;
-constexpr std::size_t extended_digits = 8;  // an identifier written with eight digits has 29 bits
 constexpr std::uint64_t longest_period_ms = 3600000;
-
-std::optional<std::uint32_t> hex_number(const std::string& text, std::uint32_t highest) {
-    if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
-        return std::nullopt;
-    }
-    const auto number = static_cast<std::uint32_t>(std::stoul(text, nullptr, 16));
-    return number <= highest ? std::optional{number} : std::nullopt;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in{text};
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) {
-        words.push_back(word);
-    }
-    return words;
-}
-
-bool read_identifier(const std::string& text, Frame& frame) {
-    frame.extended = text.size() == extended_digits;
-    const auto id = hex_number(text, frame.extended ? 0x1FFFFFFFU : 0x7FFU);
-    frame.id = id.value_or(0U);
-    return id.has_value();
-}
 
 /// `ID LENGTH BYTE …`, all in hexadecimal; the bytes may stand together.
 std::optional<Frame> read_frame(const std::string& text) {
@@ -46,24 +23,16 @@ std::optional<Frame> read_frame(const std::string& text) {
         return std::nullopt;
     }
     const auto length = hex_number(words[1], max_frame_length);
-    std::vector<std::string> bytes{words.begin() + 2, words.end()};
-    if (length && bytes.size() == 1 && bytes[0].size() == 2U * *length) {
-        const std::string together = bytes[0];
-        bytes.clear();
-        for (std::size_t i = 0; i < together.size(); i += 2) {
-            bytes.push_back(together.substr(i, 2));
-        }
-    }
-    if (!length || bytes.size() != *length) {
-        return std::nullopt;
-    }
-    frame.length = static_cast<std::uint8_t>(*length);
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const auto byte = hex_number(bytes[i], 0xFFU);
-        if (!byte) {
+    std::string bytes;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        const bool together = words.size() == 3 && length && words[i].size() == 2U * *length;
+        if (!together && words[i].size() > 2) {
             return std::nullopt;
         }
-        frame.data[i] = static_cast<std::uint8_t>(*byte);
+        bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5, not 05
+    }
+    if (!length || bytes.size() != 2U * *length || !read_bytes(bytes, frame)) {
+        return std::nullopt;
     }
     return frame;
 }
@@ -102,20 +71,16 @@ bool SocketcandSession::receive(std::string_view text, Instant now) {
     input_ += text;
     const std::uint64_t before = transmitted_.frames;
     while (!is_dropped() && !gateway_.is_full()) {
-        const auto begin = input_.find('<');
-        input_.erase(0, begin);  // npos: all of it
-        const auto end = input_.find('>');
-        if (end == std::string::npos || end > longest_command) {
-            if (input_.size() <= longest_command) {
-                break;
-            }
+        bool too_long = false;
+        const auto command = take_command(input_, longest_command, too_long);
+        if (too_long) {
             say("< error command too long >");
-            input_.erase(0, longest_command);
             continue;
         }
-        const std::string command = input_.substr(1, end - 1);
-        input_.erase(0, end + 1);
-        obey(command, now);
+        if (!command) {
+            break;
+        }
+        obey(*command, now);
     }
     return transmitted_.frames != before;
 }
@@ -222,9 +187,7 @@ void SocketcandSession::deliver(const Frame& frame, Instant now) {
         return;
     }
     const std::uint64_t us = epoch_us_ + now.us;
-    std::string text =
-        frame.extended ? fmt::format("< frame {:08X} ", frame.id) : fmt::format("< frame {:03X} ", frame.id);
-    text += fmt::format("{}.{:06} ", us / micros, us % micros);
+    std::string text = fmt::format("< frame {} {}.{:06} ", format_identifier(frame), us / micros, us % micros);
     for (std::size_t i = 0; i < frame.length; ++i) {
         text += fmt::format("{:02X}", frame.data[i]);
     }

@@ -72,7 +72,8 @@ void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
     command
         .add_option("--bus", running.bus,
-                    "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536 (serves; has no remote frames)")
+                    "inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 (serves; has no remote frames) or "
+                    "socketcand-client:127.0.0.1:29536/can0 (joins such a server)")
         ->capture_default_str();
     command.add_option("--bus-faults", running.bus_faults,
                        "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");

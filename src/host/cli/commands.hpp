@@ -29,7 +29,8 @@ struct RunOptions {
     std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here and in `eds`: the whole catalogue
     std::vector<std::string> eds;      ///< FILE or FILE@NODE
     std::vector<std::string> factory;  ///< KEY=VALUE or DEVICE.KEY=VALUE
-    std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT]
+    std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT],
+                                       ///< socketcand-client:HOST:PORT[/BUS]
     std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
     bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller
     bool plain{false};                 ///< no table, even on a terminal

@@ -6,6 +6,7 @@
 #include "host/bus/candump.hpp"
 #include "host/bus/socketcan_bus.hpp"
 #include "host/bus/socketcand_bus.hpp"
+#include "host/bus/socketcand_client_bus.hpp"
 
 namespace canproof::host {
 
@@ -36,8 +37,8 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
     const std::string kind = options.bus.substr(0, colon);
     const std::string rest = colon == std::string::npos ? "" : options.bus.substr(colon + 1);
     const BusFaultRates faults = parse_bus_faults(options.bus_faults);
-    if (kind == "socketcan" && faults.any()) {
-        throw InputError{"--bus-faults are those of the in-process bus; a SocketCAN interface has its own"};
+    if ((kind == "socketcan" || kind == "socketcand-client") && faults.any()) {
+        throw InputError{"--bus-faults are those of the in-process bus; a bus outside has its own"};
     }
     if (kind == "inproc" && rest.empty()) {
         return std::make_unique<ArbitratedBus>("inproc", bit_rate, faults);
@@ -48,8 +49,13 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
     if (kind == "socketcand") {
         return make_socketcand(rest, bit_rate, faults);
     }
+    if (kind == "socketcand-client") {
+        return std::make_unique<SocketcandClientBus>(parse_socketcand_place(rest), bit_rate, Instant{});
+    }
     throw InputError{
-        fmt::format("bus `{}` is unknown; use inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536", options.bus)};
+        fmt::format("bus `{}` is unknown; use inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 "
+                    "or socketcand-client:127.0.0.1:29536/can0",
+                    options.bus)};
 }
 
 }  // namespace canproof::host
