@@ -44,7 +44,7 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
 /// What `run` and `panel` have in common.
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, "NAME or NAME@NODE");
-    command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
+    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
     command.add_option("--bus", running.bus, "inproc, socketcan:vcan0 or socketcand:127.0.0.1:29536")
         ->capture_default_str();
     command.add_option("--bus-faults", running.bus_faults,
@@ -83,7 +83,7 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
     replay->add_option("DEVICE LOG", words, "device (not with --eds), then a candump log, or - for standard input")
         ->required()
         ->expected(1, 2);
-    replay->add_option("--eds", options.eds, "EDS or DCF file that describes the device");
+    replay->add_option("--eds", options.eds, "EDS, DCF or XDD file that describes the device");
     replay->add_option("--node", options.node, "node-ID")->check(CLI::Range(1, 255));
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");
     replay->add_option("--stimulus", options.stimulus, "CSV seconds,signal,value");
