@@ -26,7 +26,7 @@ void set_node(ChosenDevice& chosen, const std::string& node);
 /// NAME or NAME@NODE. Throws InputError.
 ChosenDevice choose_device(const std::string& text);
 ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
-/// FILE or FILE@NODE: a device from an EDS or DCF; its name is the file's without folder and extension. Throws
+/// FILE or FILE@NODE: a device from an EDS, DCF or XDD; its name is the file's without folder and extension. Throws
 /// InputError, with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
 /// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.

@@ -68,7 +68,7 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
 /// What `run` and `panel` have in common.
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
-    command.add_option("--eds", running.eds, "EDS or DCF file, or FILE@NODE: a device from any description");
+    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
     command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
     command
         .add_option("--bus", running.bus,
@@ -113,7 +113,7 @@ void add_running(CLI::App& app, std::function<int()>& chosen) {
     replay->add_option("DEVICE LOG", words, "device (not with --eds), then a candump log, or - for standard input")
         ->required()
         ->expected(1, 2);
-    replay->add_option("--eds", options.eds, "EDS or DCF file that describes the device");
+    replay->add_option("--eds", options.eds, "EDS, DCF or XDD file that describes the device");
     replay->add_option("--node", options.node, node_help);
     replay->add_option("--factory", options.factory, factory_help)->allow_extra_args(false);
     replay->add_option("--nvm", options.nvm, "file that keeps the stored parameters");

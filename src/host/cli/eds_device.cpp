@@ -6,7 +6,6 @@
 
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
-#include "host/eds/ini.hpp"
 #include "host/eds/read_eds.hpp"
 
 namespace canproof::host {
@@ -21,7 +20,7 @@ std::string told(const Faults& faults) {
         text += faults[i].text() + "\n";
     }
     if (faults.size() > most_told) {
-        text += fmt::format("… and {} more\n", faults.size() - most_told);
+        text += fmt::format("… and {} more\n", faults.size() - most_told + faults.left_out());
     }
     return text;
 }
@@ -29,11 +28,12 @@ std::string told(const Faults& faults) {
 }  // namespace
 
 std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
-    EdsResult read = read_eds(read_file(path, longest_ini_file), path);
+    EdsResult read = read_eds(read_file(path, longest_eds_file), path);
     if (!read.faults.empty()) {
         std::string all = told(read.faults);
         all.pop_back();
-        throw InputError{fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size(), all)};
+        throw InputError{
+            fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size() + read.faults.left_out(), all)};
     }
     fmt::print(stderr, "{}", told(read.notes));
     return std::make_unique<GenericSimulation>(std::move(read.part));

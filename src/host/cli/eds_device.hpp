@@ -1,4 +1,4 @@
-// A device from an EDS or DCF file.
+// A device from an EDS, DCF or XDD file.
 #pragma once
 
 #include <memory>

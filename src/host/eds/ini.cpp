@@ -130,11 +130,6 @@ const IniSection* IniFile::find(const std::string& name) const {
 }
 
 IniFile read_ini(const std::string& text, const EdsTelling& tell) {
-    if (text.size() > longest_ini_file) {
-        tell.fault(1, fmt::format("file has {} bytes", text.size()),
-                   fmt::format("an EDS has at most {}", longest_ini_file));
-        return {};
-    }
     IniReader reader{tell};
     const bool marked = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
     for (std::size_t at = marked ? 3 : 0; at < text.size() && !reader.is_strange();) {
@@ -144,7 +139,7 @@ IniFile read_ini(const std::string& text, const EdsTelling& tell) {
     }
     if (reader.is_strange()) {
         tell.fault(1, fmt::format("more than {} lines are neither [Section] nor Key=Value", most_strange_lines),
-                   "name an EDS or DCF file");
+                   "name an EDS, DCF or XDD file");
         return {};
     }
     return reader.take();

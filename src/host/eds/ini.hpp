@@ -33,9 +33,8 @@ struct IniFile {
     const IniSection* find(const std::string& name) const;
 };
 
-/// Longer lines, and longer files, are none of CiA 306's.
+/// Longer lines are none of CiA 306's.
 constexpr std::size_t longest_ini_line = 8192;
-constexpr std::size_t longest_ini_file = std::size_t{16} << 20U;
 
 /// A file with more lines that are none of CiA 306's is something else.
 constexpr std::size_t most_strange_lines = 1000;

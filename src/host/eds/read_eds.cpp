@@ -11,6 +11,7 @@
 #include "host/eds/eds_entry.hpp"
 #include "host/eds/eds_numbers.hpp"
 #include "host/eds/eds_services.hpp"
+#include "host/eds/read_xdd.hpp"
 
 namespace canproof::host {
 
@@ -29,7 +30,9 @@ std::string index_text(std::uint16_t index) {
 class EdsReader {
   public:
     EdsReader(const std::string& text, const std::string& name)
-        : file_{name}, tell_{file_, result_.faults, result_.notes}, ini_{read_ini(text, tell_)} {}
+        : file_{name},
+          tell_{file_, result_.faults, result_.notes},
+          ini_{is_xml(text) ? read_xdd(text, tell_) : read_ini(text, tell_)} {}
 
     EdsResult read() {
         Part& part = result_.part;
@@ -340,7 +343,7 @@ class EdsReader {
                         fmt::format("at most {} can be run", most_entries));
         }
         if (part.objects.empty() && result_.faults.empty()) {
-            tell_.fault(1, "the file describes no objects", "name an EDS or DCF file");
+            tell_.fault(1, "the file describes no objects", "name an EDS, DCF or XDD file");
         }
         std::size_t bytes = 0;
         for (const Object& object : part.objects) {

@@ -1,4 +1,5 @@
-// CiA 306: an electronic data sheet, or a device configuration file, as a device that can be run.
+// CiA 306: an electronic data sheet, or a device configuration file, as a device that can be run; CiA 311: the same in
+// XML.
 #pragma once
 
 #include <string>
@@ -12,6 +13,9 @@ struct EdsResult {
     Faults faults;  ///< the file cannot be given a meaning: the part is not to be used
     Faults notes;   ///< what is wrong, and what is assumed instead; the device runs
 };
+
+/// Longer files are no data sheets.
+constexpr std::size_t longest_eds_file = std::size_t{16} << 20U;
 
 /// Reads everything and tells everything that is wrong, by line. Refused is what is no data sheet, or describes more
 /// than a device can hold; whatever else is wrong is a note. `name` is the file's: the device is called by it, without

@@ -165,16 +165,16 @@ TEST(ForeignEds, SloppyFilesRunAndAreToldWhatWasTakenOtherwise) {
 
 TEST(BrokenEds, WhatIsNoDataSheetIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
-    EXPECT_EQ(told(""), "x:1: the file describes no objects; name an EDS or DCF file\n");
-    EXPECT_EQ(told("[FileInfo]\nFileName=x\n"), "x:1: the file describes no objects; name an EDS or DCF file\n");
-    EXPECT_EQ(told(std::string("\0\0\0\0", 4)), "x:1: the file describes no objects; name an EDS or DCF file\n");
+    EXPECT_EQ(told(""), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
+    EXPECT_EQ(told("[FileInfo]\nFileName=x\n"), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
+    EXPECT_EQ(told(std::string("\0\0\0\0", 4)), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
     std::string lines = box;
     for (int i = 0; i < 1000; ++i) {
         lines += "what is this\n";
     }
     EXPECT_EQ(told(lines), "");
     EXPECT_EQ(told(lines + "what is this\n"),
-              "x:1: more than 1000 lines are neither [Section] nor Key=Value; name an EDS or DCF file\n");
+              "x:1: more than 1000 lines are neither [Section] nor Key=Value; name an EDS, DCF or XDD file\n");
 }
 
 TEST(BrokenEds, FileThatDescribesMoreThanADeviceCanHoldIsRefused) {
