@@ -27,7 +27,8 @@ enum class ErrorId : std::uint8_t {
     heartbeat_2 = 11U,
     heartbeat_3 = 12U,
     heartbeat_4 = 13U,
-    first_of_device = 14U
+    rpdo_value = 14U,
+    first_of_device = 15U
 };
 constexpr std::size_t max_errors = 48U;  ///< at most 64: what is active are the bits of one number
 

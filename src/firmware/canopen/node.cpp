@@ -369,6 +369,7 @@ void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now)
     if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
         enter(NmtState::pre_operational, now);
     } else if (wanted == to_stopped) {
+    emcy_.set(ErrorId::rpdo_value, faults.has(Faults::rpdo_refused), now);
         enter(NmtState::stopped, now);
     } else {
         // no change of state

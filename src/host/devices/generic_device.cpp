@@ -38,6 +38,7 @@ ErrorTable standard_errors() {
     tell(ErrorId::bus_off_recovered, 0x8140, communication_error);
     tell(ErrorId::sync_length, 0x8240, communication_error);
     tell(ErrorId::rpdo_length, 0x8210, communication_error);
+    tell(ErrorId::rpdo_value, 0x8200, communication_error);
     tell(ErrorId::rpdo_timeout, 0x8250, communication_error);
     tell(ErrorId::internal_software, 0x6100, generic_error);
     tell(ErrorId::stored_set_checksum, 0x6300, generic_error);
