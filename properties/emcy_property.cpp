@@ -5,6 +5,7 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
+#include "support/device_by_sdo.hpp"
 #include "support/logged_slave.hpp"
 #include "support/naive_emcy.hpp"
 #include "support/verifies.hpp"
@@ -81,7 +82,8 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 }  // namespace
 
 RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
-    verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006>("property");
+    verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006,
+             req::CO_EMCY_010>("property");
     LoggedSlave slave;
     rc::state::check(naive::Node{}, slave, [](const naive::Node&) {
         const auto event = rc::gen::build<naive::Event>(
@@ -94,6 +96,27 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
             return std::make_shared<const Occurs>(one);
         });
     });
+}
+
+// Whatever the controller goes through, a master that reads 1001h finds what it was told last.
+RC_GTEST_PROP(ErrorRegisterLaw, OfEveryDeviceTheLastMessageSaysWhat1001hReads, ()) {
+    verifies<req::CO_EMCY_010>("property");
+    const std::string name = *rc::gen::element<std::string>("ax060805", "ax130751", "ax188001", "cbx-ao412");
+    DeviceBySdo unit{name, 5};
+    const auto steps = *rc::gen::container<std::vector<std::pair<int, bool>>>(
+        rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::arbitrary<bool>()));
+    unsigned told = 0;
+    for (const auto& [state, overrun] : steps) {
+        unit.device->set_input("can_overrun", overrun ? 1.0 : 0.0, Instant{});
+        unit.device->set_input("can_state", state, Instant{});
+        while (!unit.device->queue().empty()) {
+            const Frame sent = unit.device->queue().pop();
+            told = sent.id == 0x085 ? sent.data[2] : told;
+        }
+        if (state != 3) {  // it hears nothing in bus-off
+            RC_ASSERT((unit.read(0x1001, 0) & 0xFFU) == told);
+        }
+    }
 }
 
 }  // namespace canproof::test

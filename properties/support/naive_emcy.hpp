@@ -111,11 +111,10 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
+    /// The rest of the message is that of the moment when it is sent.
     struct Waiting {
         Error error;
         bool cured;
-        unsigned error_register;
-        std::size_t listed;
     };
     static constexpr std::size_t list_capacity = 4;
 
@@ -165,12 +164,12 @@ class Node {
         if (present) {
             enlist(error);
         }
-        announce({error, !present, error_register(), list_.size()});
+        announce({error, !present});
     }
     /// Over when it is noticed.
     void report(Error error) {
         enlist(error);
-        announce({error, false, error_register() | bits_of(error), list_.size()});
+        announce({error, false});
     }
     void enlist(Error error) {
         list_.push_front(code_of(error));
@@ -191,8 +190,9 @@ class Node {
             }
         }
         if (!same.empty() && waiting_[same.back()].cured == told.cured) {
-            waiting_[same.back()] = told;
-        } else if (same.size() == 2) {
+            return;  // it waits already
+        }
+        if (same.size() == 2) {
             waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));
         } else {
             waiting_.push_back(told);
@@ -206,7 +206,7 @@ class Node {
             const unsigned code = told.cured ? 0U : code_of(told.error);
             sent_.emplace_back(
                 now_, Message{static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8U),
-                              static_cast<std::uint8_t>(told.error_register), static_cast<std::uint8_t>(told.listed)});
+                              static_cast<std::uint8_t>(error_register()), static_cast<std::uint8_t>(list_.size())});
             may_send_at_ = now_ + inhibit_ms_;
         }
     }

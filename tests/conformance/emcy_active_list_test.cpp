@@ -91,7 +91,7 @@ TEST_F(ActiveList, WhatWaitsIsKeptApartByItsError) {
     emcy.set(channel_1, true, Instant{});  // takes back the end of its own, the one before the last
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));
+    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both last: 81h
 }
 
 TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
@@ -101,7 +101,7 @@ TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
         emcy.set(channel_1, true, Instant{});
         emcy.set(channel_1, false, Instant{});
         emcy.enable(true, Instant{});
-        EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#0000000000000000"})) << round;
+        EXPECT_EQ(sent(), (Frames{"085#01F0000100000000", "085#0000000000000000"})) << round;  // it is over: 00h
     }
 }
 
@@ -111,7 +111,29 @@ TEST_F(ActiveList, AnErrorReportedTwiceWhileItWaitsIsSentOnce) {
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it does not last: 1001h reads 00h
+}
+
+TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
+    verifies<req::CO_EMCY_011, req::CO_NMT_006>();
+    emcy.set(channel_2, true, Instant{});
+    emcy.set(channel_1, true, Instant{});  // the latest, with the lower number
+    const std::vector<std::uint32_t> order{0x0001F001, 0x1002F011};
+    EXPECT_EQ(listed(), order);
+    objects.load_defaults(ParameterGroup::communication, 5);
+    emcy.refresh();
+    EXPECT_EQ(listed(), order);
+    EXPECT_EQ(objects.read(0x1001, 0), 0x81U);
+    objects.write(0x1003, 0, 0);
+    emcy.after_write(objects.lookup(0x1003, 0));  // a user empties it
+    objects.load_defaults(ParameterGroup::communication, 5);
+    emcy.refresh();
+    EXPECT_TRUE(listed().empty());
+    EXPECT_EQ(objects.read(0x1003, 1), 0U);
+    EXPECT_EQ(objects.read(0x1001, 0), 0x81U);
+    emcy.set(channel_1, false, Instant{});
+    emcy.set(channel_1, true, Instant{});
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0001F001}));
 }
 
 TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {

@@ -165,6 +165,18 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
+TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
+    verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
+    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_TRUE(overrun(false).empty());
+    EXPECT_TRUE(can_state(0).empty());
+    EXPECT_EQ(error_register(), "00");
+    // 8120h and the ends of 8110h and 8120h, all with the 00h and the two entries of now
+    EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
+}
+
 TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
@@ -209,10 +221,10 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, then 8140h, then the
-    // end of 8120h.
+    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, with two in the
+    // list, then 8140h, the third, then the end of 8120h.
     EXPECT_EQ(can_state(0),
-              (Frames{"083#2081110100000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
+              (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
     EXPECT_TRUE(pass(1000).empty());
 }
@@ -259,8 +271,8 @@ TEST_F(Errors, AFlickeringErrorLeavesItsLastWord) {
         overrun(true);
         overrun(false);
     }
-    // It came and went: 8110h, then its end; the list of ten is full by then.
-    EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000", "083#0000000A00000000"}));
+    // It came and went: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
+    EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {

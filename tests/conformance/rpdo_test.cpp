@@ -1,40 +1,9 @@
-// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave, node 5. It has
-//   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
+// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
+#include "support/rpdo_bench.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
-
-namespace {
-
-/// The slave in operational; TPDOs are off, so that every answer is one that the test asked for.
-class Rpdo : public testing::Test, public SlaveBench {
-  protected:
-    void SetUp() override {
-        talk(*this, {
-                        {"605#2300180185010080", {"585#6000180100000000"}},  // 1800h:1, bit 31
-                        {"605#2301180185020080", {"585#6001180100000000"}},
-                        {"000#0105", {}},
-                    });
-    }
-    /// RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
-    void map_rpdo3(const std::vector<std::string>& entries) {
-        send("605#2302140105040080");
-        send("605#2F02160000000000");
-        int line = 0;
-        for (const auto& entry : entries) {
-            ++line;
-            const std::string object = "02160" + std::to_string(line);
-            EXPECT_EQ(send("605#23" + object + entry), (Frames{"585#60" + object + "00000000"}));
-        }
-        EXPECT_EQ(send("605#2F0216000" + std::to_string(line) + "000000"), (Frames{"585#6002160000000000"}));
-        EXPECT_EQ(send("605#2302140105040000"), (Frames{"585#6002140100000000"}));
-    }
-};
-
-}  // namespace
 
 // -- When a PDO takes effect ------------------------------------------------------------------------------------------
 
@@ -147,35 +116,36 @@ TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
 // -- Values -----------------------------------------------------------------------------------------------------------
 
 TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
-    verifies<req::CO_PDO_005>();
+    verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"08030020", "10000022"});  // 2000h:3, then 2200h: -100 … 100
     talk(*this, {
                     {"405#016400", {}},  // 100
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
-                    {"405#026500", {}},  // 101
+                    {"405#026500", {"085#0082110100000000"}},  // 101: 8200h, bits 0 and 4 of 1001h, one listed
+                    {"405#029BFF", {}},                        // -101: it lasts
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
-                    {"405#029CFF", {}},  // -100
+                    {"405#029CFF", {"085#0000000100000000"}},  // -100
                     {"605#4000200300000000", {"585#4F00200302000000"}},
                     {"605#4000220000000000", {"585#4B0022009CFF0000"}},
-                    {"405#039BFF", {}},  // -101
+                    {"405#039BFF", {"085#0082110200000000"}},  // -101
                     {"605#4000200300000000", {"585#4F00200302000000"}},
                     {"605#4000220000000000", {"585#4B0022009CFF0000"}},
                 });
 }
 
 TEST_F(Rpdo, ARealMustBeANumberWithinItsLimits) {
-    verifies<req::CO_PDO_005>();
+    verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
     talk(*this, {
                     {"405#00002041", {}},  // 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#01002041", {}},  // the next one above
-                    {"405#0000C07F", {}},  // not a number
-                    {"405#0000807F", {}},  // infinity
+                    {"405#01002041", {"085#0082110100000000"}},  // the next one above
+                    {"405#0000C07F", {}},                        // not a number
+                    {"405#0000807F", {}},                        // infinity
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#000020C1", {}},  // -10.0
+                    {"405#000020C1", {"085#0000000100000000"}},  // -10.0
                     {"605#4002220000000000", {"585#43022200000020C1"}},
                 });
 }

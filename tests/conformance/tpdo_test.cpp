@@ -129,7 +129,7 @@ TEST_F(Tpdo, ValuesThatChangeTogetherLeaveTogether) {
                     {"405#050011223344", {"385#050011223344"}},
                     {"405#050011223344", {}},  // the same values
                     {"405#050011223345", {"385#050011223345"}},
-                    {"405#650011223344", {}},  // 101 is too high: nothing is taken, nothing changes
+                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: nothing is taken or changes
                 });
 }
 

@@ -1,7 +1,9 @@
 // Verify configuration, 1020h (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
 // 1020h can be written, and the three devices whose 1020h tells the age of their software.
 #include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
 #include "host/devices/simulated_device.hpp"
+#include "support/bench.hpp"
 #include "support/exchange.hpp"
 #include "support/slave_bench.hpp"
 #include "support/verifies.hpp"
@@ -49,7 +51,8 @@ TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication
-          Exchange{"605#2F00200107000000", {"585#6000200100000000"}}}) {  // 2000h:1 = 7, manufacturer
+          Exchange{"605#2F01200107000000", {"585#6001200100000000"}},     // 2001h:1 = 7, sent by TPDO only
+          Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8, in no PDO
         leave_date_and_time();
         talk({change});
         talk(zero);
@@ -87,6 +90,15 @@ TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
     talk(kept);
 }
 
+TEST_F(VerifyConfiguration, AProcessValueIsNoConfiguration) {
+    verifies<req::CO_VERIFY_002>();
+    leave_date_and_time();
+    talk({{"605#2F00200107000000", {"585#6000200100000000"}},    // 2000h:1 = 7, which RPDO1 carries
+          {"605#2B00220032000000", {"585#6000220000000000"}},    // 2200h = 50, which an RPDO may carry
+          {"605#2302220000008040", {"585#6002220000000000"}}});  // 2202h = 4.0, likewise
+    talk(kept);
+}
+
 TEST_F(VerifyConfiguration, EachPartCanBeWrittenAlone) {
     verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
     leave_date_and_time();
@@ -117,6 +129,20 @@ TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
         EXPECT_EQ(send("605#2320100100000000"), "585#8020100102000106") << name;
         EXPECT_EQ(send("605#4020100100000000"), date) << name;
     }
+}
+
+// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate what 1020h holds
+TEST(VerifyConfigurationOfTheCbx, StandsWhenAnOutputIsSetAndFallsWithTheConfiguration) {
+    verifies<req::CO_VERIFY_002, req::AO4_OD_1020>();
+    CbxBench bench;
+    bench.power_on();
+    const Frames date{"583#4320100130750000"};
+    bench.write("603#2320100130750000");
+    bench.write("603#2B116401B33E0000");  // telegram example 1: 3EB3h
+    EXPECT_NEAR(bench.volts(1), 5.0F, 0.005F);
+    EXPECT_EQ(bench.send("603#4020100100000000"), date);
+    bench.write("603#2B171000E8030000");  // heartbeat each second
+    EXPECT_EQ(bench.send("603#4020100100000000"), Frames{"583#4320100100000000"});
 }
 
 // CiA 301, 7.2.6: six bytes of time on 100h

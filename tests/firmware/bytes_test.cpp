@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "firmware/base/slots.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
 #include "support/shows_rule.hpp"
@@ -45,6 +47,24 @@ TEST(Bytes, NumbersBehindTheEndAreZeroAndStayUnwritten) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{1, 2, 3, 0xBB, 5, 6, 7, 8}}));
     first_four.put_le<2U>(0U, 0xAABBU);
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
+}
+
+TEST(Bytes, APlaceBeyondWhatASizeCountsIsBeyondTheEnd) {
+    shows_rule("views of bytes cannot overrun");
+    constexpr std::size_t highest = std::numeric_limits<std::size_t>::max();
+    const std::array<std::uint8_t, 8> before{{1, 2, 3, 4, 5, 6, 7, 8}};
+    for (std::size_t count = 0; count <= 8; ++count) {
+        for (std::size_t below = 0; below <= 8; ++below) {
+            std::array<std::uint8_t, 8> room{before};
+            MutableBytes view{room};
+            view.set_le(highest - below, count, 0xFFFFFFFFFFFFFFFFU);
+            write_le(view, highest - below, count, 0xFFFFFFFFFFFFFFFFU);
+            view.put_le<8U>(highest - below, 0xFFFFFFFFFFFFFFFFU);
+            EXPECT_EQ(room, before) << count << " bytes at the highest place less " << below;
+            EXPECT_EQ(read_le(view.view(), highest - below, count), 0U) << count << ' ' << below;
+            EXPECT_EQ(get_le<8U>(view.view(), highest - below), 0U) << below;
+        }
+    }
 }
 
 TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {

@@ -27,7 +27,11 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
         row(unsent, 0x8240, 0x04, false, true);
         row(usual, 0x6100, 0x08, true, true);
         power_on();
-        emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, ErrorList::active, EmcyContent::detail);
+        keep(ErrorList::active);
+    }
+    /// Begins with a list of that kind.
+    void keep(ErrorList list) {
+        emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, list, EmcyContent::detail);
         emcy_->set_node_id(5);
         emcy_->reset();
         emcy_->enable(true, now);
@@ -64,16 +68,23 @@ TEST_F(EmcyRows, EachRowIsToldAsItSays) {
     EXPECT_EQ(sent(), Frames{"085#00610F0000000000"});
 }
 
-TEST_F(EmcyRows, AResetOfCommunicationListsTheActiveErrorsThatAreListed) {
-    verifies<req::CO_EMCY_007, req::CO_NMT_006>();
+TEST_F(EmcyRows, AResetOfCommunicationLeavesAListOfActiveErrorsAndEmptiesAHistory) {
+    verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy().set(unlisted, true, now);
     emcy().set(unsent, true, now);
     device->objects().load_defaults(ParameterGroup::communication, 5);
-    EXPECT_EQ(listed(0), 0U);
     emcy().refresh();
     EXPECT_EQ(listed(0), 1U);
     EXPECT_EQ(listed(1), 0x8240U);
     EXPECT_EQ(error_register(), 0x06U);
+    keep(ErrorList::history);
+    emcy().set(usual, true, now);
+    EXPECT_EQ(listed(0), 1U);
+    device->objects().load_defaults(ParameterGroup::communication, 5);
+    emcy().refresh();
+    EXPECT_EQ(listed(0), 0U);
+    EXPECT_EQ(listed(1), 0U);
+    EXPECT_EQ(error_register(), 0x08U);
 }
 
 TEST_F(EmcyRows, AnErrorThatIsOverWhenItIsNoticedIsToldAsItsRowSays) {
@@ -85,9 +96,9 @@ TEST_F(EmcyRows, AnErrorThatIsOverWhenItIsNoticedIsToldAsItsRowSays) {
     EXPECT_TRUE(sent().empty());
     EXPECT_EQ(listed(1), 0x8240U);
     emcy().report(unlisted, now);
-    EXPECT_EQ(sent(), Frames{"085#2081020000000000"});
+    EXPECT_EQ(sent(), Frames{"085#2081000000000000"});  // none of them lasts: 1001h reads 0
     EXPECT_EQ(listed(0), 1U);
-    EXPECT_EQ(error_register(), 0U);  // none of them lasts
+    EXPECT_EQ(error_register(), 0U);
 }
 
 }  // namespace canproof::test

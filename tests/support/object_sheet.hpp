@@ -122,7 +122,9 @@ class ObjectSheet : public testing::Test {
   protected:
     /// Defaults are those of `node_id`.
     ObjectSheet(const DictionaryTables& tables, std::size_t image_size, LimitAbort abort, std::uint8_t node_id)
-        : image_(image_size), objects_{tables, MutableBytes{image_.data(), image_.size()}, abort}, abort_{abort} {
+        : image_(tables.defaults.begin(), tables.defaults.begin() + image_size),
+          objects_{tables, MutableBytes{image_.data(), image_.size()}, abort},
+          abort_{abort} {
         for (const auto group :
              {ParameterGroup::communication, ParameterGroup::manufacturer, ParameterGroup::application}) {
             objects_.load_defaults(group, node_id);

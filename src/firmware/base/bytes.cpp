@@ -2,9 +2,11 @@
 
 namespace canproof {
 
+// The sum of a place in memory and a count of at most eight does not wrap; that of any other place may.
+
 void MutableBytes::put_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
     std::uint64_t rest{value};
-    for (std::size_t i = 0U; i < count; ++i) {
+    for (std::size_t i = 0U; (at < size_) && (i < count); ++i) {
         set(at + i, static_cast<std::uint8_t>(rest & 0xFFU));
         rest >>= 8U;
     }
@@ -12,7 +14,7 @@ void MutableBytes::put_each(const std::size_t at, const std::size_t count, const
 
 std::uint64_t join_each(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
     std::uint64_t value{0U};
-    for (std::size_t i = count; i > 0U; --i) {
+    for (std::size_t i = (at < bytes.size()) ? count : 0U; i > 0U; --i) {
         value = (value << 8U) | bytes[at + (i - 1U)];
     }
     return value;

@@ -33,13 +33,12 @@ void Emcy::show_register() noexcept {
     objects_.write(error_register_index, 0U, value);
 }
 
+static_assert(implements<req::CO_EMCY_011>);
 void Emcy::refresh() noexcept {
     forget_when_switched_off();
     show_register();
-    for (std::size_t error = 0U; (list_ == ErrorList::active) && (error < max_errors); ++error) {
-        if (is_active(error) && errors_[error].listed) {
-            enter_into_list(list_entry(error));
-        }
+    if (list_ == ErrorList::history) {
+        clear_list();
     }
 }
 
@@ -61,7 +60,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
         remove_from_list(list_entry(at));
     }
     if (row.sent) {
-        announce(at, !present, shown_register_, now);
+        announce(at, !present, now);
     }
 }
 
@@ -75,7 +74,7 @@ void Emcy::report(const ErrorId error, const Instant now) noexcept {
         enter_into_list(list_entry(at));
     }
     if (row.sent) {
-        announce(at, false, static_cast<std::uint8_t>(std::uint32_t{row.register_bits} | active_register()), now);
+        announce(at, false, now);
     }
 }
 
@@ -152,13 +151,11 @@ void Emcy::clear_list() noexcept {
 static_assert(implements<req::CO_EMCY_006>);
 /// An error that comes and goes while its messages wait is told as it stands: a message that says the opposite of the
 /// one before the last takes the last one back. So at most two wait for each error, and the last word is never lost.
-void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_t register_value,
-                    const Instant now) noexcept {
+void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;
     }
-    const auto listed = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
-    const Pending told{static_cast<std::uint8_t>(error), cured, register_value, listed};
+    const Pending told{static_cast<std::uint8_t>(error), cured};
     const std::size_t last = find_last(error);
     std::size_t waiting{0U};
     for (std::size_t i = 0U; i < pending_count_; ++i) {
@@ -166,7 +163,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const std::uint8_
     }
     const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
     if (repeats) {
-        pending_[last] = told;
+        // it waits already
     } else if (waiting > 1U) {
         forget(last);
     } else {
@@ -198,13 +195,13 @@ void Emcy::forget(const std::size_t position) noexcept {
     }
 }
 
-static_assert(implements<req::CO_EMCY_001>);
+static_assert(implements<req::CO_EMCY_001> && implements<req::CO_EMCY_010>);
 Frame Emcy::message(const Pending& told) const noexcept {
     Frame frame = data_frame(cob_id::identifier(cob_id_entry()), max_frame_length);
     write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
-    frame.data[2] = told.register_value;
+    frame.data[2] = shown_register_;
     if (content_ == EmcyContent::listed_errors) {
-        frame.data[3] = told.listed;
+        frame.data[3] = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
     } else if (!told.cured) {
         write_le(MutableBytes{frame.data}, 3U, 2U, list_entry(told.error) >> 16U);
     } else {

@@ -27,7 +27,8 @@ enum class ErrorId : std::uint8_t {
     heartbeat_2 = 11U,
     heartbeat_3 = 12U,
     heartbeat_4 = 13U,
-    first_of_device = 14U
+    rpdo_value = 14U,
+    first_of_device = 15U
 };
 constexpr std::size_t max_errors = 48U;  ///< at most 64: what is active are the bits of one number
 
@@ -69,7 +70,8 @@ class Emcy {
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
     /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node.
     void reset() noexcept;
-    /// A reset of the communication area set 1001h and 1003h to their defaults, and 1014h: what is active shows again.
+    /// A reset of the communication area set 1001h and 1014h to their defaults: what is active shows again. A list of
+    /// active errors stays as it is; a history begins anew.
     void refresh() noexcept;
     /// A lasting error begins or ends. Telling the same twice does nothing. `channel` is added to the detail of the row
     /// when the error begins: the node-ID of a lost heartbeat.
@@ -103,18 +105,17 @@ class Emcy {
     void after_write(const EntryRef& entry) noexcept;
 
   private:
-    /// A message that waits. Its COB-ID and detail are those of the moment when it is sent.
+    /// A message that waits. Its COB-ID, 1001h, the number of listed errors and the detail are those of the moment when
+    /// it is sent.
     struct Pending {
         std::uint8_t error{0U};
         bool cured{false};
-        std::uint8_t register_value{0U};
-        std::uint8_t listed{0U};
     };
     /// For no error more than two messages wait, see announce().
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
     void send_pending(Instant now) noexcept;
-    void announce(std::size_t error, bool cured, std::uint8_t register_value, Instant now) noexcept;
+    void announce(std::size_t error, bool cured, Instant now) noexcept;
     std::uint32_t cob_id_entry() const noexcept;
     std::size_t find_last(std::size_t error) const noexcept;
     void forget(std::size_t position) noexcept;

@@ -369,6 +369,7 @@ void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now)
     if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
         enter(NmtState::pre_operational, now);
     } else if (wanted == to_stopped) {
+    emcy_.set(ErrorId::rpdo_value, faults.has(Faults::rpdo_refused), now);
         enter(NmtState::stopped, now);
     } else {
         // no change of state
@@ -459,13 +460,14 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
     }
     const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
     after_put(entry, changes, now);
-    if (changes && entry.may(rights::stored)) {
+    if (changes && entry.may(rights::stored) && !entry.may(rights::rpdo)) {
         forget_verification(index);
     }
     return AbortCode::none;
 }
 
-/// Date and time of the configuration tool mean the configuration that it left, no other.
+/// Date and time of the configuration tool mean the configuration that it left, no other. Process values, which an RPDO
+/// may carry, are none.
 static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     constexpr std::uint32_t verify_index = 0x1020U;

@@ -219,6 +219,7 @@ class Node final : private ObjectAccess {
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;
 
+        static constexpr std::uint32_t rpdo_refused = 0x1000U;
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
@@ -233,6 +234,7 @@ class Node final : private ObjectAccess {
                                    (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
                                    (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
                                    ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
+                                   (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
     }
     void watch_communication(const Instant now) noexcept {
         const CommunicationFaults faults = communication_faults();

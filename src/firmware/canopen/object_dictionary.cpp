@@ -181,9 +181,10 @@ bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) n
 }
 
 void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint8_t node_id) noexcept {
+    constexpr std::uint32_t error_list_index = 0x1003U;
     const ByteView defaults{tables_.defaults.rows, tables_.defaults.count};
     for (const ObjectRow& object : tables_.objects) {
-        if (parameter_group(object.index) != group) {
+        if ((parameter_group(object.index) != group) || (std::uint32_t{object.index} == error_list_index)) {
             continue;
         }
         for (std::size_t i = 0U; i < object.count; ++i) {

@@ -95,7 +95,8 @@ class ObjectDictionary {
     std::uint64_t default_bits(const EntryRow& row) const noexcept {
         return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
     }
-    /// Default values of one group as shipped; entries with rights::node_id get the node-ID added.
+    /// Default values of one group as shipped; entries with rights::node_id get the node-ID added. The error list
+    /// 1003h is none of the parameters: it stays as it is.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
 
     /// Value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its object is

@@ -151,6 +151,7 @@ std::uint64_t PdoMapping::watch_marks() const noexcept {
     return marks;
 }
 
+static_assert(implements<req::CO_PDO_005>);
 bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionary& objects,
                                ObjectAccess& access) const noexcept {
     std::uint32_t at{0U};
@@ -170,13 +171,9 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
     return true;
 }
 
-static_assert(implements<req::CO_PDO_005>);
 void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access,
                        const Instant now) const noexcept {
-    const std::uint64_t packed = get_le<max_frame_length>(ByteView{frame.data}, 0U);
-    if (!all_free_ && !is_acceptable(packed, objects, access)) {
-        return;
-    }
+    const std::uint64_t packed = packed_values(frame);
     std::uint32_t at{0U};
     for (const PdoLine& line : lines_) {
         if (line.row != nullptr) {

@@ -47,13 +47,19 @@ class PdoMapping {
     /// One bit for each mapped value, by watch_mark(): what cannot be mapped here is seen at once.
     std::uint64_t watch_marks() const noexcept;
 
-    /// Writes the mapped values: all of them, or none when one is outside its limits or refused by its owner. `frame`
-    /// is at least length() bytes long.
+    /// Whether each mapped value is within its limits and its owner takes it. `frame` is at least length() bytes long.
+    bool accepts(const Frame& frame, const ObjectDictionary& objects, ObjectAccess& access) const noexcept {
+        return all_free_ || is_acceptable(packed_values(frame), objects, access);
+    }
+    /// Writes the mapped values, which are accepted.
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
     /// The mapped values as they go on the bus under `id`.
     Frame pack(const ObjectDictionary& objects, std::uint32_t id) const noexcept;
 
   private:
+    static std::uint64_t packed_values(const Frame& frame) noexcept {
+        return field_le<0U, max_frame_length>(frame.data);
+    }
     static PdoLine find_line(const ObjectDictionary& objects, std::uint32_t entry) noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
 

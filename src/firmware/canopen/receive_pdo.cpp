@@ -30,6 +30,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
     rpdo.waits = false;
     rpdo.due = never;
     short_ = with_bit(short_, number, false);
+    refused_ = with_bit(refused_, number, false);
     overdue_ = with_bit(overdue_, number, false);
 }
 
@@ -69,12 +70,15 @@ void ReceivePdos::answer(const std::size_t number) noexcept {
 }
 
 static_assert(implements<req::CO_PDO_001> && implements<req::CO_PDO_004> && implements<req::CO_PDO_020> &&
-              implements<req::CO_PDO_021>);
+              implements<req::CO_PDO_021> && implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
 void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
     const bool too_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     short_ = with_bit(short_, number, too_short);
     if (too_short) {
+        return;
+    }
+    if (!is_taken(number, frame)) {
         return;
     }
     if (rpdo.parameters.event.us != 0U) {
@@ -90,12 +94,32 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
     }
 }
 
+/// Whether no value of it is refused, and takes note of that.
+bool ReceivePdos::is_taken(const std::size_t number, const Frame& frame) noexcept {
+    const bool taken = rpdos_[number].mapping.accepts(frame, objects_, access_);
+    refused_ = with_bit(refused_, number, !taken);
+    return taken;
+}
+
+/// Whether it waits with values that are still taken: a limit may have moved since the reception. It waits no more.
+bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
+    ReceivePdo& rpdo = rpdos_[number];
+    if (!rpdo.waits) {
+        return false;
+    }
+    rpdo.waits = false;
+    const bool taken = rpdo.mapping.accepts(rpdo.waiting, objects_, access_);
+    if (!taken) {
+        refused_ = with_bit(refused_, number, true);
+    }
+    return taken;
+}
+
 static_assert(implements<req::CO_PDO_002>);
 void ReceivePdos::sync(const Instant now) noexcept {
-    for (ReceivePdo& rpdo : rpdos_) {
-        if (rpdo.waits) {
-            rpdo.waits = false;
-            rpdo.mapping.apply(rpdo.waiting, objects_, access_, now);
+    for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
+        if (leaves_waiting(number)) {
+            rpdos_[number].mapping.apply(rpdos_[number].waiting, objects_, access_, now);
         }
     }
 }

@@ -52,6 +52,8 @@ class ReceivePdos {
 
     /// An RPDO came with fewer bytes than mapped, and none of right length since (error 8210h).
     bool has_short() const noexcept { return short_ != 0U; }
+    /// A value of an RPDO was refused, and the RPDO has not come with values that are taken since (error 8200h).
+    bool has_refused() const noexcept { return refused_ != 0U; }
     /// An RPDO did not come within its event time, and has not come since.
     bool has_overdue() const noexcept { return overdue_ != 0U; }
     /// Which: bit n stands for RPDO n + 1.
@@ -64,6 +66,8 @@ class ReceivePdos {
     void refresh(std::size_t number) noexcept;
     void answer(std::size_t number) noexcept;
     void take(std::size_t number, const Frame& frame, Instant now) noexcept;
+    bool leaves_waiting(std::size_t number) noexcept;
+    bool is_taken(std::size_t number, const Frame& frame) noexcept;
     void find_overdue(Instant now) noexcept;
     void schedule() noexcept;
 
@@ -74,6 +78,7 @@ class ReceivePdos {
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
     std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
+    std::uint8_t refused_{0U};  ///< bit n: RPDO n + 1
     std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1
     Instant next_{never};
 };

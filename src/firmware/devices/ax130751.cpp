@@ -48,6 +48,19 @@ constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t
     table[static_cast<std::size_t>(id)] = ErrorRow{row.code, row.register_bits, true, true, detail};
 }
 
+constexpr ErrorId id_of(const own::t_aor_t_node_errors::Error error) noexcept {
+    using own::t_aor_t_node_errors::Error;
+    switch (error) {
+        case Error::rpdo_length:
+            return ErrorId::rpdo_length;
+        case Error::rpdo_value:
+            return ErrorId::rpdo_value;
+        case Error::stored_set:
+        default:
+            return ErrorId::stored_set_checksum;
+    }
+}
+
 static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
               implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&
               implements<req::AOR_ERR_009> && implements<req::AOR_ERR_010> && implements<req::AOR_ERR_011>);
@@ -78,9 +91,7 @@ constexpr ErrorTable make_error_table() noexcept {
             ErrorRow{row.code, row.register_bits, true, true, 0U};
     }
     for (const own::t_aor_t_node_errors::Row& row : own::t_aor_t_node_errors::rows) {
-        const bool too_short = row.error == own::t_aor_t_node_errors::Error::rpdo_length;
-        table[static_cast<std::size_t>(too_short ? ErrorId::rpdo_length : ErrorId::stored_set_checksum)] =
-            ErrorRow{row.code, row.register_bits, true, true, 0U};
+        table[static_cast<std::size_t>(id_of(row.error))] = ErrorRow{row.code, row.register_bits, true, true, 0U};
     }
     return table;
 }

@@ -35,9 +35,10 @@ ErrorTable standard_errors() {
     tell(ErrorId::can_overrun, 0x8110, communication_error);
     tell(ErrorId::error_passive, 0x8120, communication_error);
     tell(ErrorId::guard_or_heartbeat, 0x8130, communication_error);
-    tell(ErrorId::bus_off_recovered, 0x8140, communication_error);
+    tell(ErrorId::bus_off_recovered, 0x8140, 0);  // over when it is told: no bit of 1001h
     tell(ErrorId::sync_length, 0x8240, communication_error);
     tell(ErrorId::rpdo_length, 0x8210, communication_error);
+    tell(ErrorId::rpdo_value, 0x8200, communication_error);
     tell(ErrorId::rpdo_timeout, 0x8250, communication_error);
     tell(ErrorId::internal_software, 0x6100, generic_error);
     tell(ErrorId::stored_set_checksum, 0x6300, generic_error);

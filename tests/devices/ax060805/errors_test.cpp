@@ -4,35 +4,12 @@
 
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/inclinometer_bench.hpp"
+#include "support/inclinometer_errors.hpp"
 #include "support/verifies.hpp"
 
 namespace canproof::test {
 
 namespace {
-
-class Ax060805Errors : public InclinometerTest {
-  protected:
-    Frames fail_accelerometer(bool fails = true) {
-        inputs.accelerometer_fault = fails;
-        set_inputs();
-        return pass(5);
-    }
-    Frames heat(float celsius) {
-        inputs.sensor_temperature = celsius;
-        set_inputs();
-        return pass(5);
-    }
-    /// What 1003h lists, the latest first.
-    std::vector<std::uint32_t> listed() {
-        std::vector<std::uint32_t> all;
-        const std::uint32_t count = read(0x1003);
-        for (std::uint8_t sub = 1; sub <= count; ++sub) {
-            all.push_back(read(0x1003, sub));
-        }
-        return all;
-    }
-};
 
 using List = std::vector<std::uint32_t>;
 
@@ -284,15 +261,18 @@ TEST_F(Ax060805Errors, LostFramesAre8110h) {
 }
 
 TEST_F(Ax060805Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
-    verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE>();
+    verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
     EXPECT_EQ(read(0x1001), 0U);
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), (Frames{}));
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"}));
-    EXPECT_EQ(listed(), (List{0x00008140}));
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // nothing lasts: 1001h reads 0
+    EXPECT_EQ(read(0x1001), 0U);
+    EXPECT_EQ(listed(), (List{}));
+    pass(1000);
+    EXPECT_EQ(listed(), (List{}));
 }
 
 TEST_F(Ax060805Errors, AMissingHeartbeatNamesItsNode) {

@@ -270,6 +270,24 @@ TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
     EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
+TEST_F(Ax130751Pdo, AnRpdoWithAValueThatIsRefusedIs8200h) {
+    verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");
+    EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
+    EXPECT_EQ(write(0x1601, 0, 0, 1), "");
+    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");  // 2223h:1, 0 to 60000
+    EXPECT_EQ(write(0x1601, 0, 1, 1), "");
+    EXPECT_EQ(write(0x1401, 1, 0x0000037F, 4), "");
+    start();
+    EXPECT_EQ(send("37F#60EA"), Frames{});                          // 60000
+    EXPECT_EQ(send("37F#61EA"), (Frames{"0FF#0082010000000000"}));  // 60001: 8200h
+    EXPECT_EQ(read(0x2223, 1), 60000U);
+    EXPECT_EQ(read(0x1003, 1), 0x00008200U);
+    EXPECT_EQ(send("37F#0000"), (Frames{"0FF#0000000000000000"}));
+    EXPECT_EQ(read(0x2223, 1), 0U);
+    EXPECT_EQ(read(0x1003, 0), 0U);
+}
+
 TEST_F(Ax130751Pdo, AnEmergencyWaitsForRoomInTheQueueAndTheOutputsDoNotWaitForIt) {
     verifies<req::CO_EMCY_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");

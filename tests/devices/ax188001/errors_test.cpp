@@ -173,7 +173,7 @@ TEST_F(Ax188001Errors, AnRpdoThatStaysAwayIsACommunicationError) {
 }
 
 TEST_F(Ax188001Errors, OverrunAndBusOff) {
-    verifies<req::TCS_ERR_009, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN, req::TCS_T5>();
+    verifies<req::TCS_ERR_009, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN, req::TCS_T5>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008110}));
@@ -184,7 +184,7 @@ TEST_F(Ax188001Errors, OverrunAndBusOff) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084010000000000"}));
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // nothing lasts: 1001h reads 0
     EXPECT_TRUE(listed().empty());
     EXPECT_EQ(read(0x1001).value, 0U);
 }

@@ -18,7 +18,8 @@ using State = own::IndicatorState;
 
 }  // namespace
 
-// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0
+// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0; 8140h is over
+// when it is reported
 TEST(CbxTables, ErrorsAreToldAndListed) {
     verifies<req::AO4_T_ERRORS>();
     namespace t = own::t_ao4_t_errors;
@@ -31,7 +32,7 @@ TEST(CbxTables, ErrorsAreToldAndListed) {
     for (const Error& one : {Error{t::Error::can_overrun, 0x8110, 0x11, true},
                              {t::Error::error_passive, 0x8120, 0x11, true},
                              {t::Error::guard_or_heartbeat, 0x8130, 0x11, true},
-                             {t::Error::bus_off_recovered, 0x8140, 0x11, true},
+                             {t::Error::bus_off_recovered, 0x8140, 0x00, true},
                              {t::Error::sync_length, 0x8240, 0x11, true},
                              {t::Error::stored_set_checksum, 0x6000, 0x01, false},
                              {t::Error::internal_software, 0x6110, 0x01, true},

@@ -3,33 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace canproof::host {
-
-TEST(WholeFile, FolderAndMissingFileAreRefused) {
-    EXPECT_THROW(read_file("/"), InputError);
-    EXPECT_THROW(read_file("/nosuch/file"), InputError);
-}
-
-TEST(WholeFile, NoMoreThanABoundIsRead) {
-    EXPECT_THROW(read_file("/dev/zero", 1000), InputError);
-    EXPECT_EQ(read_file("/dev/null", 0), "");
-}
-
-TEST(WholeFile, BytesAreThoseOfTheFile) {
-    const auto path = std::filesystem::path{testing::TempDir()} / "whole_file";
-    std::string bytes(200000, 'x');
-    bytes[70000] = '\0';
-    bytes[199999] = '\n';
-    std::ofstream{path, std::ios::binary} << bytes;
-    EXPECT_EQ(read_file(path), bytes);
-    EXPECT_EQ(read_file(path, 200000), bytes);
-    EXPECT_THROW(read_file(path, 199999), InputError);
-    std::filesystem::remove(path);
-}
 
 TEST(Lines, EndsMarksAndTheLastLineWithoutEnd) {
     std::istringstream in{"\xEF\xBB\xBFone\r\n\ntwo"};

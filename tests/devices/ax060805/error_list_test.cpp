@@ -1,0 +1,55 @@
+// What stays in the AX060805's list of active errors, 1003h (4.2.4), node 127: emergency messages on 0FFh.
+#include "generated/ax060805/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "support/inclinometer_errors.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using List = std::vector<std::uint32_t>;
+
+}  // namespace
+
+TEST_F(Ax060805Errors, TheEndOfABusOffPushesNoActiveErrorOutOfTheList) {
+    verifies<req::INC_ERR_002, req::INC_ERR_008, req::CO_EMCY_010>();
+    write(0x1029, 1, 1, 1);
+    write(0x1029, 2, 1, 1);
+    fail_accelerometer();
+    for (int round = 0; round < 5; ++round) {
+        inputs.can_state = 3;
+        set_inputs();
+        inputs.can_state = 0;
+        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h lasts: 01h
+    }
+    EXPECT_EQ(listed(), (List{0x0000FF00}));
+}
+
+TEST_F(Ax060805Errors, AResetOfTheCommunicationKeepsTheOrderOfTheList) {
+    verifies<req::INC_ERR_002, req::CO_EMCY_011>();
+    write(0x1029, 2, 1, 1);
+    fail_accelerometer();
+    heat(130.0F);  // the latest
+    EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));
+    send("000#8200");
+    EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));
+    heat(20.0F);
+    heat(130.0F);
+    fail_accelerometer(false);
+    fail_accelerometer();
+    send("000#8200");
+    EXPECT_EQ(listed(), (List{0x0000FF00, 0x00004200}));
+}
+
+TEST_F(Ax060805Errors, AResetOfTheCommunicationDoesNotFillAListThatWasEmptied) {
+    verifies<req::INC_ERR_003, req::CO_EMCY_011>();
+    fail_accelerometer();
+    write(0x1003, 0, 0, 1);
+    EXPECT_EQ(listed(), (List{}));
+    send("000#8200");
+    EXPECT_EQ(listed(), (List{}));
+    EXPECT_EQ(read(0x1001), 1U);  // it lasts
+}
+
+}  // namespace canproof::test

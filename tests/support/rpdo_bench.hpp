@@ -1,0 +1,38 @@
+// Receive PDOs of the conformance slave, node 5. It has
+//   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/exchange.hpp"
+#include "support/slave_bench.hpp"
+
+namespace canproof::test {
+
+/// The slave in operational; TPDOs are off, so that every answer is one that the test asked for.
+class Rpdo : public testing::Test, public SlaveBench {
+  protected:
+    void SetUp() override {
+        talk(*this, {
+                        {"605#2300180185010080", {"585#6000180100000000"}},  // 1800h:1, bit 31
+                        {"605#2301180185020080", {"585#6001180100000000"}},
+                        {"000#0105", {}},
+                    });
+    }
+    /// RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
+    void map_rpdo3(const std::vector<std::string>& entries) {
+        send("605#2302140105040080");
+        send("605#2F02160000000000");
+        int line = 0;
+        for (const auto& entry : entries) {
+            ++line;
+            const std::string object = "02160" + std::to_string(line);
+            EXPECT_EQ(send("605#23" + object + entry), (Frames{"585#60" + object + "00000000"}));
+        }
+        EXPECT_EQ(send("605#2F0216000" + std::to_string(line) + "000000"), (Frames{"585#6002160000000000"}));
+        EXPECT_EQ(send("605#2302140105040000"), (Frames{"585#6002140100000000"}));
+    }
+};
+
+}  // namespace canproof::test
