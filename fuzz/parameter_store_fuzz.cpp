@@ -25,6 +25,7 @@ constexpr std::size_t record_size = 10;
 constexpr std::size_t most_records = 60;
 constexpr std::size_t memory_size = 2048;
 constexpr std::uint16_t uncut = 0xFFFF;
+constexpr std::uint8_t node_id = 5;
 
 class World {
   public:
@@ -82,10 +83,10 @@ class World {
 
     void power_on() {
         queue_ = TransmitQueue{};
-        device_.power_on(5, Instant{});
+        device_.power_on(node_id, Instant{});
         const bool corrupt = format_.is_corrupt(memory_.image());
         require(device_.node().has_error(ErrorId::stored_set_checksum) == corrupt, "a corrupt set is told");
-        const Values saved = format_.read(memory_.image());
+        const Values saved = format_.read(memory_.image(), node_id);
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
             const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
@@ -116,7 +117,7 @@ class World {
         fuzz::JournalMemory blank{fuzz::Image(memory_size, 0xFF)};
         TransmitQueue queue;
         host::GenericDevice device{test::slave_part(), blank, queue};
-        device.power_on(5, Instant{});
+        device.power_on(node_id, Instant{});
         return all_values(format, device);
     }
 
@@ -158,7 +159,7 @@ class World {
     /// others alone. Power may fail at `place`.
     void execute(std::uint16_t index, unsigned sub, const char* signature, std::uint16_t place) {
         const fuzz::Image before = memory_.image();
-        Values expected = format_.read(before);
+        Values expected = format_.read(before, node_id);
         const Values now = all_values(format_, device_);
         for (const naive_store::Stored& one : format_.entries()) {
             if (((naive_store::groups_of(sub) >> one.group) & 1U) == 0) {
@@ -178,14 +179,14 @@ class World {
             return;  // no SDO in this state
         }
         require(answer == 0x60, "saved", answer);
-        require(format_.read(memory_.image()) == expected, "what is saved");
+        require(format_.read(memory_.image(), node_id) == expected, "what is saved");
         if (place == uncut) {
             return tampering_.note_write(before, memory_.image());
         }
         const std::size_t written = memory_.written();
         memory_.cut_after(place % (written + 1));
-        const Values found = format_.read(memory_.image());
-        require(found == expected || found == format_.read(before) || is_foreign(banks_), "old or new");
+        const Values found = format_.read(memory_.image(), node_id);
+        require(found == expected || found == format_.read(before, node_id) || is_foreign(banks_), "old or new");
         power_on();
     }
 

@@ -1,6 +1,6 @@
 // What lies in a memory of stored parameters, read by someone who knows the format and nothing of the firmware: two
-// banks of a header (magic "COPS", layout, sequence number, groups, node-ID), the values in dictionary order, and a
-// CRC-32 over both, one bit at a time.
+// banks of a header (magic "COP", a marker, layout, sequence number, groups, a node-ID for each group), the values in
+// dictionary order, and a CRC-32 over both, one bit at a time, in which the marker is that of a committed bank.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +24,8 @@ struct Stored {
     std::size_t size;
     unsigned group;
     bool is_text;
+    bool has_node_id;    ///< the default contains the node-ID
+    std::uint64_t base;  ///< the default without it
 };
 
 /// A visible string ends at its first zero: what lies behind that is no part of the value.
@@ -37,6 +39,15 @@ inline unsigned group_of(unsigned index) {
     return index < 0x2000 ? 0U : index < 0x6000 ? 2U : 1U;
 }
 
+/// The number that bytes stand for, up to eight of them.
+inline std::uint64_t number_of(const std::uint8_t* bytes, std::size_t count) {
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < count && i < 8; ++i) {
+        number |= std::uint64_t{bytes[i]} << (8 * i);
+    }
+    return number;
+}
+
 inline std::vector<Stored> stored_entries(const DictionaryTables& tables) {
     std::vector<Stored> all;
     for (const ObjectRow& object : tables.objects) {
@@ -46,7 +57,9 @@ inline std::vector<Stored> stored_entries(const DictionaryTables& tables) {
                 all.push_back({{object.index, row.subindex},
                                row.size,
                                group_of(object.index),
-                               row.type == DataType::visible_string});
+                               row.type == DataType::visible_string,
+                               (row.rights & rights::node_id) != 0,
+                               number_of(tables.defaults.rows + row.offset, row.size)});
             }
         }
     }
@@ -74,6 +87,9 @@ inline void put_number(Bytes& image, std::size_t at, std::uint32_t number) {
 }
 
 constexpr std::uint32_t magic = 0x53504F43;
+constexpr std::uint8_t committed = 'S';
+constexpr std::uint8_t without_effect = '-';  ///< the marker of a bank that does not count
+constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
 
 /// What a device with these entries keeps.
@@ -89,10 +105,23 @@ class Format {
     std::size_t bank_size() const { return header_size + payload_ + 4; }
     std::size_t checked_size() const { return header_size + payload_; }
 
+    /// It counts, and its CRC is right.
     bool is_sound(const Bytes& image, unsigned bank) const {
-        const std::size_t at = bank * bank_size();
-        return number_at(image, at) == magic && number_at(image, at + 4) == layout_ &&
-               number_at(image, at + checked_size()) == crc32(image.data() + at, checked_size());
+        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
+        Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
+        if (bytes[marker_at] == without_effect || is_blank(image, bank)) {
+            return false;
+        }
+        bytes[marker_at] = committed;
+        return number_at(bytes, 0) == magic && number_at(bytes, 4) == layout_ &&
+               number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
+    }
+    /// It was written to its end and is not what was written.
+    bool is_damaged(const Bytes& image, unsigned bank) const {
+        return image[bank * bank_size() + marker_at] == committed && !is_sound(image, bank);
+    }
+    bool is_unused(const Bytes& image, unsigned bank) const {
+        return image[bank * bank_size() + marker_at] == without_effect || is_blank(image, bank);
     }
     bool is_blank(const Bytes& image, unsigned bank) const {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
@@ -103,6 +132,9 @@ class Format {
     }
     /// The sound bank that was written last; sequence numbers go on from FFFFFFFFh to 0.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
+        if (is_damaged(image, 0) || is_damaged(image, 1)) {
+            return std::nullopt;
+        }
         const bool first = is_sound(image, 0);
         const bool second = is_sound(image, 1);
         if (first && second) {
@@ -113,10 +145,10 @@ class Format {
     }
     /// Something was saved, but nothing sound is left.
     bool is_corrupt(const Bytes& image) const {
-        return !bank_in_use(image) && !(is_blank(image, 0) && is_blank(image, 1));
+        return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
-    /// The values of those groups that are saved.
-    Values read(const Bytes& image) const {
+    /// The values of those groups that are saved, as node `node_id` finds them.
+    Values read(const Bytes& image, unsigned node_id) const {
         Values values;
         const auto bank = bank_in_use(image);
         if (!bank) {
@@ -124,11 +156,17 @@ class Format {
         }
         std::size_t at = *bank * bank_size();
         const unsigned groups = image[at + 12];
+        const std::size_t node_ids = at + 13;
         at += header_size;
         for (const Stored& one : entries_) {
             if (((groups >> one.group) & 1U) != 0) {
                 const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
                 Bytes value(begin, begin + static_cast<std::ptrdiff_t>(one.size));
+                if (one.has_node_id && number_of(value.data(), one.size) == one.base + image[node_ids + one.group]) {
+                    for (std::size_t i = 0; i < one.size; ++i) {
+                        value[i] = static_cast<std::uint8_t>((one.base + node_id) >> (8 * i));
+                    }
+                }
                 values[one.address] = one.is_text ? ended(std::move(value)) : std::move(value);
             }
             at += one.size;

@@ -87,8 +87,8 @@ TEST_F(SmallStore, ABankWhoseHeaderCannotBeReadIsNotUsed) {
     EXPECT_EQ(value(), "00000000");
 }
 
-TEST_F(SmallStore, AStoredValueThatCannotBeReadLeavesTheDefault) {
-    verifies<req::CO_NMT_005, req::CO_STORE_005>();
+TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
+    verifies<req::CO_NMT_005, req::CO_STORE_006>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
     set_value("11223344");
@@ -97,18 +97,32 @@ TEST_F(SmallStore, AStoredValueThatCannotBeReadLeavesTheDefault) {
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
     faulty.fail_read(faulty.reads);  // the last one: the value, after the headers and the check of the CRC
-    EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
+    EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
 
 TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U}) {  // header, value, CRC
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // void, header, value, CRC, committed
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);
         EXPECT_EQ(save(), hardware_error) << n;
     }
+}
+
+TEST_F(SmallStore, AnOldSetThatCannotBeMadeVoidIsStillTheOlder) {
+    verifies<req::CO_STORE_004>();
+    FaultyMemory faulty{2 * bank_size};
+    power_on_with(faulty);
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    set_value("55667788");
+    faulty.fail_write(6);  // the last one: the new set is committed
+    EXPECT_EQ(save(), saved);
+    faulty.sound.bytes()[3] = 'S';  // nor did its byte arrive
+    EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
+    EXPECT_EQ(value(), "55667788");
 }
 
 TEST_F(SmallStore, AFirstSaveNeedsNothingThatWasThereBefore) {
@@ -144,7 +158,6 @@ TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
 // The value is the node-ID of the node that saved: by chance, for its default has no node-ID in it.
 TEST_F(SmallStore, AValueThatIsNoIdentifierFollowsNoNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
-    description.profile.stored_node_id = StoredNodeId::follows;
     power_on();
     set_value("05000000");
     EXPECT_EQ(save(), saved);

@@ -48,17 +48,19 @@ TEST(LssStore, LivesAtTheEndOfTheMemory) {
 
 TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
     verifies<req::CO_LSS_016>();
-    for (std::size_t cut = 0; cut <= 20; ++cut) {
+    // One byte makes the slot void, 20 fill it, one commits it, one makes the other slot void.
+    for (std::size_t cut = 0; cut <= 23; ++cut) {
         host::Memory memory{64};
         LssStore{memory}.store({1, 10000});
         LssStore{memory}.store({2, 20000});
         memory.cut_power_after(cut);
         const LssError answer = LssStore{memory}.store({3, 50000});
         memory.restore_power();
-        EXPECT_EQ(answer, cut < 20 ? LssError::storage_failed : LssError::none);
+        EXPECT_EQ(answer, cut < 22 ? LssError::storage_failed : LssError::none);
         const LssConfiguration found = LssStore{memory}.load(shipped);
-        EXPECT_EQ(found.node_id, cut < 20 ? 2 : 3) << cut;
-        EXPECT_EQ(found.bit_rate, cut < 20 ? 20000U : 50000U) << cut;
+        EXPECT_EQ(found.node_id, cut < 22 ? 2 : 3) << cut;
+        EXPECT_EQ(found.bit_rate, cut < 22 ? 20000U : 50000U) << cut;
+        EXPECT_FALSE(found.damaged) << cut;
         EXPECT_EQ(LssStore{memory}.store({4, 100000}), LssError::none);
         EXPECT_EQ(LssStore{memory}.load(shipped).node_id, 4) << cut;
     }
@@ -93,14 +95,43 @@ TEST(LssStore, ASlotThatBeginsOtherwiseDoesNotCount) {
 }
 
 TEST(LssStore, ADamagedSlotDoesNotCount) {
-    verifies<req::CO_LSS_017>();
-    host::Memory memory{64};
-    LssStore{memory}.store({1, 10000});
-    LssStore{memory}.store({2, 20000});
-    memory.bytes()[64 - 20 + 12] ^= 1;  // the node-ID in the second slot
-    expect(LssStore{memory}.load(shipped), 1, 10000);
-    memory.bytes()[64 - 40 + 9] ^= 1;
-    expect(LssStore{memory}.load(shipped), 127, 125000);
+    verifies<req::CO_LSS_017, req::CO_LSS_065>();
+    for (const int stores : {1, 2, 3}) {  // the latest in the first slot, in the second, in the first
+        for (std::size_t at = 0; at < 40; ++at) {
+            host::Memory memory{64};
+            for (int node_id = 1; node_id <= stores; ++node_id) {
+                LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
+            }
+            memory.bytes()[64 - 40 + at] ^= 0xFF;
+            const std::size_t latest = stores == 2 ? 20 : 0;
+            const bool hit = at >= latest && at < latest + 20 && at != latest + 3;  // the marker alone harms nothing
+            const LssConfiguration found = LssStore{memory}.load(shipped);
+            EXPECT_EQ(found.damaged, hit) << stores << ' ' << at;
+            expect(found, found.damaged ? 127 : stores, found.damaged ? 125000 : 20000);
+        }
+    }
+}
+
+TEST(LssStore, WhatIsStoredAfterDamageHoldsAndACutLeavesTheDamage) {
+    verifies<req::CO_LSS_065, req::CO_LSS_016>();
+    for (const int stores : {1, 2}) {
+        for (std::size_t cut = 0; cut <= 23; ++cut) {
+            host::Memory memory{64};
+            for (int node_id = 1; node_id <= stores; ++node_id) {
+                LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
+            }
+            memory.bytes()[64 - 40 + (stores == 2 ? 20 : 0) + 12] ^= 1;  // the node-ID of the latest
+            memory.cut_power_after(cut);
+            LssStore{memory}.store({9, 50000});
+            memory.restore_power();
+            const LssConfiguration found = LssStore{memory}.load(shipped);
+            EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;  // until the damaged slot is void
+            expect(found, cut < 23 ? 127 : 9, cut < 23 ? 125000 : 50000);
+            EXPECT_EQ(LssStore{memory}.store({10, 10000}), LssError::none);
+            expect(LssStore{memory}.load(shipped), 10, 10000);
+            EXPECT_FALSE(LssStore{memory}.load(shipped).damaged) << stores << ' ' << cut;
+        }
+    }
 }
 
 TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {

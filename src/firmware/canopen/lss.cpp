@@ -256,6 +256,7 @@ LssError Lss::store() noexcept {
     const LssError error = application_.store_configuration(pending_);
     if (error == LssError::none) {
         stored_ = pending_;
+        stored_.damaged = false;
     }
     return error;
 }

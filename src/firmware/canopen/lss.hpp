@@ -24,6 +24,7 @@ using generated::canopen::unconfigured_node_id;
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
+    bool damaged{false};                         ///< what was stored cannot be read: these are the values as shipped
 };
 
 /// One row of a device's bit timing table.
@@ -97,6 +98,8 @@ class Lss {
 
     /// Power-on with what is stored.
     void power_on(const LssConfiguration& stored) noexcept;
+    /// What was stored could not be read at power-on, and nothing has been stored since.
+    bool is_damaged() const noexcept { return stored_.damaged; }
     /// NMT reset node: what was configured and not stored is lost; take_node_id() follows.
     void restore(Instant now) noexcept;
     /// NMT reset communication: the pending node-ID becomes active and is returned; unconfigured_node_id when there is

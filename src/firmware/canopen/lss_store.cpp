@@ -9,7 +9,8 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t slot_magic = 0x31534C43U;  // "CLS1" in memory
+constexpr std::uint32_t slot_magic = 0x31534C43U;  // "CLS1" in memory, the marker of a committed slot at its end
+constexpr std::uint8_t committed_marker = 0x31U;
 constexpr std::size_t sequence_at = 4U;
 constexpr std::size_t bit_rate_at = 8U;
 constexpr std::size_t node_id_at = 12U;
@@ -30,16 +31,23 @@ std::size_t LssStore::address(const std::size_t slot) const noexcept {
     return start + (slot * slot_size);
 }
 
-std::optional<LssStore::Slot> LssStore::read(const std::size_t slot) const noexcept {
+LssStore::Slot LssStore::read(const std::size_t slot) const noexcept {
     SlotBytes bytes{};
-    const bool done = memory_.read(address(slot), MutableBytes{bytes});
+    const bool is_readable = memory_.read(address(slot), MutableBytes{bytes});
+    const BankState state = state_by_marker(is_readable, ByteView{bytes}, committed_marker);
+    bytes[commit_marker_at] = committed_marker;
     const ByteView view{bytes};
-    if (!done || (read_u32(view, 0U) != slot_magic) || (read_u32(view, crc_at) != crc_of(bytes))) {
-        return std::nullopt;
-    }
-    return Slot{read_u32(view, sequence_at), LssConfiguration{view[node_id_at], read_u32(view, bit_rate_at)}};
+    const bool is_sound = (state != BankState::unused) && is_readable && (read_u32(view, 0U) == slot_magic) &&
+                          (read_u32(view, crc_at) == crc_of(bytes));
+    return Slot{is_sound ? BankState::sound : state, read_u32(view, sequence_at),
+                LssConfiguration{view[node_id_at], read_u32(view, bit_rate_at)}};
 }
 
+bool LssStore::mark(const std::size_t slot, const std::uint8_t marker) noexcept {
+    return memory_.write(address(slot) + commit_marker_at, ByteView{&marker, 1U});
+}
+
+/// Whole, or not at all.
 bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     SlotBytes bytes{};
     MutableBytes view{bytes};
@@ -48,42 +56,46 @@ bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     write_le(view, bit_rate_at, 4U, content.configuration.bit_rate);
     view.set(node_id_at, content.configuration.node_id);
     write_le(view, crc_at, 4U, crc_of(bytes));
-    bool done = memory_.write(address(slot), ByteView{bytes});
+    view.set(commit_marker_at, void_marker);
+    bool done = mark(slot, void_marker);
     if (done) {
-        done = memory_.commit();
+        done = memory_.write(address(slot), ByteView{bytes});
+    }
+    if (done) {
+        done = mark(slot, committed_marker);
     }
     return done;
 }
 
+/// The slot that decides; the second while nothing is stored.
+std::size_t LssStore::latest_of(const Slot& first, const Slot& second) noexcept {
+    const bool both_sound = (first.state == BankState::sound) && (second.state == BankState::sound);
+    const bool is_first = (first.state > second.state) || (both_sound && !is_newer(second.sequence, first.sequence));
+    return is_first ? 0U : 1U;
+}
+
+static_assert(implements<req::CO_LSS_065>);
 LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept {
-    const auto first = read(0U);
-    const auto second = read(1U);
-    if (first.has_value() && second.has_value()) {
-        return is_newer(second->sequence, first->sequence) ? second->configuration : first->configuration;
-    }
-    if (second.has_value()) {
-        return second->configuration;
-    }
-    return first.has_value() ? first->configuration : shipped;
+    const Slot first = read(0U);
+    const Slot second = read(1U);
+    const Slot& latest = (latest_of(first, second) == 0U) ? first : second;
+    LssConfiguration found = (latest.state == BankState::sound) ? latest.configuration : shipped;
+    found.damaged = (latest.state == BankState::doubtful) || (latest.state == BankState::damaged);
+    return found;
 }
 
 static_assert(implements<req::CO_LSS_020>);
 LssError LssStore::store(const LssConfiguration& configuration) noexcept {
-    const auto first = read(0U);
-    const auto second = read(1U);
-    // The slot that is not in use takes the new configuration.
-    const bool second_is_older =
-        first.has_value() && (!second.has_value() || is_newer(first->sequence, second->sequence));
-    std::uint32_t sequence{0U};
-    if (second_is_older) {
-        sequence = first->sequence + 1U;
-    } else if (second.has_value()) {
-        sequence = second->sequence + 1U;
-    } else {
-        // nothing stored yet
+    const Slot first = read(0U);
+    const Slot second = read(1U);
+    const std::size_t before = latest_of(first, second);
+    const std::uint32_t sequence = (before == 0U) ? first.sequence : second.sequence;
+    if (!write(1U - before, Slot{BankState::sound, sequence + 1U, configuration})) {
+        return LssError::storage_failed;
     }
-    const bool done = write(second_is_older ? 1U : 0U, Slot{sequence, configuration});
-    return done ? LssError::none : LssError::storage_failed;
+    // Without this the older of two sound slots would lie there as before: the sequence number still tells it.
+    static_cast<void>(mark(before, void_marker));
+    return memory_.commit() ? LssError::none : LssError::storage_failed;
 }
 
 }  // namespace canproof

@@ -1,9 +1,9 @@
-// Node-ID and bit rate in the non-volatile memory: what LSS stores (CiA 305, 6.4.5). Two slots take turns, so that a
-// power cut at any byte leaves the old configuration or the new one.
+// Node-ID and bit rate in the non-volatile memory: what LSS stores (CiA 305, 6.4.5). Two slots take turns as the banks
+// of ParameterStore do, so that a power cut at any byte leaves the old configuration or the new one, and a damaged slot
+// is neither.
 #pragma once
 
-#include <optional>
-
+#include "firmware/base/commit_marker.hpp"
 #include "firmware/base/non_volatile_memory.hpp"
 #include "firmware/canopen/lss.hpp"
 
@@ -18,20 +18,23 @@ class LssStore {
 
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}
 
-    /// What was stored last, or `shipped` when nothing sound is stored.
+    /// What was stored last, or `shipped` when nothing is stored or what is stored is damaged.
     LssConfiguration load(const LssConfiguration& shipped) const noexcept;
     /// LssError::storage_failed when the memory failed; what was stored before is then still stored.
     LssError store(const LssConfiguration& configuration) noexcept;
 
   private:
     struct Slot {
+        BankState state{BankState::unused};
         std::uint32_t sequence{0U};
         LssConfiguration configuration{};
     };
 
     std::size_t address(std::size_t slot) const noexcept;
-    std::optional<Slot> read(std::size_t slot) const noexcept;
+    Slot read(std::size_t slot) const noexcept;
+    static std::size_t latest_of(const Slot& first, const Slot& second) noexcept;
     bool write(std::size_t slot, const Slot& content) noexcept;
+    bool mark(std::size_t slot, std::uint8_t marker) noexcept;
 
     NonVolatileMemory& memory_;
 };

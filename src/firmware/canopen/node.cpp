@@ -26,7 +26,7 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       queue_{queue},
       application_{application},
       profile_{profile},
-      store_{objects, memory, profile.stored_node_id},
+      store_{objects, memory},
       sdo_{*this, queue, profile.block_sdo},
       emcy_{objects, queue, errors, profile.error_list, profile.emcy_content},
       sync_{objects, queue},
@@ -46,23 +46,35 @@ static_assert(implements<req::CO_PDO_030>);
 void Node::load_group(const ParameterGroup group) noexcept {
     objects_.load_defaults(group, node_id_);
     application_.put_factory_values(group);
-    store_.load(group_bit(group), node_id_);
+    store_.load(group, node_id_);
+}
+
+void Node::load_all() noexcept {
+    load_group(ParameterGroup::communication);
+    load_group(ParameterGroup::manufacturer);
+    load_group(ParameterGroup::application);
+}
+
+static_assert(implements<req::CO_STORE_006> && implements<req::CO_LSS_065>);
+void Node::tell_damage(const Instant now) noexcept {
+    emcy_.set(ErrorId::stored_set_checksum, store_.is_damaged() || lss_.is_damaged(), now);
 }
 
 static_assert(implements<req::CO_NMT_005>);
 void Node::reset_node(const Instant now) noexcept {
     lss_.restore(now);
     node_id_ = lss_.take_node_id();
-    const StoredSet found = store_.open();
-    load_group(ParameterGroup::communication);
-    load_group(ParameterGroup::manufacturer);
-    load_group(ParameterGroup::application);
+    store_.open();
+    load_all();
+    if (store_.is_damaged()) {
+        load_all();  // a value could not be read: nothing of that set is used
+    }
     emcy_.enable(false, now);
     emcy_.reset();
     faults_ = CommunicationFaults{};
     communication_failed_ = false;
     application_.restart(now);
-    emcy_.set(ErrorId::stored_set_checksum, found == StoredSet::corrupt, now);
+    tell_damage(now);
     emcy_.set(ErrorId::can_overrun, overrun_, now);  // what outlasts the reset is an error of the new life as well
     boot_up(now);
 }
@@ -71,7 +83,11 @@ static_assert(implements<req::CO_NMT_006>);
 void Node::reset_communication(const Instant now) noexcept {
     node_id_ = lss_.take_node_id();
     load_group(ParameterGroup::communication);
+    if (store_.is_damaged()) {
+        load_group(ParameterGroup::communication);
+    }
     emcy_.refresh();
+    tell_damage(now);
     boot_up(now);
 }
 
@@ -353,6 +369,7 @@ void Node::announce(const CommunicationFaults faults, const Instant now) noexcep
         emcy_.set(error_after(ErrorId::heartbeat_1, slot), silent, now, heartbeats_.producer(slot));
     }
     emcy_.set(ErrorId::rpdo_length, faults.has(Faults::rpdo_short), now);
+    emcy_.set(ErrorId::rpdo_value, faults.has(Faults::rpdo_refused), now);
     emcy_.set(ErrorId::rpdo_timeout, faults.has(Faults::rpdo_overdue), now);
 }
 
@@ -369,7 +386,6 @@ void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now)
     if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
         enter(NmtState::pre_operational, now);
     } else if (wanted == to_stopped) {
-    emcy_.set(ErrorId::rpdo_value, faults.has(Faults::rpdo_refused), now);
         enter(NmtState::stopped, now);
     } else {
         // no change of state

@@ -24,9 +24,8 @@ struct NodeProfile {
     EmcyContent emcy_content{EmcyContent::listed_errors};
     std::uint8_t rpdos_answering_remote{0U};    ///< bit n: RTR on RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
-    StoredNodeId stored_node_id{StoredNodeId::holds};  ///< of COB-IDs that stood at their default when they were stored
-    bool block_sdo{false};                             ///< SDO block transfer is offered
-    LssProfile lss{};                                  ///< bit rates and habits of the device's LSS; none without
+    bool block_sdo{false};                      ///< SDO block transfer is offered
+    LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
@@ -193,6 +192,8 @@ class Node final : private ObjectAccess {
     void reset_node(Instant now) noexcept;
     void reset_communication(Instant now) noexcept;
     void load_group(ParameterGroup group) noexcept;
+    void load_all() noexcept;
+    void tell_damage(Instant now) noexcept;
     void boot_up(Instant now) noexcept;
     void enter(NmtState state, Instant now) noexcept;
 
@@ -218,8 +219,8 @@ class Node final : private ObjectAccess {
         static constexpr std::uint32_t rpdo_overdue = 0x200U;
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;
-
         static constexpr std::uint32_t rpdo_refused = 0x1000U;
+
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
@@ -233,8 +234,8 @@ class Node final : private ObjectAccess {
                                    (error_control_.life_guarding_failed() ? CommunicationFaults::guarding : 0U) |
                                    (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
                                    (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
-                                   ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
                                    (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
+                                   ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
     }
     void watch_communication(const Instant now) noexcept {
         const CommunicationFaults faults = communication_faults();

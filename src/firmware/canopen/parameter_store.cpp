@@ -13,15 +13,16 @@ using generated::canopen::restore_signature;
 using generated::canopen::store_signature;
 
 constexpr std::uint32_t store_index = 0x1010U;
-constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory
-constexpr std::size_t longest_value = 64U;         // of those that are stored
-constexpr std::size_t piece_size = 16U;            // a bank is checked and copied in pieces, none shorter than a number
+constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory, the marker of a committed bank at its end
+constexpr std::uint8_t committed_marker = 0x53U;
+constexpr std::size_t longest_value = 64U;  // of those that are stored
+constexpr std::size_t piece_size = 16U;     // a bank is checked and copied in pieces, none shorter than a number
 // Fields of a bank's header.
 constexpr std::size_t magic_at = 0U;
 constexpr std::size_t layout_at = 4U;
 constexpr std::size_t sequence_at = 8U;
 constexpr std::size_t groups_at = 12U;
-constexpr std::size_t node_id_at = 13U;
+constexpr std::size_t node_ids_at = 13U;  // one for each group
 
 template <std::size_t at, std::size_t size>
 std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {
@@ -91,36 +92,26 @@ std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
     return stored.end();
 }
 
-/// Never written: as the memory was made, or as it was erased.
-bool is_blank(const ByteView bytes) noexcept {
-    bool same{true};
-    for (std::size_t i = 1U; i < bytes.size(); ++i) {
-        same = same && (std::uint32_t{bytes[i]} == bytes[0]);
-    }
-    return same && ((bytes[0] == 0xFFU) || (bytes[0] == 0x00U));
-}
-
 }  // namespace
 
-ParameterStore::ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory,
-                               const StoredNodeId stored_node_id) noexcept
-    : objects_{objects},
-      memory_{memory},
-      stored_node_id_{stored_node_id},
-      payload_size_{size_of_stored(objects.tables())} {}
+ParameterStore::ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept
+    : objects_{objects}, memory_{memory}, payload_size_{size_of_stored(objects.tables())} {}
 
 bool ParameterStore::is_ours(const Header& header) const noexcept {
     return (number_at<magic_at>(header) == bank_magic) && (number_at<layout_at>(header) == objects_.tables().layout);
 }
 
-/// The CRC behind a bank is that of its bytes.
+/// The CRC behind a bank is that of its bytes, whatever its marker is by now.
 bool ParameterStore::is_intact(const std::size_t bank) const noexcept {
     Crc32 crc{};
     std::array<std::uint8_t, piece_size> bytes{};
     for (std::size_t at = 0U; at < bank_size(); at += piece_size) {
-        const MutableBytes piece = MutableBytes{bytes}.part(0U, bank_size() - at);
+        MutableBytes piece = MutableBytes{bytes}.part(0U, bank_size() - at);
         if (!memory_.read(bank_address(bank) + at, piece)) {
             return false;
+        }
+        if (at == 0U) {
+            piece.set(commit_marker_at, committed_marker);
         }
         crc.add(piece.view());
     }
@@ -131,52 +122,70 @@ void ParameterStore::use(const std::size_t bank, const Header& header) noexcept 
     bank_ = bank;
     sequence_ = number_at<sequence_at>(header);
     groups_ = header[groups_at];
-    saved_node_id_ = header[node_id_at];
+    for (std::size_t group = 0U; group < parameter_group_count; ++group) {
+        saved_node_ids_[group] = header[node_ids_at + group];
+    }
     in_use_ = true;
 }
 
-StoredSet ParameterStore::open() noexcept {
-    in_use_ = false;
-    groups_ = no_groups;
+BankState ParameterStore::inspect(const std::size_t bank, Header& header) const noexcept {
+    const bool is_readable = memory_.read(bank_address(bank), MutableBytes{header});
+    const BankState state = state_by_marker(is_readable, ByteView{header}, committed_marker);
+    header[commit_marker_at] = committed_marker;
+    const bool is_sound = (state != BankState::unused) && is_readable && is_ours(header) && is_intact(bank);
+    return is_sound ? BankState::sound : state;
+}
+
+void ParameterStore::open() noexcept {
+    bank_ = bank_count - 1U;
     sequence_ = 0U;
-    bool anything_written{false};
+    BankState held{BankState::unused};
     for (std::size_t bank = 0U; bank < bank_count; ++bank) {
         Header header{};
-        const bool readable = memory_.read(bank_address(bank), MutableBytes{header});
-        anything_written = anything_written || !readable || !is_blank(ByteView{header});
-        const bool newer = !in_use_ || is_newer(number_at<sequence_at>(header), sequence_);
-        if (readable && newer && is_ours(header) && is_intact(bank)) {
+        const BankState found = inspect(bank, header);
+        const bool is_newer_set = (found == BankState::sound) && is_newer(number_at<sequence_at>(header), sequence_);
+        if ((found > held) || ((found == held) && is_newer_set)) {
+            held = found;
             use(bank, header);
         }
     }
-    if (in_use_) {
-        return StoredSet::valid;
-    }
-    return anything_written ? StoredSet::corrupt : StoredSet::empty;
-}
-
-/// Moves a stored value from the node-ID with which it was saved to the one in use.
-void ParameterStore::follow_node_id(const EntryRow& row, MutableBytes& value) const noexcept {
-    if ((stored_node_id_ == StoredNodeId::holds) || !row.may(rights::node_id)) {
-        return;
-    }
-    const std::uint64_t base = objects_.default_bits(row);
-    if (read_le(value.view(), 0U, row.size) == (base + saved_node_id_)) {
-        value.set_le(0U, row.size, base + node_id_);
+    damaged_ = (held == BankState::doubtful) || (held == BankState::damaged);
+    if (held != BankState::sound) {
+        give_up();
     }
 }
 
-void ParameterStore::load(const ParameterGroups groups, const std::uint8_t node_id) noexcept {
+/// Nothing stored counts.
+void ParameterStore::give_up() noexcept {
+    in_use_ = false;
+    groups_ = no_groups;
+}
+
+static_assert(implements<req::CO_PDO_035>);
+void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id) noexcept {
     node_id_ = node_id;
-    const ParameterGroups wanted = groups & groups_;
+    const ParameterGroups wanted = group_bit(group) & groups_;
+    const std::uint8_t saved_node_id = saved_node_ids_[static_cast<std::size_t>(group)];
     StoredEntries stored{objects_.tables()};
     std::array<std::uint8_t, longest_value> bytes{};
     while (stored.next()) {
+        if ((stored.group() & wanted) == 0U) {
+            continue;
+        }
         const EntryRef& entry = stored.entry();
-        MutableBytes value = MutableBytes{bytes}.part(0U, entry.row->size);
-        if (((stored.group() & wanted) != 0U) && memory_.read(payload() + stored.offset(), value)) {
-            follow_node_id(*entry.row, value);
-            static_cast<void>(objects_.put(entry, value.view()));
+        const EntryRow& row = *entry.row;
+        const MutableBytes value = MutableBytes{bytes}.part(0U, row.size);
+        if (!memory_.read(payload() + stored.offset(), value)) {
+            damaged_ = true;
+            give_up();
+            return;
+        }
+        static_cast<void>(objects_.put(entry, value.view()));
+        if (row.may(rights::node_id)) {
+            const std::uint64_t base = objects_.default_bits(row);
+            if (objects_.bits(row) == (base + saved_node_id)) {
+                static_cast<void>(objects_.put_bits(row, base + node_id));
+            }
         }
     }
 }
@@ -196,8 +205,13 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t val
     return write_set(is_store ? groups : no_groups, kept);
 }
 
-void ParameterStore::Writer::write(const ByteView bytes) noexcept {
-    crc_.add(bytes);
+void ParameterStore::Writer::write_header(Header header) noexcept {
+    crc_.add(ByteView{header});
+    header[commit_marker_at] = void_marker;
+    put(ByteView{header});
+}
+
+void ParameterStore::Writer::put(const ByteView bytes) noexcept {
     if (done_) {
         done_ = memory_.write(at_, bytes);
     }
@@ -212,7 +226,6 @@ void ParameterStore::keep_value(const EntryRow& row, const std::size_t from, Wri
         if (!memory_.read(from + at, piece)) {
             to.fail();
         }
-        follow_node_id(row, piece);
         to.write(piece.view());
     }
 }
@@ -229,21 +242,31 @@ void ParameterStore::write_values(const ParameterGroups fresh, Writer& to) const
     }
 }
 
+bool ParameterStore::mark(const std::size_t bank, const std::uint8_t marker) noexcept {
+    return memory_.write(bank_address(bank) + commit_marker_at, ByteView{&marker, 1U});
+}
+
 static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005> && implements<req::CO_STORE_010>);
 AbortCode ParameterStore::write_set(const ParameterGroups fresh, const ParameterGroups kept) noexcept {
     if (memory_.size() < needed_size()) {
         return AbortCode::hardware_error;
     }
-    const std::size_t to_bank = in_use_ ? (1U - bank_) : 0U;
+    const std::size_t to_bank = 1U - bank_;
+    if (!mark(to_bank, void_marker)) {
+        return AbortCode::hardware_error;
+    }
     Header header{};
     set_field_le<magic_at, 4U>(header, bank_magic);
     set_field_le<layout_at, 4U>(header, objects_.tables().layout);
     set_field_le<sequence_at, 4U>(header, sequence_ + 1U);
     header[groups_at] = static_cast<std::uint8_t>(fresh | kept);
-    header[node_id_at] = node_id_;
+    for (std::size_t group = 0U; group < parameter_group_count; ++group) {
+        const bool is_fresh = (((fresh >> group) & 1U) != 0U) || !in_use_;
+        header[node_ids_at + group] = is_fresh ? node_id_ : saved_node_ids_[group];
+    }
 
     Writer to{memory_, bank_address(to_bank)};
-    to.write(ByteView{header});
+    to.write_header(header);
     write_values(fresh, to);
     std::array<std::uint8_t, crc_size> crc{};
     set_field_le<0U, crc_size>(crc, to.crc());
@@ -251,6 +274,11 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!to.done() || !is_intact(to_bank)) {
         return AbortCode::hardware_error;
     }
+    if (!mark(to_bank, committed_marker)) {
+        return AbortCode::hardware_error;
+    }
+    // Without this the older of two sound banks would lie there as before: the sequence number still tells it.
+    static_cast<void>(mark(bank_, void_marker));
     if (!memory_.commit()) {
         return AbortCode::hardware_error;
     }

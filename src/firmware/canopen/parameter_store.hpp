@@ -1,11 +1,12 @@
 // Stored parameters: 1010h and 1011h on a memory in which a power cut at any byte leaves the old set or the new (CiA
 // 301, 7.5.2.13).
 //
-// Two banks take turns. A save writes a whole new set with the next sequence number into the bank that is not in use;
-// only its last bytes, the CRC, make it valid. Start-up uses the valid bank with the higher number, so that an
-// interrupted save was never made.
+// Two banks take turns. A save makes the bank that is not in use void, writes a whole new set with the next sequence
+// number and a CRC into it, commits it by its marker and makes the other bank void. An interrupted save leaves a void
+// bank and was never made; a bank that is not void and whose CRC is wrong is damaged, and then no stored set is used.
 #pragma once
 
+#include "firmware/base/commit_marker.hpp"
 #include "firmware/base/crc32.hpp"
 #include "firmware/base/non_volatile_memory.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
@@ -20,28 +21,17 @@ constexpr ParameterGroups group_bit(const ParameterGroup group) noexcept {
     return ParameterGroups{1U} << static_cast<std::uint32_t>(group);
 }
 
-/// What start-up found in the memory.
-enum class StoredSet : std::uint8_t {
-    empty,   ///< never saved
-    valid,   ///<
-    corrupt  ///< something was saved, but no bank is sound: defaults apply
-};
-
-/// What becomes of stored values that stood at their default, a base with the node-ID added, when the node-ID changes.
-enum class StoredNodeId : std::uint8_t {
-    holds,   ///< they stay as they were stored (CAN-CBX-AO412, 7.5.1)
-    follows  ///< they get the new node-ID (AX130751 3.2.14, 3.2.15)
-};
-
 class ParameterStore {
   public:
-    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory, StoredNodeId stored_node_id) noexcept;
+    ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept;
 
     /// Looks for the bank in use; call after power-on and before load().
-    StoredSet open() noexcept;
-    /// Puts the stored values of `groups` into the dictionary of the node `node_id`; groups that were never saved are
-    /// left alone.
-    void load(ParameterGroups groups, std::uint8_t node_id) noexcept;
+    void open() noexcept;
+    /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved is
+    /// left alone. A value that stood at its default, a base with the node-ID added, when it was saved does so again.
+    void load(ParameterGroup group, std::uint8_t node_id) noexcept;
+    /// A set was saved that open() or load() could not read: nothing of it counts any more, defaults apply.
+    bool is_damaged() const noexcept { return damaged_; }
 
     /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
     /// when the memory failed; what was stored before is then still stored.
@@ -67,12 +57,19 @@ class ParameterStore {
       public:
         Writer(NonVolatileMemory& memory, const std::size_t at) noexcept : memory_{memory}, at_{at} {}
 
-        void write(ByteView bytes) noexcept;
+        /// The header counts as it will be once the bank is committed.
+        void write_header(Header header) noexcept;
+        void write(const ByteView bytes) noexcept {
+            crc_.add(bytes);
+            put(bytes);
+        }
         void fail() noexcept { done_ = false; }
         bool done() const noexcept { return done_; }
         std::uint32_t crc() const noexcept { return crc_.value(); }
 
       private:
+        void put(ByteView bytes) noexcept;
+
         NonVolatileMemory& memory_;
         std::size_t at_;
         Crc32 crc_{};
@@ -84,25 +81,27 @@ class ParameterStore {
     /// Where the stored values of the bank in use begin.
     std::size_t payload() const noexcept { return bank_address(bank_) + header_size; }
 
+    BankState inspect(std::size_t bank, Header& header) const noexcept;
     bool is_ours(const Header& header) const noexcept;
     bool is_intact(std::size_t bank) const noexcept;
     void use(std::size_t bank, const Header& header) noexcept;
     AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
-    void follow_node_id(const EntryRow& row, MutableBytes& value) const noexcept;
+    void give_up() noexcept;
+    bool mark(std::size_t bank, std::uint8_t marker) noexcept;
     void write_values(ParameterGroups fresh, Writer& to) const noexcept;
     void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
-    StoredNodeId stored_node_id_;
     std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
     std::size_t payload_size_;  ///< bytes of all stored values
     std::uint8_t mark_{0U};     ///< of the next save
-    std::size_t bank_{0U};      ///< the bank in use, and what its header says:
+    std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the other takes the next save
     std::uint32_t sequence_{0U};
     ParameterGroups groups_{no_groups};  ///< and the mark above them; none when nothing is stored
-    std::uint8_t saved_node_id_{0U};     ///< of the node that saved
+    std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< of the node that saved each group
     bool in_use_{false};
+    bool damaged_{false};
 };
 
 }  // namespace canproof

@@ -13,7 +13,6 @@ constexpr NodeProfile axiomatic_profile(const std::array<LssBitRate, N>& bit_rat
     profile.limit_abort = LimitAbort::high_low;
     profile.error_list = ErrorList::active;
     profile.emcy_content = EmcyContent::detail;
-    profile.stored_node_id = StoredNodeId::follows;
     profile.lss = LssProfile{bit_rates, true};
     profile.tpdo_trigger = TpdoTrigger::event_timer;
     return profile;

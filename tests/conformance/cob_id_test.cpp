@@ -1,0 +1,71 @@
+// COB-IDs and the node-ID in each device (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805, 4.2.14): what
+// nobody has set follows the node-ID although 1010h has stored it; what a user has set holds.
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+#include "support/device_by_sdo.hpp"
+#include "support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// Begins as node 3 and looks at the first RPDO that each device has.
+class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
+  protected:
+    std::uint32_t cob_id() { return unit.read(index, 1); }
+    /// By way of an RPDO that is not valid.
+    void set_cob_id(std::uint32_t value) {
+        ASSERT_TRUE(unit.write(index, 1, 4, cob_id() | 0x80000000U));
+        ASSERT_TRUE(unit.write(index, 1, 4, value));
+    }
+    DeviceBySdo unit{GetParam(), 3};
+    const unsigned index = std::string{GetParam()} == "cbx-ao412" ? 0x1401 : 0x1400;
+    const std::uint32_t as_shipped = cob_id();  ///< of node 3
+};
+
+}  // namespace
+
+TEST_P(CobIdOfTheDevice, ThatNobodyHasSetFollowsTheNodeIdAlthoughItIsStored) {
+    verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
+    EXPECT_EQ(as_shipped & 0x7FU, 3U);
+    ASSERT_TRUE(unit.save());
+    unit.move_to(9);
+    EXPECT_EQ(cob_id(), as_shipped + 6);
+    ASSERT_TRUE(unit.save(3));  // another group, at another node-ID
+    unit.move_to(4);
+    EXPECT_EQ(cob_id(), as_shipped + 1);
+    ASSERT_TRUE(unit.save(2));
+    unit.move_to(3);
+    EXPECT_EQ(cob_id(), as_shipped);
+}
+
+TEST_P(CobIdOfTheDevice, ThatWasSetHoldsOnceItIsStored) {
+    verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
+    set_cob_id(as_shipped + 0x40);
+    unit.power_cycle();
+    EXPECT_EQ(cob_id(), as_shipped);  // not stored
+    set_cob_id(as_shipped + 0x40);
+    ASSERT_TRUE(unit.save());
+    for (const int node_id : {9, 3, 0x43}) {
+        unit.move_to(node_id);
+        EXPECT_EQ(cob_id(), as_shipped + 0x40) << node_id;
+    }
+}
+
+TEST_P(CobIdOfTheDevice, ThatWasSetToTheDefaultOfAnotherNodeHoldsWhenThatNodeSavesAnotherGroup) {
+    verifies<req::CO_PDO_035, req::CO_STORE_001>();
+    set_cob_id(as_shipped + 6);  // that of node 9
+    ASSERT_TRUE(unit.save(2));
+    unit.move_to(9);
+    EXPECT_EQ(cob_id(), as_shipped + 6);
+    ASSERT_TRUE(unit.save(3));
+    unit.move_to(3);
+    EXPECT_EQ(cob_id(), as_shipped + 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CobIdOfTheDevice, testing::Values("ax060805", "ax130751", "ax188001", "cbx-ao412"),
+                         [](const auto& one) {
+                             return std::string{one.param}.substr(0, 3) + std::to_string(one.index);
+                         });
+
+}  // namespace canproof::test
