@@ -25,7 +25,7 @@ constexpr std::uint32_t math_digits_index = 0x4032U;
 constexpr std::uint32_t math_scaling_1_index = 0x4021U;
 constexpr std::uint32_t math_scaling_2_index = 0x4023U;
 
-/// Whether a write to `entry` may have given a source another minimum (Table 5). That of a supply never lies below 0.
+/// Whether a write to `entry` may have given a source another minimum (Table 5). Other sources are never below 0.
 bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
     const std::uint32_t index = entry.index;
     const bool of_channel = std::uint32_t{entry.row->subindex} == ref.channel;
@@ -47,11 +47,6 @@ bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
             return std::uint32_t{table_entry(entry.index).table} == ref.channel;
         case Quantity::temperature:
             return (index == over_temperature_index) || (index == cooling_index);
-        case Quantity::none:
-        case Quantity::digital_command:
-        case Quantity::relay_command:
-        case Quantity::logic:
-        case Quantity::supply:
         default:
             return false;
     }
