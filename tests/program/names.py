@@ -70,9 +70,19 @@ def factory():
             assert status == 2 and out == "" and f"--factory {given}" in err, f"{words} {given}: {status} {out}{err}"
 
 
+def part_numbers():
+    """Each part number of the catalogue is a name; the catalogue says in what it differs."""
+    listed = call("devices")[1]
+    for number in ("AX060835", "AX060840", "AX060841", "AX130771"):
+        assert f"{number}: " in listed, listed
+        status, _, err = call("run", f"{number.lower()}@5", "--seconds", "0.05")
+        assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
+
+
 refused()
+part_numbers()
 factory()
 named()
 shared()
 switches()
-print("node-IDs: refused, named, shared, switches; factory data")
+print("node-IDs: refused, named, shared, switches; part numbers, factory data")

@@ -34,6 +34,9 @@ int list_devices() {
                        fmt::format("{}", fmt::join(part.info.part_numbers, ", ")), part.info.node_id,
                        fmt::format("{} bit/s", part.info.bit_rate),
                        make_device(part.name) == nullptr ? "not yet" : "yes");
+            for (const std::string& variant : part.info.variants) {
+                fmt::print("{:<12}{}\n", "", variant);
+            }
         }
     }
     return 0;
@@ -41,8 +44,8 @@ int list_devices() {
 
 namespace {
 
-void list_factory_data(const Part& part) {
-    const auto keys = factory_keys(part);
+void list_factory_data(const Part& part, const std::string& part_number) {
+    const auto keys = factory_keys(part, part_number);
     if (!keys.empty()) {
         fmt::print("\n{:<31}{:<16}{:<6}{:<26}{}\n", "factory data, --factory", "type", "unit", "range", "meaning");
     }
@@ -66,7 +69,7 @@ int list_signals(const std::string& device) {
                        signal.unit, range, signal.text);
         }
     }
-    list_factory_data(part);
+    list_factory_data(part, part_number_of(device, part));
     return 0;
 }
 

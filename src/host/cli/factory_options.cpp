@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "host/devices/angle_range.hpp"
+#include "host/plant/sensor_errors.hpp"
 
 namespace canproof::host {
 
@@ -53,6 +54,36 @@ std::optional<double> number_of(const std::string& text, const std::string& type
     return *end == '\0' && std::isfinite(value) ? std::optional<double>{value} : std::nullopt;
 }
 
+FactoryKey error_key(const char* name, double greatest, const char* unit, const char* text) {
+    FactoryKey key;
+    key.name = name;
+    key.type = "REAL32";
+    key.unit = unit;
+    key.minimum = -greatest;
+    key.maximum = greatest;
+    key.text = text;
+    return key;
+}
+
+/// What no object of an AX060805 shows: its angle range and its sensor's errors (3.5, 5.1.1).
+void add_sensor_keys(std::vector<FactoryKey>& keys, std::uint16_t model) {
+    FactoryKey range;
+    range.name = angle_range_key;
+    range.type = "VISIBLE_STRING";
+    range.unit = "deg";
+    for (const AngleRange& one : angle_ranges) {
+        range.words.emplace_back(one.word);
+    }
+    range.text = "angle configuration, Table 8";
+    keys.push_back(range);
+    const SensorErrors greatest = greatest_errors(model);
+    keys.push_back(
+        error_key("sensor_initial_error", greatest.initial, "deg", "error of the angles at 25 degC, Table 62"));
+    keys.push_back(error_key("sensor_drift", greatest.drift, "deg", "temperature drift, Table 62"));
+    keys.push_back(error_key("sensor_nonlinearity", greatest.nonlinearity, "%", "non-linearity, Table 62"));
+    keys.push_back(error_key("sensor_cross_axis", greatest.cross_axis, "%", "cross-axis sensitivity, Table 62"));
+}
+
 void put(FactoryValues& values, const FactoryKey& key, const std::string& value, const std::string& whole) {
     const auto refuse = [&] {
         throw InputError{fmt::format("--factory {}: {} takes {}", whole, key.name, key.range())};
@@ -75,6 +106,21 @@ void put(FactoryValues& values, const FactoryKey& key, const std::string& value,
 
 }  // namespace
 
+std::string part_number_of(const std::string& name, const Part& part) {
+    const auto lower = [](std::string text) {
+        std::transform(text.begin(), text.end(), text.begin(),
+                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        return text;
+    };
+    const std::string word = lower(name.substr(0, name.find('@')));
+    for (const std::string& number : part.info.part_numbers) {
+        if (word != part.name && lower(number) == word) {
+            return number;
+        }
+    }
+    return {};
+}
+
 std::string FactoryKey::range() const {
     if (!words.empty()) {
         return fmt::format("{}", fmt::join(words, ", "));
@@ -86,7 +132,7 @@ std::string FactoryKey::range() const {
                                 : fmt::format("{} … {}", minimum, maximum);
 }
 
-std::vector<FactoryKey> factory_keys(const Part& part) {
+std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_number) {
     std::vector<FactoryKey> keys;
     for (const Object& object : part.objects) {
         for (const Entry& entry : object.entries) {
@@ -96,15 +142,7 @@ std::vector<FactoryKey> factory_keys(const Part& part) {
         }
     }
     if (part.name == "ax060805") {
-        FactoryKey key;
-        key.name = angle_range_key;
-        key.type = "VISIBLE_STRING";
-        key.unit = "deg";
-        for (const AngleRange& one : angle_ranges) {
-            key.words.emplace_back(one.word);
-        }
-        key.text = "angle configuration, Table 8";
-        keys.push_back(key);
+        add_sensor_keys(keys, model_of(part_number.empty() ? part.name : part_number));
     }
     return keys;
 }
@@ -130,8 +168,9 @@ FactoryOptions::FactoryOptions(const std::vector<std::string>& given) {
 }
 
 FactoryValues FactoryOptions::for_device(const std::string& name, const Part& part) {
-    const std::vector<FactoryKey> keys = factory_keys(part);
     FactoryValues values;
+    values.set_part_number(part_number_of(name, part));
+    const std::vector<FactoryKey> keys = factory_keys(part, values.part_number());
     for (Given& one : given_) {
         if (!one.device.empty() && one.device != name && one.device != name.substr(0, name.find('@'))) {
             continue;

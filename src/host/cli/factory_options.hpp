@@ -1,5 +1,5 @@
 // `--factory KEY=VALUE`: what belongs to one unit and left the factory with it. The keys are the entries that the
-// register marks so, with their types and ranges, and the angle range of the AX060805.
+// register marks so, with their types and ranges, and what a unit of the AX060805 has that no object shows.
 #pragma once
 
 #include <string>
@@ -23,7 +23,12 @@ struct FactoryKey {
     std::string range() const;
 };
 
-std::vector<FactoryKey> factory_keys(const Part& part);
+/// The part number that a device is named by, NAME or NAME@NODE; empty where it is the device's own name, which stands
+/// for all of them.
+std::string part_number_of(const std::string& name, const Part& part);
+
+/// Those of a unit of that part number; of the device's own name without one.
+std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_number = {});
 
 /// What the user gave: KEY=VALUE for every device that has the key, DEVICE.KEY=VALUE for one by its name.
 class FactoryOptions {

@@ -1,5 +1,7 @@
+#include "firmware/base/requirement.hpp"
 #include "firmware/devices/ax060805.hpp"
 #include "generated/ax060805/constants.hpp"
+#include "generated/ax060805/requirements.hpp"
 #include "host/devices/angle_range.hpp"
 #include "host/devices/devices.hpp"
 #include "host/devices/simulation.hpp"
@@ -28,10 +30,23 @@ ax060805::FactoryData factory_data(const FactoryValues& values) {
     return data;
 }
 
+SensorErrors sensor_errors(const FactoryValues& values) {
+    SensorErrors errors;
+    values.take("sensor_initial_error", errors.initial);
+    values.take("sensor_drift", errors.drift);
+    values.take("sensor_nonlinearity", errors.nonlinearity);
+    values.take("sensor_cross_axis", errors.cross_axis);
+    return errors;
+}
+
+static_assert(implements<req::INC_PLANT_005>);
 class Ax060805Simulation final
     : public Simulation<ax060805::Device, ax060805::Inputs, ax060805::Outputs, ax060805::FactoryData> {
   public:
-    explicit Ax060805Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
+    explicit Ax060805Simulation(const FactoryValues& factory)
+        : Simulation{memory_size, factory_data(factory)}, plant_{sensor_errors(factory)} {
+        inputs_.noise_of = model_of(factory.part_number());
+    }
 
     /// As if LSS had stored it; the bit rate stays.
     void set_node_id(NodeId node_id) override {
@@ -39,6 +54,10 @@ class Ax060805Simulation final
         LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
         configuration.node_id = node_id.value();
         store.store(configuration);
+    }
+    void power_on(Instant now) override {
+        plant_.add_noise(inputs_);
+        Simulation::power_on(now);
     }
     void advance(Instant now) override {
         Simulation::advance(now);

@@ -59,6 +59,9 @@ class FactoryValues {
             into[i] = static_cast<std::uint8_t>((*given)[i]);
         }
     }
+    /// The part number that the unit was named by; empty where it was the device's own name.
+    void set_part_number(const std::string& number) { part_number_ = number; }
+    const std::string& part_number() const { return part_number_; }
     std::optional<std::string> text(const std::string& key) const {
         const auto found = texts_.find(key);
         return found == texts_.end() ? std::nullopt : std::optional<std::string>{found->second};
@@ -67,6 +70,7 @@ class FactoryValues {
   private:
     std::map<std::string, double> numbers_;
     std::map<std::string, std::string> texts_;
+    std::string part_number_;
 };
 
 }  // namespace canproof::host

@@ -94,9 +94,10 @@ bool InclinometerPlant::is_noisy(const ax060805::Inputs& inputs) const {
 void InclinometerPlant::add_noise(ax060805::Inputs& inputs) {
     const double scatter = sample_noise(static_cast<double>(resolution_of(inputs.noise_of)));
     const bool noisy = is_noisy(inputs);
-    inputs.acceleration_x = noisy ? rest_.x + static_cast<float>(scatter * normal()) : rest_.x;
-    inputs.acceleration_y = noisy ? rest_.y + static_cast<float>(scatter * normal()) : rest_.y;
-    inputs.acceleration_z = noisy ? rest_.z + static_cast<float>(scatter * normal()) : rest_.z;
+    const Vector3 felt = with_errors(rest_, errors_, static_cast<double>(inputs.sensor_temperature));
+    inputs.acceleration_x = noisy ? felt.x + static_cast<float>(scatter * normal()) : felt.x;
+    inputs.acceleration_y = noisy ? felt.y + static_cast<float>(scatter * normal()) : felt.y;
+    inputs.acceleration_z = noisy ? felt.z + static_cast<float>(scatter * normal()) : felt.z;
 }
 
 /// By Box and Muller: std::normal_distribution differs between libraries.

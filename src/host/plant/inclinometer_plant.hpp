@@ -6,24 +6,29 @@
 #include <string>
 
 #include "firmware/devices/ax060805.hpp"
+#include "host/plant/sensor_errors.hpp"
 
 namespace canproof::host {
 
 class InclinometerPlant {
   public:
+    InclinometerPlant() = default;
+    explicit InclinometerPlant(const SensorErrors& errors) : errors_{errors} {}
+
     /// A stimulus was set in `inputs`: what it is the cause of changes there too. Whichever of pitch and roll, the
     /// quaternion and the accelerations came last makes the accelerations.
     void stimulus(const std::string& name, ax060805::Inputs& inputs);
     /// Whether each sample has noise of its own.
     bool is_noisy(const ax060805::Inputs& inputs) const;
-    /// The accelerations with noise for one sample; without noise, those of the attitude.
+    /// The accelerations for one sample: those of the attitude, with the sensor's errors and its noise.
     void add_noise(ax060805::Inputs& inputs);
 
   private:
     void take_axis(char axis, const ax060805::Inputs& inputs);
     double normal();
 
-    Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< what a sensor without noise feels, in g
+    SensorErrors errors_{};
+    Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< what a sensor without noise and errors feels, in g
     std::mt19937 noise_{1U};
 };
 

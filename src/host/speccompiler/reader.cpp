@@ -60,6 +60,7 @@ void read_device(TomlItem& item, Part& part) {
     info.manual = item.text("manual");
     info.manual_place = item.place("manual");
     info.part_numbers = item.texts("part_numbers", true);
+    info.variants = item.texts("variants", false);
     info.node_id = static_cast<int>(item.integer("node_id", 1, 127));
     info.node_id_note = item.text_or("node_id_note", "");
     info.bit_rate = item.integer("bit_rate", 1000, 1000000);

@@ -197,6 +197,7 @@ struct DeviceInfo {
     std::string vendor;
     std::string manual;
     std::vector<std::string> part_numbers;
+    std::vector<std::string> variants;  ///< `AX130771: CAN and outputs isolated`: in what a part number differs
     int node_id{0};
     std::string node_id_note;
     std::int64_t bit_rate{0};

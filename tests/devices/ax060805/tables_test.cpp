@@ -66,15 +66,21 @@ TEST(InclinometerTables, BinaryFunctions) {
     EXPECT_EQ(t::find(21), nullptr);
 }
 
-// 5.1.1 Table 62: AX060805 has 0.35 degrees; AX060835, AX060840 and AX060841 have 0.06. No other part is made.
-TEST(InclinometerTables, ResolutionByPartNumber) {
+// 5.1.1 Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06
+// degrees, 3.0 degrees, 0.1 % and 1 %. No other part is made.
+TEST(InclinometerTables, SensorByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::t_inc_t62;
     for (std::uint32_t part = 0; part <= 60841; ++part) {
-        const float resolution = part == 60805 ? 0.35F : part == 60835 || part == 60840 || part == 60841 ? 0.06F : 0.0F;
+        const bool first = part == 60805;
+        const bool second = part == 60835 || part == 60840 || part == 60841;
+        const auto either = [&](float one, float two) { return first ? one : second ? two : 0.0F; };
         const auto* row = t::find(part);
         ASSERT_NE(row, nullptr) << part;
-        EXPECT_EQ(row->resolution, resolution) << part;
+        EXPECT_EQ(row->resolution, either(0.35F, 0.06F)) << part;
+        EXPECT_EQ(row->drift, either(3.5F, 3.0F)) << part;
+        EXPECT_EQ(row->nonlinearity, either(0.7F, 0.1F)) << part;
+        EXPECT_EQ(row->cross_axis, either(3.5F, 1.0F)) << part;
         EXPECT_EQ(std::count_if(t::rows.begin(), t::rows.end(),
                                 [&](const t::Row& one) { return one.part_first <= part && part <= one.part_last; }),
                   1)
@@ -83,15 +89,20 @@ TEST(InclinometerTables, ResolutionByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first three are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz
+// The first three are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz; 2 degrees at
+// 25 degrees Celsius, drift from -40 on.
 TEST(InclinometerTables, Constants) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
-             req::INC_K_RATED_CUT_OFF>();
+             req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,
+             req::INC_K_LOWEST_AMBIENT>();
     EXPECT_EQ(own::gimbal_lock_cone, 1.0F);
     EXPECT_EQ(own::exact_angle, 0.00005F);
     EXPECT_EQ(own::least_gravity, 0.1F);
     EXPECT_EQ(own::resolution_factor, 3.46F);
     EXPECT_EQ(own::rated_cut_off, 5.0F);
+    EXPECT_EQ(own::initial_accuracy, 2.0F);
+    EXPECT_EQ(own::drift_reference, 25.0F);
+    EXPECT_EQ(own::lowest_ambient, -40.0F);
 }
 
 }  // namespace canproof::test
