@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "host/eds/eds_cob_ids.hpp"
 #include "host/eds/eds_entry.hpp"
 #include "host/eds/eds_numbers.hpp"
 #include "host/eds/eds_services.hpp"
@@ -52,6 +53,7 @@ class EdsReader {
                   [](const Object& a, const Object& b) { return a.index < b.index; });
         check_whole();
         read_commissioning();
+        mend_cob_ids(part, tell_);
         assign_services(part);
         for (Faults* all : {&result_.faults, &result_.notes}) {
             std::sort(all->begin(), all->end(), [](const Fault& a, const Fault& b) {

@@ -1,5 +1,6 @@
 // Data sheets as others write them: every way in which one can be wrong is told by line with what is assumed, and the
 // device runs; what is no data sheet at all is refused.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 namespace canproof::host::test {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST(ForeignEds, EveryFaultIsToldAtOnceWithLineAndAssumption) {
@@ -37,7 +39,8 @@ TEST(ForeignEds, EveryFaultIsToldAtOnceWithLineAndAssumption) {
     EXPECT_THAT(told, HasSubstr("object 2001h is listed already in line"));
     EXPECT_THAT(told,
                 HasSubstr(at("what is this") + "`what is this` is neither [Section] nor Key=Value; it is passed"));
-    EXPECT_EQ(read.notes.size(), 9U) << told;
+    EXPECT_THAT(told, HasSubstr("COB-ID of 1400h:1 is 0, which is that of NMT commands; $NODEID+0x200 is assumed"));
+    EXPECT_EQ(read.notes.size(), 10U) << told;
     EXPECT_TRUE(std::is_sorted(read.notes.begin(), read.notes.end(),
                                [](const Fault& a, const Fault& b) { return a.place.line < b.place.line; }));
     GenericSimulation device{read.part};
@@ -126,6 +129,36 @@ TEST(ForeignEds, ObjectInNoneOfTheListsExists) {
     const EdsResult none = read_eds("[2000]\nDataType=5\nAccessType=rw\nDefaultValue=7\n", "x");
     EXPECT_EQ(texts(none.faults), "");
     EXPECT_EQ(to_text(entry(none.part, 0x2000, 0).value), "7");
+}
+
+TEST(ForeignEds, CobIdsAreNeverThatOfNmtCommands) {
+    const std::string rest = "DataType=7\nAccessType=rw\n";
+    std::string text = "[1005]\n" + rest + "[100E]\n" + rest + "DefaultValue=0\n[1014]\n" + rest;
+    for (const char* index : {"1400", "1403", "1404", "1800", "1803", "1804"}) {
+        text += fmt::format("[{}]\nObjectType=9\n[{}sub1]\n", index, index) + rest;
+    }
+    text += "[1805]\nObjectType=9\n[1805sub1]\n" + rest + "DefaultValue=0x80000000\n";
+    const EdsResult read = read_eds(text, "x");
+    EXPECT_EQ(texts(read.faults), "");
+    const auto cob_id = [&](unsigned index, unsigned sub) {
+        const Entry& one = entry(read.part, index, sub);
+        return fmt::format("{}{:X}", one.node_id ? "node-ID + " : "", std::get<std::int64_t>(one.value));
+    };
+    // CiA 301, table of the pre-defined connection set
+    EXPECT_EQ(cob_id(0x1005, 0), "80");
+    EXPECT_EQ(cob_id(0x100E, 0), "node-ID + 700");
+    EXPECT_EQ(cob_id(0x1014, 0), "node-ID + 80");
+    EXPECT_EQ(cob_id(0x1400, 1), "node-ID + 200");
+    EXPECT_EQ(cob_id(0x1403, 1), "node-ID + 500");
+    EXPECT_EQ(cob_id(0x1404, 1), "80000000");
+    EXPECT_EQ(cob_id(0x1800, 1), "node-ID + 180");
+    EXPECT_EQ(cob_id(0x1803, 1), "node-ID + 480");
+    EXPECT_EQ(cob_id(0x1804, 1), "80000000");
+    EXPECT_EQ(cob_id(0x1805, 1), "80000000");
+    EXPECT_THAT(texts(read.notes), HasSubstr("x:" + std::to_string(line_of(text, "DefaultValue=0\n")) +
+                                             ": COB-ID of 100Eh:0 is 0, which is that of NMT commands; "
+                                             "$NODEID+0x700 is assumed"));
+    EXPECT_THAT(texts(read.notes), Not(HasSubstr("1805h:1")));
 }
 
 TEST(ForeignEds, LimitThatIsNoneLetsTheWholeTypeThrough) {

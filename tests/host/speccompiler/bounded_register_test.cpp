@@ -67,7 +67,7 @@ TEST(TomlDepth, DottedKeysAndBracketsAreCounted) {
 
 TEST(TomlDepth, TextsAndCommentsAreNot) {
     const std::string dots = repeated(".[", 40);
-    for (const std::string& quote : {"\"", "'", "\"\"\"", "'''"}) {
+    for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
         EXPECT_EQ(too_deep_in("a = " + quote + dots + quote + "\n"), std::nullopt) << quote;
         EXPECT_EQ(too_deep_in("a = " + quote + quote + "\n[b" + dots + "]\n"), 2U) << quote;
     }
