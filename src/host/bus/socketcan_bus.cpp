@@ -123,12 +123,19 @@ Instant SocketCanBus::poll(Instant now) {
         return known_;  // the run is behind: the rest waits in the kernel, which counts what it cannot hold
     }
     known_ = now;
+    const auto held = static_cast<std::ptrdiff_t>(arrived_.size());
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    std::sort(arrived_.begin(), arrived_.end(), [](const Arrival& a, const Arrival& b) {
+    // What was held is in order already: a run that is behind holds much of it, turn after turn.
+    const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
-    });
+    };
+    const auto news = arrived_.begin() + held;
+    std::sort(news, arrived_.end(), earlier);
+    if (news != arrived_.end()) {
+        std::sort(std::lower_bound(arrived_.begin(), news, *news, earlier), arrived_.end(), earlier);
+    }
     return known_;
 }
 

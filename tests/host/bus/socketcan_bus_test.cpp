@@ -446,4 +446,23 @@ TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
     EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
 }
 
+TEST_F(SocketCan, FrameThatIsReadLaterAndCameEarlierIsTakenFirst) {
+    start();
+    now.us += 1000;
+    system.realtime_us += 1000;
+    for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
+        system.arrive(monitor, "080#", us);
+    }
+    bus->poll(now);
+    system.arrive(first, "603#00", 5000200);
+    system.arrive(first, "603#01", 5000400);
+    bus->poll(now);
+    bus->advance(Instant{1000250});
+    EXPECT_THAT(log, ElementsAre("1000100 - 080#"));
+    EXPECT_THAT(a.heard, ElementsAre("1000200 603#00"));
+    bus->advance(now);
+    EXPECT_THAT(log, SizeIs(3));
+    EXPECT_THAT(a.heard, SizeIs(2));
+}
+
 }  // namespace canproof::host::test

@@ -76,7 +76,7 @@ TEST_F(PaceOfARun, LagIsToldOnceInTenSecondsAndItsEndOnce) {
     EXPECT_THAT(notices, SizeIs(1));
     cost = Duration{};
     turn();
-    EXPECT_THAT(notices, SizeIs(2));
+    ASSERT_THAT(notices, SizeIs(2));
     EXPECT_EQ(notices[1], "the simulation has caught up with the bus");
     turn();
     EXPECT_THAT(notices, SizeIs(2));
