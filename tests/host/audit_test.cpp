@@ -84,6 +84,15 @@ TEST_F(AuditOfASmallRegister, WithoutGapsIsSilent) {
     EXPECT_EQ(audit().items[0].status(), "shown");
 }
 
+TEST_F(AuditOfASmallRegister, TellsWhatADecisionAnswersAndWhyItDiffers) {
+    EXPECT_THAT(story("D-D-001")->text, Not(HasSubstr("topic")));
+    part().decisions[0].answer = {"heartbeat.range", "any", "its manual says so", "section 1 says so", {}};
+    const std::string text = story("D-D-001")->text;
+    for (const char* told : {"heartbeat.range: any", "its manual says so", "section 1 says so"}) {
+        EXPECT_THAT(text, HasSubstr(told));
+    }
+}
+
 TEST_F(AuditOfASmallRegister, AMissingKindIsAGap) {
     evidence.verdicts["D-A-001"].pop_back();
     EXPECT_THAT(gaps(), ElementsAre("D-A-001: no passed property"));

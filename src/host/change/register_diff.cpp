@@ -31,7 +31,15 @@ std::string cell_text(const Cell& cell) {
     return cell.any() ? "*" : fmt::format("{}", fmt::join(parts, " or "));
 }
 
+void add(Facets& facets, const Answer& answer) {
+    facets["topic"] = answer.topic;
+    facets["choice"] = answer.choice;
+    facets["differs"] = answer.differs;
+    facets["overrides"] = answer.overrides;
+}
+
 void add(Facets& facets, const Requirement& item) {
+    add(facets, item.answer);
     facets["kind"] = item.kind;
     facets["verify"] = joined(item.verify);
     facets["retired"] = item.retired;
@@ -102,6 +110,7 @@ void add(Facets& facets, const Signal& item) {
 }
 
 void add(Facets& facets, const Decision& item) {
+    add(facets, item.answer);
     facets["chosen"] = item.chosen;
     facets["because"] = item.because;
     facets["affects"] = item.affects.empty() ? item.none : joined(item.affects);

@@ -7,6 +7,8 @@ namespace canproof::host {
 
 /// Ids, sources, references and decisions of the whole register.
 void check_references(const Register& content, Faults& faults);
+/// Items that answer one question in two ways: in one folder, against a shared item, or in two devices of one maker.
+void check_topics(const Register& content, Faults& faults);
 /// Domains, gaps and overlaps of decision tables. Columns of an enumeration get its words.
 void check_tables(const Register& content, Part& part, Faults& faults);
 /// Types, names and values of constants, enumerations and signals.

@@ -23,6 +23,11 @@ class Print {
     Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
     /// A derived item has its reason in place of a section.
     Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
+    /// A review expires with the word of an answer: the check of topics compares by it.
+    Print& add_answer(const Answer& answer) {
+        return answer.topic.empty() ? *this
+                                    : add(answer.topic).add(answer.choice).add(answer.differs).add(answer.overrides);
+    }
     std::string text() const { return fmt::format("{:08x}", hash_); }
 
   private:
@@ -68,7 +73,7 @@ void add_row(Print& print, const Table::Row& row) {
 }  // namespace
 
 std::string fingerprint(const Requirement& requirement) {
-    return Print{}.add(requirement.text).add_origin(requirement).text();
+    return Print{}.add(requirement.text).add_origin(requirement).add_answer(requirement.answer).text();
 }
 
 std::string fingerprint(const Object& object) {
@@ -130,7 +135,7 @@ std::string fingerprint(const Decision& decision) {
     for (const auto& id : decision.affects) {
         print.add(id);
     }
-    return print.text();
+    return print.add_answer(decision.answer).text();
 }
 
 std::map<std::string, std::string> fingerprints(const Part& part) {

@@ -11,6 +11,7 @@ LoadResult load_register(const SpecFiles& files) {
     LoadResult result;
     result.content = read_register(files, result.faults);
     check_references(result.content, result.faults);
+    check_topics(result.content, result.faults);
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);

@@ -77,6 +77,44 @@ void read_device(TomlItem& item, Part& part) {
     item.finish();
 }
 
+/// Words of small letters and digits, joined by the characters of `joints`: no-block-transfer.
+bool is_joined_words(const std::string& text, const std::string& joints) {
+    bool within = false;
+    for (const char c : text) {
+        const bool known = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (!known && (!within || joints.find(c) == std::string::npos)) {
+            return false;
+        }
+        within = known;
+    }
+    return within;
+}
+
+Answer read_answer(TomlItem& item) {
+    Answer answer;
+    answer.topic = item.has("topic") ? item.text("topic") : "";
+    answer.place = item.place("topic");
+    answer.choice = item.has("topic") ? item.text("choice") : item.text_or("choice", "");
+    answer.differs = item.text_or("differs", "");
+    answer.overrides = item.text_or("overrides", "");
+    for (const char* key : {"choice", "differs", "overrides"}) {
+        if (item.has(key) && !item.has("topic")) {
+            item.fault(item.place(key), fmt::format("{} without a topic", key), "add `topic = …` or remove it");
+        }
+    }
+    if (!answer.topic.empty() && !is_joined_words(answer.topic, "-._")) {
+        item.fault(answer.place, fmt::format("topic {} is malformed", answer.topic),
+                   "use small letters and digits, such as heartbeat.consumer-range");
+        answer.topic.clear();
+    }
+    if (!answer.choice.empty() && !is_joined_words(answer.choice, "-_")) {
+        item.fault(item.place("choice"), fmt::format("choice {} is malformed", answer.choice),
+                   "use small letters and digits, such as refused-above-127");
+        answer.choice.clear();
+    }
+    return answer;
+}
+
 Requirement read_requirement(TomlItem& item) {
     Requirement requirement;
     read_common(item, requirement, true);
@@ -84,6 +122,7 @@ Requirement read_requirement(TomlItem& item) {
     requirement.kind = item.word("kind", kinds, "");
     requirement.verify = item.texts("verify", true);
     requirement.retired = item.text_or("retired", "");
+    requirement.answer = read_answer(item);
     for (const auto& word : requirement.verify) {
         if (std::find(verifications.begin(), verifications.end(), word) == verifications.end()) {
             item.fault(item.place("verify"), fmt::format("verify = \"{}\" is unknown", word),
@@ -176,6 +215,7 @@ Decision read_decision(TomlItem& item) {
     decision.none = item.text_or("none", "");
     decision.severity = item.word("severity", {"high", "medium", "low"}, "");
     decision.ref = item.text_or("ref", "");
+    decision.answer = read_answer(item);
     if (decision.readings.size() < 2) {
         item.fault(fmt::format("{} has {} reading(s)", decision.id, decision.readings.size()),
                    "a decision chooses between at least two readings, each with a source");

@@ -50,10 +50,20 @@ struct Manual {
     Place place;
 };
 
+/// What an item answers to a question that other items answer too. Without a topic it is compared with nothing.
+struct Answer {
+    std::string topic;      ///< the question: heartbeat.consumer-range
+    std::string choice;     ///< the answer, one word
+    std::string differs;    ///< why another device of the same maker answers otherwise
+    std::string overrides;  ///< why a shared item answers otherwise
+    Place place;            ///< of `topic`
+};
+
 struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
+    Answer answer;
 };
 
 /// One end of a range.
@@ -181,6 +191,7 @@ struct Decision : Item {
     std::string none;
     std::string severity;
     std::string ref;
+    Answer answer;
 };
 
 /// Someone has read an item together with its code and tests.

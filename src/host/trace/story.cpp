@@ -136,6 +136,11 @@ Story StoryTeller::decision(const Decision& one) const {
         head += line("reading", fmt::format("{} [{}]", reading.says, reading.source));
     }
     head += line("chosen", one.chosen) + line("because", one.because);
+    if (!one.answer.topic.empty()) {
+        head += line("topic", one.answer.topic + ": " + one.answer.choice);
+        head += one.answer.differs.empty() ? "" : line("differs", one.answer.differs);
+        head += one.answer.overrides.empty() ? "" : line("overrides", one.answer.overrides);
+    }
     head += one.affects.empty() ? line("affects", "nothing: " + one.none) : "";
     return list(head, one.affects);
 }

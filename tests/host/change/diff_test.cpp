@@ -92,6 +92,14 @@ TEST(RegisterDiff, TellsTheTextTheDefaultAndTheCellThatChanged) {
     EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
 }
 
+TEST(RegisterDiff, TellsAnotherAnswer) {
+    Register after = read("Opens.", 5, 1);
+    const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
+    const auto changes = compare(read("Opens.", 5, 1), after);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_THAT(changes[0].details, ElementsAre(HasSubstr("choice: "), HasSubstr("differs: "), HasSubstr("topic: ")));
+}
+
 TEST(RegisterDiff, TellsWhatCameAndWent) {
     Register after = read("Opens.", 5, 1);
     Part& box = const_cast<Part&>(*after.part("box"));

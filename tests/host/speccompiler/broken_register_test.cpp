@@ -193,6 +193,45 @@ const std::vector<Broken> other_cases{
      "review of AO4-R-1, which does not exist", "remove the line"},
 };
 
+const std::string heartbeat_topic = "topic = \"heartbeat.range\"\n";
+
+/// AO4-R-2, which chooses otherwise or not; its topic stands in line 15.
+std::string second(const std::string& last_lines) {
+    return replaced(requirement, "R-1", "R-2") + heartbeat_topic + last_lines;
+}
+
+const std::vector<Broken> topic_cases{
+    {"TopicWithoutChoice", items_file, requirement + heartbeat_topic, 1, "missing choice", "add `choice = …`"},
+    {"ChoiceWithoutTopic", items_file, requirement + "choice = \"any\"\n", 7, "choice without a topic",
+     "add `topic = …` or remove it"},
+    {"DiffersWithoutTopic", items_file, decision("none = \"-\"\ndiffers = \"its manual says so\"\n"), 12,
+     "differs without a topic", "add `topic = …` or remove it"},
+    {"OverridesWithoutTopic", items_file, requirement + "overrides = \"its manual says so\"\n", 7,
+     "overrides without a topic", "add `topic = …` or remove it"},
+    {"TopicMalformed", items_file, requirement + "topic = \"Heartbeat range\"\nchoice = \"any\"\n", 7,
+     "topic Heartbeat range is malformed", "such as heartbeat.consumer-range"},
+    {"ChoiceMalformed", items_file, requirement + heartbeat_topic + "choice = \"any-\"\n", 8,
+     "choice any- is malformed", "such as refused-above-127"},
+    {"TopicWithOneAnswer", items_file, decision("none = \"-\"\n" + heartbeat_topic + "choice = \"any\"\n"), 12,
+     "topic heartbeat.range has this one answer", "spell it as other items do"},
+    {"TwoChoicesInOneFolder", items_file,
+     requirement + heartbeat_topic + "choice = \"any\"\n" + second("choice = \"some\"\n"), 15,
+     "AO4-R-2 chooses some for topic heartbeat.range, but AO4-R-1 (spec/devices/box/items.toml:7) chooses any",
+     "decide once"},
+    {"DiffersFromNobody", items_file,
+     requirement + heartbeat_topic + "choice = \"any\"\n" + second("choice = \"any\"\ndiffers = \"so\"\n") +
+         decision("none = \"-\"\n"),
+     15, "AO4-R-2 says why it differs, but no device of the same maker chooses otherwise", "remove `differs`"},
+    {"OverridesNothing", items_file,
+     requirement + heartbeat_topic + "choice = \"any\"\n" + second("choice = \"any\"\noverrides = \"so\"\n") +
+         decision("none = \"-\"\n"),
+     15, "AO4-R-2 says why it overrides, but no shared item chooses otherwise", "remove `overrides`"},
+    {"ServiceThatNoDeviceHas", items_file, requirement + "topic = \"services.lsss\"\nchoice = \"true\"\n", 7,
+     "device.toml has no services.lsss", "use services.lss, services.block_sdo"},
+    {"ServiceAgainstDeviceFile", items_file, requirement + "topic = \"services.lss\"\nchoice = \"false\"\n", 7,
+     "AO4-R-1 chooses false for topic services.lss, but device.toml has true", "correct the item or device.toml"},
+};
+
 }  // namespace
 
 TEST_P(BrokenRegister, IsRefusedWithPlaceReasonAndMend) {
@@ -209,6 +248,7 @@ TEST_P(BrokenRegister, IsRefusedWithPlaceReasonAndMend) {
 
 INSTANTIATE_TEST_SUITE_P(Requirements, BrokenRegister, testing::ValuesIn(requirement_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Tables, BrokenRegister, testing::ValuesIn(table_cases), case_name);
+INSTANTIATE_TEST_SUITE_P(Topics, BrokenRegister, testing::ValuesIn(topic_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Others, BrokenRegister, testing::ValuesIn(other_cases), case_name);
 
 TEST(RegisterFaults, ReadAsFileLineWhatMend) {
