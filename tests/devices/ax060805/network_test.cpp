@@ -324,8 +324,8 @@ TEST_F(Network, HeartbeatTakes0And10MillisecondsAndMore) {
 
 TEST_F(Network, AHeartbeatConsumerHasANodeIdUpTo127AndNoReservedBits) {
     verifies<req::INC_OD_1016>();
-    EXPECT_EQ(refusal(0x1016, 1, 0x007FFFFF, 4), "");
-    EXPECT_EQ(refusal(0x1016, 1, 0x00800000, 4), "06090031");
+    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is nobody: it monitors nothing
+    EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0x01220064, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }

@@ -34,7 +34,7 @@ TEST_F(InclinometerObjectSheet, CommunicationObjects) {
         {0x100D, 0, u8, Access::rw, {0}, 0, 255},
         {0x1010, 3, u32, Access::rw, {1}, none, none, Map::no, false},
         {0x1011, 3, u32, Access::rw, {1}, none, none, Map::no, false},
-        {0x1016, 1, u32, Access::rw, {0}, 0, 0x007FFFFF},  // node-IDs to 127, bits 24 to 31 are reserved
+        {0x1016, 1, u32, Access::rw, {0}, 0, 0x00FFFFFF},  // bits 24 to 31 are reserved
         {0x1018, 4, u32, Access::ro, {0x55, 0xAA060805, 0x00010101, 1}, none, none},
         {0x1020, 2, u32, Access::ro, {0x01012024, 0}, none, none},
         {0x1029, 2, u8, Access::rw, {0}, 0, 2},

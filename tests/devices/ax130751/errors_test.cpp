@@ -28,6 +28,9 @@ class Ax130751Errors : public Ax130751Test {
 TEST_F(Ax130751Errors, ALostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
              req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
+    EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is nobody: it monitors nothing
+    EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
+    EXPECT_EQ(write(0x1016, 4, 0, 4), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // node 32, 100 ms
     EXPECT_EQ(pass(500), Frames{});                  // never heard: not watched
     send("720#05");

@@ -25,7 +25,7 @@ TEST(Lines, EndsMarksAndTheLastLineWithoutEnd) {
 
 TEST(Lines, LongestLineIsReadAndALongerOneRefused) {
     const std::string longest(LineReader::longest_line, 'x');
-    for (const std::string& end : {"", "\n"}) {
+    for (const char* end : {"", "\n"}) {
         std::istringstream in{longest + end};
         LineReader lines{in, "file"};
         ASSERT_TRUE(lines.next());
