@@ -114,7 +114,7 @@ def unreadable_inputs(folder):
 def no_register(folder):
     spec = folder / "spec"
     spec.mkdir()
-    refused(canproof("spec", "check", "--spec", spec), "an empty register", "has no .toml file")
+    refused(canproof("spec", "check", "--spec", spec), "an empty register", "holds no .toml file")
     (spec / "empty.toml").write_text("")
     result = canproof("spec", "check", "--spec", spec)
     expect(result.returncode != 0, "a register without an item is sound")

@@ -46,8 +46,10 @@ def overload():
         for node in nodes:
             run.stdin.write(f"6{node:02X}#2306100001000000\n6{node:02X}#2305100080000040\n")
         run.stdin.flush()
-        said = run.stderr.readline()
-        assert "behind the bus" in said, f"said {said!r}"
+        said = ""
+        while "behind the bus" not in said:  # after the lines that name the devices
+            said = run.stderr.readline()
+            assert said, "the program ended without a word on its lag"
         said = end(run, signal.SIGINT)
         assert "was up to" in said, f"said at the end {said!r}"
     finally:

@@ -8,6 +8,7 @@
 #include "host/cli/built_in.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/factory_options.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/devices/simulated_device.hpp"
 #include "host/speccompiler/writers.hpp"
 
@@ -93,10 +94,10 @@ int check_spec(const std::string& spec) {
     }
     const LoadResult loaded = load_register(files);
     for (const auto& fault : loaded.faults) {
-        fmt::print(stderr, "{}\n", fault.text());
+        tell(fault.text());
     }
     if (loaded.faults.left_out() != 0) {
-        fmt::print(stderr, "{} more fault(s) are not listed\n", loaded.faults.left_out());
+        tell(fmt::format("{} more fault(s) are not listed", loaded.faults.left_out()));
     }
     std::size_t items = 0;
     for (const auto& part : loaded.content.parts) {

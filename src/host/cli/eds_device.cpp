@@ -6,6 +6,7 @@
 
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/eds/read_eds.hpp"
 
 namespace canproof::host {
@@ -35,7 +36,10 @@ std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
         throw InputError{
             fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size() + read.faults.left_out(), all)};
     }
-    fmt::print(stderr, "{}", told(read.notes));
+    if (std::string notes = told(read.notes); !notes.empty()) {
+        notes.pop_back();
+        tell(notes);
+    }
     return std::make_unique<GenericSimulation>(std::move(read.part));
 }
 

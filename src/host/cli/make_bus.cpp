@@ -7,6 +7,7 @@
 #include "host/bus/socketcan_bus.hpp"
 #include "host/bus/socketcand_bus.hpp"
 #include "host/bus/socketcand_client_bus.hpp"
+#include "host/cli/standard_streams.hpp"
 
 namespace canproof::host {
 
@@ -25,8 +26,8 @@ std::unique_ptr<Bus> make_socketcan(const RunOptions& options, const std::string
 std::unique_ptr<Bus> make_socketcand(const std::string& address, std::uint32_t bit_rate, const BusFaultRates& faults) {
     auto bus = std::make_unique<SocketcandBus>(parse_listen_address(address), bit_rate, faults,
                                                linux_can_system().realtime_ns() / 1000);
-    fmt::print(stderr, "socketcand listens at port {}; python-can: interface=socketcand channel=can0 port={}\n",
-               bus->port(), bus->port());
+    tell(fmt::format("socketcand listens at port {}; python-can: interface=socketcand channel=can0 port={}",
+                     bus->port(), bus->port()));
     return bus;
 }
 

@@ -43,7 +43,7 @@ class PanelRun {
         }
         prepared_.finish();
         if (const std::string told = panel_.summary(); !told.empty()) {
-            fmt::print(stderr, "{}\n", told);
+            tell(told);
         }
     }
 

@@ -9,6 +9,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/output_file.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/devices/stored_memory_file.hpp"
 #include "host/replay/replay.hpp"
 
@@ -21,10 +22,6 @@ std::optional<Instant> instant_of(const std::optional<double>& seconds) {
         return std::nullopt;
     }
     return Instant{static_cast<std::uint64_t>(std::llround(*seconds * 1.0e6))};
-}
-
-void tell(const std::string& text) {
-    fmt::print(stderr, "{}\n", text);
 }
 
 void tell_counts(const LogCounts& counts) {

@@ -14,6 +14,7 @@
 #include "host/bus/candump.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/prepared_run.hpp"
+#include "host/cli/standard_streams.hpp"
 #include "host/run/event_loop.hpp"
 #include "host/run/line_input.hpp"
 #include "host/run/live_table.hpp"
@@ -77,13 +78,13 @@ class Run {
     /// What a table shows by itself.
     void name_devices() const {
         if (!is_table_) {
-            fmt::print(stderr, "{}\n", fmt::join(node_id_lines(session_.nodes()), "\n"));
+            tell(fmt::format("{}", fmt::join(node_id_lines(session_.nodes()), "\n")));
         }
     }
 
     void take_notice(const std::string& text) {
         if (!is_table_) {
-            fmt::print(stderr, "{}\n", text);
+            tell(text);
         }
         notices_.push_back(text);
         if (notices_.size() > notices_kept) {

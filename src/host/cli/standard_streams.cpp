@@ -18,6 +18,11 @@ void keep_standard_descriptors() {
     }
 }
 
+void tell(const std::string& line) noexcept {
+    std::fwrite(line.data(), 1, line.size(), stderr);
+    std::fputc('\n', stderr);
+}
+
 void finish_standard_output() {
     std::cout.flush();
     std::fflush(stdout);
