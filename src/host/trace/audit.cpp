@@ -140,7 +140,8 @@ class PartAuditor {
 bool tests_the_firmware(const std::string& file) {
     static const std::vector<std::string> folders{"tests/conformance/", "tests/devices/", "tests/firmware/",
                                                   "properties/", "fuzz/"};
-    return std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return file.rfind(folder, 0) == 0; });
+    return file.rfind("properties/host/", 0) != 0 &&
+           std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return file.rfind(folder, 0) == 0; });
 }
 
 }  // namespace
