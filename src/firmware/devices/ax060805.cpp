@@ -267,7 +267,7 @@ void Device::restart(const Instant now) {
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
     }
-    if (node_.saved_mark() != mark_of(bit_rate_)) {
+    if (std::uint32_t{node_.saved_mark()} != mark_of(bit_rate_)) {
         objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
     }
     drive_slew_rate();
