@@ -11,9 +11,9 @@ namespace canproof::host {
 /// 1…127, or 255 for a device without a node-ID, which LSS can give it one.
 class NodeId {
   public:
-    static constexpr int lowest = generated::canopen::lss_lowest_node_id;
-    static constexpr int highest = generated::canopen::lss_highest_node_id;
-    static constexpr int none = generated::canopen::unconfigured_node_id;
+    static inline const int lowest = generated::canopen::lss_lowest_node_id;
+    static inline const int highest = generated::canopen::lss_highest_node_id;
+    static inline const int none = generated::canopen::unconfigured_node_id;
 
     static constexpr bool is_one(int number) { return (number >= lowest && number <= highest) || number == none; }
 
