@@ -25,10 +25,11 @@ class Device:
     node: int
     objects: tuple  # index, sub-index: numbers of 16 bit that 1010h:1 stores
     kinds: tuple  # of stores
+    shipped: int  # node-ID of the factory, which a damaged store of LSS gives (CO-LSS-065)
 
 
-CBX_AO412 = Device("cbx-ao412@3", 3, ((0x1017, 0), (0x2404, 1), (0x6411, 1)), ("save", "restore", "save"))
-AX188001 = Device("ax188001@5", 5, ((0x1017, 0), (0x1800, 5), (0x1801, 5)), ("save", "lss", "restore"))
+CBX_AO412 = Device("cbx-ao412@3", 3, ((0x1017, 0), (0x2404, 1), (0x6411, 1)), ("save", "restore", "save"), 3)
+AX188001 = Device("ax188001@5", 5, ((0x1017, 0), (0x1800, 5), (0x1801, 5)), ("save", "lss", "restore"), 127)
 
 
 class Running:
@@ -157,9 +158,9 @@ class Model:
         return True
 
     def look_at_any(self, running, what):
-        """Any state that was ever stored will do; node-ID and values are stored apart."""
+        """Any state that was ever stored or shipped will do; node-ID and values are stored apart."""
         node, values = self.state_of(running, what, False)
-        if values not in {one[1] for one in self.past} or node not in {one[0] for one in self.past}:
+        if values not in {one[1] for one in self.past} or node not in {one[0] for one in self.past} | {self.device.shipped}:
             raise Broken("lost", f"{what}: {(node, values)} was never stored")
 
     def only_kept(self):
