@@ -71,15 +71,6 @@ class DataSheet : public testing::Test {
     LoadResult loaded_;
 };
 
-/// The text with CRLF line ends, as an EDS has them.
-std::string crlf(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '\n' ? std::string{"\r\n"} : std::string{c};
-    }
-    return out;
-}
-
 }  // namespace
 
 TEST_F(DataSheet, EdsIsWrittenAsCia306Says) {

@@ -66,4 +66,13 @@ inline std::string all_faults(const LoadResult& loaded) {
     return text;
 }
 
+/// The text with CRLF line ends, as an EDS has them.
+inline std::string crlf(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        out += c == '\n' ? std::string{"\r\n"} : std::string{c};
+    }
+    return out;
+}
+
 }  // namespace canproof::host::test

@@ -66,15 +66,6 @@ class ToolSheet : public testing::Test {
     LoadResult loaded_;
 };
 
-/// Lines with the ends that an EDS has.
-std::string crlf(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '\n' ? std::string{"\r\n"} : std::string{c};
-    }
-    return out;
-}
-
 }  // namespace
 
 TEST_F(ToolSheet, AMappingIsARecordInEveryForm) {
