@@ -3,14 +3,14 @@
 // whose.
 #include <tuple>
 
+#include "fuzz/devices/ax060805/ax060805_unit.hpp"
+#include "fuzz/devices/ax130751/ax130751_unit.hpp"
+#include "fuzz/devices/ax188001/ax188001_unit.hpp"
+#include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/device_world.hpp"
+#include "fuzz/support/record_mutator.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/ax060805_unit.hpp"
-#include "support/ax130751_unit.hpp"
-#include "support/ax188001_unit.hpp"
-#include "support/cbx_ao412_unit.hpp"
-#include "support/claims.hpp"
-#include "support/device_world.hpp"
-#include "support/record_mutator.hpp"
 
 namespace {
 

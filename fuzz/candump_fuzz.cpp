@@ -1,9 +1,9 @@
 // Logs of any bytes: read or refused with a place; what was read is written so that it reads the same.
 #include <sstream>
 
-#include "host/bus/candump.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
+#include "host/sim/bus/candump.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

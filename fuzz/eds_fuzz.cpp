@@ -2,11 +2,11 @@
 // the same.
 #include <algorithm>
 
-#include "host/devices/generic_simulation.hpp"
-#include "host/eds/read_eds.hpp"
-#include "host/speccompiler/writers.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
+#include "host/codegen/writers.hpp"
+#include "host/datasheet/read_eds.hpp"
+#include "host/sim/devices/generic_simulation.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

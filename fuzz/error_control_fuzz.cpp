@@ -3,17 +3,17 @@
 // numbers; the highest bit of the first adds a frame of any length in between.
 #include <algorithm>
 
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/keep_deadlines.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/generic_device.hpp"
-#include "host/devices/memory.hpp"
-#include "support/claims.hpp"
-#include "support/frame_probe.hpp"
-#include "support/keep_deadlines.hpp"
-#include "support/naive_error_control.hpp"
-#include "support/record_mutator.hpp"
-#include "support/replays_as.hpp"
-#include "support/require.hpp"
-#include "support/slave_register.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "properties/support/naive_error_control.hpp"
+#include "tests/support/slave_register.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string>
 
-#include "host/panel/http_request.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
+#include "host/app/panel/http_request.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <memory>
 
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/generic_device.hpp"
-#include "host/devices/memory.hpp"
-#include "host/speccompiler/register.hpp"
-#include "support/claims.hpp"
-#include "support/frame_probe.hpp"
-#include "support/replays_as.hpp"
-#include "support/require.hpp"
+#include "host/register/register.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "host/sim/devices/memory.hpp"
 
 namespace {
 

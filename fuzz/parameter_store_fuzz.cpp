@@ -4,16 +4,16 @@
 #include <algorithm>
 
 #include "firmware/canopen/lss_store.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/journal_memory.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/require.hpp"
+#include "fuzz/support/tampering.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/generic_device.hpp"
-#include "support/claims.hpp"
-#include "support/frame_probe.hpp"
-#include "support/journal_memory.hpp"
-#include "support/naive_store.hpp"
-#include "support/record_mutator.hpp"
-#include "support/require.hpp"
-#include "support/slave_register.hpp"
-#include "support/tampering.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "properties/support/naive_store.hpp"
+#include "tests/support/slave_register.hpp"
 
 namespace {
 

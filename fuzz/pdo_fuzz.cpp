@@ -6,16 +6,16 @@
 #include <memory>
 #include <set>
 
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/generic_device.hpp"
-#include "host/devices/memory.hpp"
-#include "support/claims.hpp"
-#include "support/frame_probe.hpp"
-#include "support/naive_pdo.hpp"
-#include "support/record_mutator.hpp"
-#include "support/replays_as.hpp"
-#include "support/require.hpp"
-#include "support/slave_register.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "properties/support/naive_pdo.hpp"
+#include "tests/support/slave_register.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // Files of the register of any bytes: told as faults with line and mend, or a dictionary that runs and can be written
 // as a data sheet. Input: a digit that says which of the three files it is, then the text.
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/generic_simulation.hpp"
-#include "host/eds/read_eds.hpp"
-#include "host/speccompiler/writers.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
-#include "support/slave_register.hpp"
+#include "host/codegen/writers.hpp"
+#include "host/datasheet/read_eds.hpp"
+#include "host/sim/devices/generic_simulation.hpp"
+#include "tests/support/slave_register.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/claims.hpp"
-#include "support/frame_probe.hpp"
-#include "support/naive_sdo_client.hpp"
-#include "support/record_mutator.hpp"
-#include "support/replays_as.hpp"
-#include "support/sdo_pair.hpp"
+#include "properties/support/naive_sdo_client.hpp"
+#include "properties/support/sdo_pair.hpp"
 
 namespace {
 

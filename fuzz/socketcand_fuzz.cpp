@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "host/bus/socketcand_client.hpp"
-#include "host/bus/socketcand_session.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
+#include "host/sim/bus/socketcand_client.hpp"
+#include "host/sim/bus/socketcand_session.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "host/bus/candump.hpp"
-#include "host/embedded_spec.hpp"
-#include "host/replay/stimulus.hpp"
-#include "support/claims.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/require.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/replay/stimulus.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

@@ -5,10 +5,10 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/device_by_sdo.hpp"
-#include "support/logged_slave.hpp"
-#include "support/naive_emcy.hpp"
-#include "support/verifies.hpp"
+#include "properties/support/logged_slave.hpp"
+#include "properties/support/naive_emcy.hpp"
+#include "tests/support/device_by_sdo.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

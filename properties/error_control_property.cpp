@@ -5,9 +5,9 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/logged_slave.hpp"
-#include "support/naive_error_control.hpp"
-#include "support/verifies.hpp"
+#include "properties/support/logged_slave.hpp"
+#include "properties/support/naive_error_control.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

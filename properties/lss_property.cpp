@@ -11,8 +11,8 @@
 #include <set>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/lss_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/lss_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -6,10 +6,10 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/logged_slave.hpp"
-#include "support/naive_mapping.hpp"
-#include "support/sdo_text.hpp"
-#include "support/verifies.hpp"
+#include "properties/support/logged_slave.hpp"
+#include "properties/support/naive_mapping.hpp"
+#include "tests/support/sdo_text.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -6,10 +6,10 @@
 #include <rapidcheck/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/naive_pdo.hpp"
-#include "support/sdo_text.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "properties/support/naive_pdo.hpp"
+#include "tests/support/sdo_text.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -7,9 +7,9 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/naive_sdo_client.hpp"
-#include "support/sdo_pair.hpp"
-#include "support/verifies.hpp"
+#include "properties/support/naive_sdo_client.hpp"
+#include "properties/support/sdo_pair.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::naive {
 

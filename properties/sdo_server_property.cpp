@@ -5,8 +5,8 @@
 #include <rapidcheck/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

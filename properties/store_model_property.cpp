@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/sdo_text.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/sdo_text.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -17,12 +17,12 @@
 
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
-#include "support/digest.hpp"
-#include "support/frame_probe.hpp"
-#include "support/journal_memory.hpp"
-#include "support/own_identifiers.hpp"
-#include "support/require.hpp"
-#include "support/sdo_legal.hpp"
+#include "fuzz/support/digest.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/journal_memory.hpp"
+#include "fuzz/support/own_identifiers.hpp"
+#include "fuzz/support/require.hpp"
+#include "fuzz/support/sdo_legal.hpp"
 
 namespace canproof::fuzz {
 

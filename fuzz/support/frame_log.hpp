@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "host/bus/candump.hpp"
-#include "support/frame_probe.hpp"
-#include "support/replays_as.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "host/sim/bus/candump.hpp"
 
 namespace canproof::fuzz {
 

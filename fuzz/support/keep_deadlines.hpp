@@ -2,7 +2,7 @@
 #pragma once
 
 #include "firmware/base/time.hpp"
-#include "support/require.hpp"
+#include "fuzz/support/require.hpp"
 
 namespace canproof::fuzz {
 

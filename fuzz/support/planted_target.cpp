@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "support/require.hpp"
+#include "fuzz/support/require.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     unsigned fitting = 0;

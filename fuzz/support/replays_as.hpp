@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/speccompiler/writers.hpp"
+#include "host/codegen/writers.hpp"
 
 namespace canproof::fuzz {
 

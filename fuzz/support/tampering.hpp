@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "support/journal_memory.hpp"
+#include "fuzz/support/journal_memory.hpp"
 
 namespace canproof::fuzz {
 

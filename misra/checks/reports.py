@@ -137,7 +137,7 @@ def write_html(folder, outcome):
 
 
 def write_exhibit(folder, outcome):
-    """What the evidence pack shows of this run (src/host/evidence/exhibit.hpp)."""
+    """What the evidence pack shows of this run (src/host/assess/evidence/exhibit.hpp)."""
     state = "open" if outcome.open or outcome.faults else "holds"
     exhibit = {"title": "MISRA", "state": state, "says": lead(outcome), "page": "misra.html", "data": ["misra.sarif"]}
     (folder / "exhibit.json").write_text(json.dumps(exhibit, indent=1) + "\n")

@@ -7,12 +7,13 @@
 #include <cmath>
 #include <sstream>
 
-#include "host/bus/arbitrated_bus.hpp"
-#include "host/cli/built_in.hpp"
-#include "host/cli/chosen_devices.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "host/replay/replay.hpp"
-#include "host/run/run_session.hpp"
+#include "devices/catalogue.hpp"
+#include "host/app/cli/built_in.hpp"
+#include "host/app/cli/chosen_devices.hpp"
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/replay/replay.hpp"
+#include "host/sim/run/run_session.hpp"
 
 namespace canproof::host {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include "support/slave_bench.hpp"
+#include "tests/support/slave_bench.hpp"
 
 namespace canproof::test {
 

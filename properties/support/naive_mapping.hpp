@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "support/naive_pdo.hpp"
+#include "properties/support/naive_pdo.hpp"
 
 namespace canproof::naive_mapping {
 

@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include "support/naive_sdo_server.hpp"
+#include "properties/support/naive_sdo_server.hpp"
 
 namespace canproof::naive {
 

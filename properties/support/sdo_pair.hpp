@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/bus/candump.hpp"
-#include "host/devices/generic_device.hpp"
-#include "host/devices/memory.hpp"
-#include "support/naive_sdo_server.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "properties/support/naive_sdo_server.hpp"
 
 namespace canproof::naive {
 

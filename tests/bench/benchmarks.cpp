@@ -2,13 +2,14 @@
 // whole. tests/bench/compare holds a run against the baseline.
 #include <benchmark/benchmark.h>
 
-#include "bench/fleet.hpp"
-#include "bench/transactions.hpp"
-#include "host/bus/arbitrated_bus.hpp"
-#include "host/bus/candump.hpp"
-#include "host/embedded_spec.hpp"
-#include "host/run/device_node.hpp"
-#include "host/trace/audit.hpp"
+#include "devices/catalogue.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/run/device_node.hpp"
+#include "tests/bench/fleet.hpp"
+#include "tests/bench/transactions.hpp"
 
 namespace canproof::bench {
 
@@ -61,7 +62,7 @@ void tick_configured(benchmark::State& state) {
 }
 
 void power_on(benchmark::State& state) {
-    const auto device = host::make_ax130751();
+    const auto device = host::make_device("ax130751");
     for ([[maybe_unused]] auto _ : state) {
         device->power_on(Instant{});
         benchmark::DoNotOptimize(device->queue().pop());
@@ -73,7 +74,7 @@ void bus_of_127(benchmark::State& state) {
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
     host::ArbitratedBus bus{"bench", 1000000, host::BusFaultRates{}};
     for (int id = 1; id <= 127; ++id) {
-        auto device = host::make_ax130751();
+        auto device = host::make_device("ax130751");
         device->set_node_id(id);
         nodes.push_back(std::make_unique<host::DeviceNode>("n" + std::to_string(id), std::move(device)));
         nodes.back()->power_on(Instant{});

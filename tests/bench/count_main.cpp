@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "bench/transactions.hpp"
+#include "tests/bench/transactions.hpp"
 
 int main() {
     try {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "host/devices/devices.hpp"
+#include "devices/catalogue.hpp"
 
 namespace canproof::bench {
 
@@ -13,7 +13,7 @@ class Fleet {
   public:
     explicit Fleet(std::size_t size, bool operational = true) {
         for (std::size_t i = 0; i < size; ++i) {
-            devices_.push_back(host::make_ax130751());
+            devices_.push_back(host::make_device("ax130751"));
             devices_.back()->set_node_id(static_cast<int>(i % 127) + 1);
             devices_.back()->power_on(now_);
         }

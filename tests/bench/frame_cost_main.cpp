@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/bus/candump.hpp"
-#include "support/frame_probe.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "host/sim/bus/candump.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

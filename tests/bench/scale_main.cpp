@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "bench/fleet.hpp"
-#include "host/cli/files.hpp"
-#include "host/plot/line_plot.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/report/line_plot.hpp"
+#include "tests/bench/fleet.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "host/embedded_spec.hpp"
+#include "host/register/embedded_spec.hpp"
 
 namespace canproof::bench {
 

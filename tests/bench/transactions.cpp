@@ -1,10 +1,10 @@
-#include "bench/transactions.hpp"
+#include "tests/bench/transactions.hpp"
 
 #include <stdexcept>
 
-#include "bench/test_dictionary.hpp"
 #include "firmware/base/crc16.hpp"
-#include "host/bus/candump.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "tests/bench/test_dictionary.hpp"
 
 namespace canproof::bench {
 

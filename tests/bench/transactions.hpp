@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "host/devices/generic_device.hpp"
-#include "host/devices/memory.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "host/sim/devices/memory.hpp"
 
 namespace canproof::bench {
 

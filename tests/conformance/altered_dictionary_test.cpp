@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/altered_slave.hpp"
-#include "support/shows_rule.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/altered_slave.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,8 +2,8 @@
 // nobody has set follows the node-ID although 1010h has stored it; what a user has set holds.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
-#include "support/device_by_sdo.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/device_by_sdo.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

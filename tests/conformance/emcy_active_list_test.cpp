@@ -1,8 +1,8 @@
 // The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
-#include "support/shows_rule.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,9 +2,9 @@
 // node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -4,10 +4,11 @@
 
 #include <sstream>
 
+#include "devices/catalogue.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "host/replay/replay.hpp"
-#include "support/verifies.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/replay/replay.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

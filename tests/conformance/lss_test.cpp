@@ -1,10 +1,10 @@
 // LSS as CiA 305 asks it of a slave: the conformance slave, node 5, with vendor-ID 0000005Fh, product code AA020301h,
 // revision 00010002h and serial number 20261121h. Requests are 7E5#…, answers 7E4#….
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/exchange.hpp"
-#include "support/lss_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/lss_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

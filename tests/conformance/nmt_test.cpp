@@ -1,8 +1,8 @@
 // NMT as CiA 301, 7.2.8 and 7.3.2 ask it of a slave; run on a CAN-CBX-AO412 as node 3.
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/shows_rule.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

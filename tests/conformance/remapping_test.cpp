@@ -1,9 +1,9 @@
 // The parameters of PDOs and the order in which one is mapped anew (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to
 // e) of the manuals), held against the conformance slave, node 5. Receive and transmit PDOs obey the same rules.
 #include "generated/canopen/requirements.hpp"
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,7 +1,7 @@
 // Receive PDOs with a value that is refused: no reception, and told by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
-#include "support/rpdo_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/rpdo_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

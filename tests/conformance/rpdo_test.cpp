@@ -1,7 +1,7 @@
 // Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
-#include "support/rpdo_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/rpdo_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

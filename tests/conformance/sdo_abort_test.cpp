@@ -6,10 +6,10 @@
 #include <set>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/exchange.hpp"
-#include "support/sdo_text.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/sdo_text.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

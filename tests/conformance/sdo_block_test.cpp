@@ -2,11 +2,11 @@
 // is its DOMAIN of 64 KiB. "123456789" has the CRC 31C3h.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/exchange.hpp"
-#include "support/sdo_text.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/sdo_text.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,10 +1,10 @@
 // SDO server, expedited and segmented (CiA 301, 7.2.4), on a CAN-CBX-AO412 as node 3 and on the conformance slave as
 // node 5.
 #include "generated/canopen/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

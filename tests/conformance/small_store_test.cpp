@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/altered_slave.hpp"
-#include "support/faulty_memory.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/altered_slave.hpp"
+#include "tests/support/faulty_memory.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -4,9 +4,9 @@
 
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/faulty_memory.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/faulty_memory.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

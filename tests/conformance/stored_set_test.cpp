@@ -3,8 +3,8 @@
 // stored is 1017h, as shipped 0.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/device_by_sdo.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/device_by_sdo.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

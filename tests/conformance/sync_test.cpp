@@ -1,8 +1,8 @@
 // SYNC consumer and producer (CiA 301, 7.2.5; CAN-CBX-AO412, 7.9.5, 7.9.6, 7.9.19), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
-#include "support/bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

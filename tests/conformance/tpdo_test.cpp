@@ -2,9 +2,9 @@
 //   TPDO1 on 185h, type 254: 2001h:1, 2001h:2 (UNSIGNED8);  TPDO2 on 285h, type 1: 2101h:1…4 (INTEGER16);
 //   TPDO3 on 385h and TPDO4 on 485h: not valid. Its event is a change of value.
 #include "generated/canopen/requirements.hpp"
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

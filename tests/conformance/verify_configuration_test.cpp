@@ -1,12 +1,13 @@
 // Verify configuration, 1020h (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
 // 1020h can be written, and the three devices whose 1020h tells the age of their software.
+#include "devices/catalogue.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "support/bench.hpp"
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

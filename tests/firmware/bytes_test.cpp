@@ -7,7 +7,7 @@
 
 #include "firmware/base/slots.hpp"
 #include "firmware/canopen/pdo_mapping.hpp"
-#include "support/shows_rule.hpp"
+#include "tests/support/shows_rule.hpp"
 
 namespace canproof::test {
 

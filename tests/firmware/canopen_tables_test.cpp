@@ -9,7 +9,7 @@
 #include "generated/canopen/enumerations.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/canopen/tables.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

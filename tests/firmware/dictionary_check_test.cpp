@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "support/shows_rule.hpp"
+#include "tests/support/shows_rule.hpp"
 
 namespace canproof {
 namespace {

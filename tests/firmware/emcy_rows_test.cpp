@@ -3,8 +3,8 @@
 
 #include "firmware/canopen/emcy.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/altered_slave.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/altered_slave.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,10 +1,10 @@
 // The eight indicator states of the CAN-CBX-AO412 (3.2.1), each watched for two rounds in steps of 50 ms.
-#include "firmware/blocks/indicator.hpp"
+#include "firmware/canopen/indicator.hpp"
 
 #include "generated/cbx_ao412/requirements.hpp"
 #include "generated/cbx_ao412/tables.hpp"
-#include "support/shows_rule.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

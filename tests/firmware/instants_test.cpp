@@ -3,7 +3,7 @@
 
 #include "firmware/base/sequence_number.hpp"
 #include "firmware/base/time.hpp"
-#include "support/shows_rule.hpp"
+#include "tests/support/shows_rule.hpp"
 
 namespace canproof::test {
 

@@ -5,9 +5,9 @@
 
 #include "firmware/base/crc32.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/devices/memory.hpp"
-#include "support/faulty_memory.hpp"
-#include "support/verifies.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "tests/support/faulty_memory.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

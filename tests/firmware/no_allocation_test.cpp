@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "firmware/devices/cbx_ao412.hpp"
-#include "host/bus/candump.hpp"
-#include "host/devices/memory.hpp"
-#include "support/shows_rule.hpp"
-#include "support/slave_bench.hpp"
+#include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/slave_bench.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "generated/canopen/requirements.hpp"
-#include "support/slave_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/slave_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "generated/canopen/requirements.hpp"
-#include "support/altered_slave.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/altered_slave.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

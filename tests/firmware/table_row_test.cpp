@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "support/shows_rule.hpp"
+#include "tests/support/shows_rule.hpp"
 
 namespace canproof::test {
 

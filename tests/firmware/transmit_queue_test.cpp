@@ -2,8 +2,8 @@
 
 #include "firmware/base/crc32.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/shows_rule.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

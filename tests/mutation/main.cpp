@@ -16,7 +16,7 @@
 #include <iostream>
 #include <string>
 
-#include "host/mutation/alteration.hpp"
+#include "host/codegen/alteration.hpp"
 
 namespace canproof::test {
 

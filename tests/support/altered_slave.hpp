@@ -1,8 +1,8 @@
 // The conformance slave with another dictionary: shapes that none of the devices has, but a data sheet may describe.
 #pragma once
 
-#include "support/frame_bench.hpp"
-#include "support/slave.hpp"
+#include "tests/support/frame_bench.hpp"
+#include "tests/support/slave.hpp"
 
 namespace canproof::test {
 

@@ -2,7 +2,7 @@
 // list of errors, the heartbeat. The figures of each stand in its own test.
 #pragma once
 
-#include "support/object_sheet.hpp"
+#include "tests/support/object_sheet.hpp"
 
 namespace canproof::test {
 

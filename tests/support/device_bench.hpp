@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "support/frame_bench.hpp"
+#include "tests/support/frame_bench.hpp"
 
 namespace canproof::test {
 

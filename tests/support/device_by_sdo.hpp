@@ -6,7 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "host/devices/simulated_device.hpp"
+#include "devices/catalogue.hpp"
+#include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::test {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "host/devices/memory.hpp"
+#include "host/sim/devices/memory.hpp"
 
 namespace canproof::test {
 

@@ -7,9 +7,9 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
-#include "host/bus/candump.hpp"
-#include "host/devices/memory.hpp"
-#include "support/bench_watch.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "tests/support/bench_watch.hpp"
 
 namespace canproof::test {
 

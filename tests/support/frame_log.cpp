@@ -1,4 +1,4 @@
-#include "support/frame_log.hpp"
+#include "tests/support/frame_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "support/bench_watch.hpp"
+#include "tests/support/bench_watch.hpp"
 
 namespace canproof::test {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "support/slave_bench.hpp"
+#include "tests/support/slave_bench.hpp"
 
 namespace canproof::test {
 

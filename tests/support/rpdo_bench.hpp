@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "support/exchange.hpp"
-#include "support/slave_bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/slave_bench.hpp"
 
 namespace canproof::test {
 

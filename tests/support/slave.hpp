@@ -2,8 +2,8 @@
 // a file of this name in its place, with the same rows from generated tables.
 #pragma once
 
-#include "host/devices/generic_device.hpp"
-#include "support/slave_register.hpp"
+#include "host/sim/devices/generic_device.hpp"
+#include "tests/support/slave_register.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // The conformance slave on a bench.
 #pragma once
 
-#include "support/frame_bench.hpp"
-#include "support/slave.hpp"
+#include "tests/support/frame_bench.hpp"
+#include "tests/support/slave.hpp"
 
 namespace canproof::test {
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "host/speccompiler/register.hpp"
+#include "host/register/register.hpp"
 
 namespace canproof::test {
 

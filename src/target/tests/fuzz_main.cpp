@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "host/bus/candump.hpp"
+#include "fuzz/support/frame_probe.hpp"
+#include "host/sim/bus/candump.hpp"
 #include "semihosting.hpp"
-#include "support/frame_probe.hpp"
 #include "work_log.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

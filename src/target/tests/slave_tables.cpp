@@ -1,8 +1,8 @@
 // slave_tables DIR: writes the tables of the conformance slave, which the target cannot read from its register.
 #include <iostream>
 
-#include "host/speccompiler/writers.hpp"
-#include "support/slave_register.hpp"
+#include "host/codegen/writers.hpp"
+#include "tests/support/slave_register.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 2) {

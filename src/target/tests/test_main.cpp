@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "host/bus/candump.hpp"
+#include "host/sim/bus/candump.hpp"
 #include "semihosting.hpp"
-#include "support/frame_log.hpp"
+#include "tests/support/frame_log.hpp"
 #include "work_log.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "firmware/canopen/frame.hpp"
-#include "support/bench_watch.hpp"
+#include "tests/support/bench_watch.hpp"
 
 namespace canproof::target {
 

@@ -1,8 +1,8 @@
 // Angles, frames, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read in
 // hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"
-#include "support/inclinometer_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // Every entry of the AX060805's dictionary as chapter 4 of its manual has it, where the register's decisions leave it:
 // value of a level unit after power-on, type (by length) and access. Node 127.
 #include "generated/ax060805/requirements.hpp"
-#include "support/inclinometer_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // What stays in the AX060805's list of active errors, 1003h (4.2.4), node 127: emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/inclinometer_errors.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_errors.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -4,8 +4,8 @@
 
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/inclinometer_errors.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_errors.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

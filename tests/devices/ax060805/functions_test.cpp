@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
-#include "support/inclinometer_functions.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_functions.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

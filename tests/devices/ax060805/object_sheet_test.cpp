@@ -2,8 +2,8 @@
 // access, mapping, default at node 127 and limits of each entry, read by hand from the object's page.
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
-#include "support/axiomatic_sheet.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/axiomatic_sheet.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -8,7 +8,7 @@
 
 #include "generated/ax060805/constants.hpp"
 #include "generated/ax060805/requirements.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // Where an angle of the AX060805 has no value of its own: the Euler roll at the vertical, every angle without weight,
 // the sign of half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
 #include "generated/ax060805/requirements.hpp"
-#include "support/inclinometer_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,7 +1,7 @@
 // How close an output of the AX130751 comes to what is commanded (manual, section 4).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_blocks.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

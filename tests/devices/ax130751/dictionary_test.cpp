@@ -2,8 +2,8 @@
 // entry, read by hand from the object's page. The tables are asked directly; what goes over the bus has its own tests.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
-#include "support/axiomatic_sheet.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/axiomatic_sheet.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "generated/ax130751/requirements.hpp"
-#include "host/embedded_spec.hpp"
-#include "host/speccompiler/writers.hpp"
-#include "support/verifies.hpp"
+#include "host/codegen/writers.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

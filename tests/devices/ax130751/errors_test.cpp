@@ -1,8 +1,8 @@
 // Errors of the AX130751 on the bus: 1001h, 1003h, 1029h, emergency messages on 0FFh, heartbeat and guarding (manual
 // 3.2.2 to 3.2.13). Node 127.
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // The worked examples of the AX130751's manual, played on the whole device: the joystick with a deadband (1.5.3,
 // Figure 7), a joystick that a potentiometer trims (1.7), 30 slopes out of three tables (1.5, 1.6).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // What stops an output of the AX130751 whatever its control says: enable, override and unlatch as interlocks (1.2 to
 // 1.4).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_blocks.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -6,7 +6,7 @@
 
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,7 +1,7 @@
 // The logic blocks of the AX130751 over SDO (1.6).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_blocks.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

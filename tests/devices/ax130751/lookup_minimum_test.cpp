@@ -1,7 +1,7 @@
 // X1 of a lookup table of the AX130751 and a source whose minimum lies below zero (1.5.1).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_blocks.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

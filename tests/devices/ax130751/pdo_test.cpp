@@ -1,8 +1,8 @@
 // PDOs of the AX130751 as shipped and as they can be changed (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh, 37Fh,
 // 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

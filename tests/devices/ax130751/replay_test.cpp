@@ -1,14 +1,15 @@
 // A recorded bus played to the AX130751 through the program's replay: the session of 3.1.3 and an RPDO behind it.
-#include "host/replay/replay.hpp"
+#include "host/sim/replay/replay.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "devices/catalogue.hpp"
 #include "generated/ax130751/requirements.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "support/verifies.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), seen through lookup table 1: what it gets as its X, and
 // where it lets points lie.
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_blocks.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // What the AX130751 keeps: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7, 3.2.8, 3.2.11,
 // 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
-#include "support/ax130751_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -5,7 +5,7 @@
 
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/requirements.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

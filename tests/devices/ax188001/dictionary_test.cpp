@@ -1,7 +1,7 @@
 // The dictionary of 3.2, 3.3 and 3.4, read entry by entry as a client sees it.
 #include "generated/ax188001/requirements.hpp"
-#include "support/tcs_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,8 +2,8 @@
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/tcs_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

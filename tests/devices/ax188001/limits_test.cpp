@@ -1,8 +1,8 @@
 // Limits of the channels, their status and delays; FD1 to FD3 (AX188001, 1.1, 1.4, 3.3.6, 3.4.13 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "support/tcs_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,8 +2,8 @@
 // and limits of each entry, read by hand from the object's page.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
-#include "support/axiomatic_sheet.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/axiomatic_sheet.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

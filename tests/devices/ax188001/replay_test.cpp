@@ -1,13 +1,14 @@
 // A ramp through all limits, with a wire that breaks, replayed from stimuli: each emergency message at its due time.
-#include "host/replay/replay.hpp"
+#include "host/sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "devices/catalogue.hpp"
 #include "generated/ax188001/requirements.hpp"
-#include "host/devices/simulated_device.hpp"
-#include "support/verifies.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -2,9 +2,9 @@
 #include <map>
 
 #include "generated/ax188001/requirements.hpp"
-#include "support/exchange.hpp"
-#include "support/tcs_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/exchange.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

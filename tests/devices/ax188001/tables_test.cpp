@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "generated/ax188001/requirements.hpp"
-#include "support/verifies.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -1,8 +1,8 @@
 // From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
-#include "support/tcs_bench.hpp"
-#include "support/verifies.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 

@@ -5,7 +5,7 @@
 
 #include <system_error>
 
-#include "support/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace canproof::host::test {
 

@@ -341,7 +341,7 @@ def write_changed(path, text):
 LIST = """// Written by tests/mutation/code/schemata.py: the mutants of src/firmware.
 #include <iterator>
 
-#include "host/mutation/alteration.hpp"
+#include "host/codegen/alteration.hpp"
 
 namespace canproof::mutants {{
 unsigned chosen = 0U;

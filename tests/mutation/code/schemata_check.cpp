@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/mutation/alteration.hpp"
+#include "host/codegen/alteration.hpp"
 
 namespace canproof {
 bool less(unsigned a, unsigned b) noexcept;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "host/mutation/alteration.hpp"
+#include "host/codegen/alteration.hpp"
 
 namespace canproof::test {
 

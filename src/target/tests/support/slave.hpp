@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generated/slave/objects.hpp"
-#include "host/devices/generic_device.hpp"
+#include "host/sim/devices/generic_device.hpp"
 
 namespace canproof::test {
 

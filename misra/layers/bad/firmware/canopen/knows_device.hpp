@@ -1,6 +1,6 @@
 #pragma once
 
 #include "firmware/base/result.hpp"
-#include "firmware/blocks/relay.hpp"  // flagged
-#include "firmware/devices/cbx_ao412.hpp"  // flagged
+#include "devices/ax130751/firmware/relay.hpp"  // flagged
+#include "devices/cbx-ao412/firmware/cbx_ao412.hpp"  // flagged
 #include "generated/canopen/vocabulary.hpp"

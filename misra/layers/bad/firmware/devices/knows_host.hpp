@@ -1,4 +1,4 @@
 #pragma once
 
 #include "firmware/canopen/node.hpp"
-#include "host/bus/bus.hpp"  // flagged
+#include "host/sim/bus/bus.hpp"  // flagged

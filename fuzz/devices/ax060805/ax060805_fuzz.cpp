@@ -1,0 +1,18 @@
+// A whole AX060805: see support/device_world.hpp for what can happen to it and what must hold.
+#include "fuzz/devices/ax060805/ax060805_unit.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/device_world.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "generated/ax060805/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
+
+using namespace canproof;
+
+CANPROOF_FUZZ_REPLAYS_AS("ax060805")
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::INC_FV_002, req::INC_BIN_007, req::INC_INSTALL_005)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return fuzz::fuzz_device<fuzz::Ax060805Unit>(data, size);
+}

@@ -1,0 +1,18 @@
+// A whole AX130751: see support/device_world.hpp for what can happen to it and what must hold.
+#include "fuzz/devices/ax130751/ax130751_unit.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/device_world.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "generated/ax130751/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
+
+using namespace canproof;
+
+CANPROOF_FUZZ_REPLAYS_AS("ax130751")
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::AOR_OUT_016, req::AOR_DIAG_008, req::AOR_RELAY_001, req::CO_SDO_015, req::CO_STORE_004)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return fuzz::fuzz_device<fuzz::Ax130751Unit>(data, size);
+}

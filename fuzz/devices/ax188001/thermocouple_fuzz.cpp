@@ -1,0 +1,68 @@
+// Thermocouple arithmetic on any bit pattern, against the reference functions in long double.
+// Input: records of ten bytes: the type, what is asked, and eight bytes of a double.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "devices/ax188001/firmware/thermocouple_curves.hpp"
+#include "devices/ax188001/simulation/exact_reference.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/require.hpp"
+#include "generated/ax188001/requirements.hpp"
+
+namespace {
+
+using namespace canproof;
+using fuzz::require;
+using generated::ax188001::SensorType;
+
+constexpr std::size_t record_size = 10;
+constexpr SensorType types[]{SensorType::j, SensorType::k, SensorType::n, SensorType::r,
+                             SensorType::s, SensorType::t, SensorType::e, SensorType::b};
+
+/// A voltage of any bits gives a temperature of the type's range, and within the range that voltage's own.
+void check_voltage(SensorType type, double mv) {
+    const ThermocoupleCurve& curve = thermocouple_curve(type);
+    const double celsius = exact_celsius(curve, mv);
+    require(celsius >= curve.lowest_c() && celsius <= curve.highest_c());
+    if (mv > reference_mv(curve, curve.lowest_c()) && mv < reference_mv(curve, curve.highest_c())) {
+        const double slope = reference_slope(curve, celsius);
+        const double excess =
+            static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
+        // At the foot of type B's branch the slope vanishes: there the voltage itself must fit.
+        require(std::fabs(excess) < std::fmax(0.02 * slope, 1e-9));
+    }
+}
+
+/// A temperature in the range is found again from its voltage.
+void check_temperature(SensorType type, double fraction) {
+    const ThermocoupleCurve& curve = thermocouple_curve(type);
+    const double part = std::fabs(std::fmod(fraction, 1.0));
+    if (!(part >= 0.0)) {
+        return;  // no number
+    }
+    const double celsius = curve.lowest_c() + (curve.highest_c() - curve.lowest_c()) * part;
+    const double mv = static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius)));
+    const double tolerance = reference_slope(curve, celsius) < 2e-5 ? 0.5 : 0.02;
+    require(std::fabs(exact_celsius(curve, mv) - celsius) < tolerance);
+}
+
+}  // namespace
+
+CANPROOF_FUZZ_RECORDS(record_size)
+CANPROOF_FUZZ_CLAIMS(req::TCS_CONV_002)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    for (; size >= record_size; data += record_size, size -= record_size) {
+        const SensorType type = types[data[0] % std::size(types)];
+        double number = 0.0;
+        std::memcpy(&number, data + 2, sizeof number);
+        if (data[1] % 2 == 0) {
+            check_voltage(type, number);
+        } else {
+            check_temperature(type, number);
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,18 @@
+// A whole CAN-CBX-AO412: see support/device_world.hpp for what can happen to it and what must hold.
+#include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
+#include "fuzz/support/claims.hpp"
+#include "fuzz/support/device_world.hpp"
+#include "fuzz/support/record_mutator.hpp"
+#include "fuzz/support/replays_as.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+
+using namespace canproof;
+
+CANPROOF_FUZZ_REPLAYS_AS("cbx-ao412")
+CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_STORE_004)
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return fuzz::fuzz_device<fuzz::CbxAo412Unit>(data, size);
+}

@@ -1,0 +1,61 @@
+// The CAN-CBX-AO412 for DeviceWorld.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
+#include "fuzz/support/require.hpp"
+
+namespace canproof::fuzz {
+
+class CbxAo412Unit {
+  public:
+    using Device = cbx_ao412::Device;
+    using Inputs = cbx_ao412::Inputs;
+    using FactoryData = cbx_ao412::FactoryData;
+    static constexpr std::size_t memory_size = 1024;
+    static constexpr std::uint8_t answers_remote = 0x02;  ///< 7.7.2: RPDO 2
+
+    static void prepare(Inputs&) {}
+    /// With switches that give no node-ID only the LEDs work.
+    static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
+    static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
+    static bool may_also_send(const Frame&) { return false; }
+
+    /// 4.3.1: no output is beyond 10.205 V. 7.10.3: in an internal fault an output stays where it was, or goes to 0 V
+    /// or to its error value; nothing that is written moves it elsewhere.
+    void check(const Device& device, const Inputs& inputs, bool) {
+        for (std::uint8_t number = 1; number <= 4; ++number) {
+            const float volts = device.outputs().aout[number - 1U];
+            require(volts >= -10.2046F && volts <= 10.2046F);
+            Seen& seen = seen_[number - 1U];
+            const std::uint32_t calibration = read(device, 0x2404, number) << 16U | read(device, 0x2405, number);
+            const bool failed = inputs.internal_fault || inputs.hardware_fault;
+            if (failed && calibration == 0U && seen.calibration == 0U) {
+                const bool stays = volts == seen.volts || volts == 0.0F;
+                require(stays || std::fabs(volts - error_volts(device, number)) < 0.001F);
+            }
+            seen = Seen{volts, calibration};
+        }
+    }
+
+  private:
+    struct Seen {
+        float volts{0.0F};
+        std::uint32_t calibration{0U};
+    };
+    static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
+        return device.objects().read(index, sub) & 0xFFFFU;
+    }
+    /// The upper half of 6444h in steps of eight, 2.492 mV each (7.10.2.2, 7.10.4).
+    static float error_volts(const Device& device, std::uint8_t number) {
+        const auto code = static_cast<std::int16_t>(device.objects().read(0x6444, number) >> 16U);
+        const float step = std::floor((static_cast<float>(code) + 4.0F) / 8.0F);
+        return std::fmin(std::fmax(step, -4095.0F), 4095.0F) * 0.00249194F;
+    }
+
+    std::array<Seen, 4> seen_{};
+};
+
+}  // namespace canproof::fuzz

@@ -1,0 +1,27 @@
+#include "devices/ax060805/firmware/angle_range.hpp"
+
+#include <cmath>
+
+namespace canproof {
+
+namespace {
+
+constexpr std::int32_t full_turn = 360;
+
+}  // namespace
+
+float in_span(const float degrees, const AngleSpan& span) noexcept {
+    const float lower = static_cast<float>(span.lower);
+    const float upper = static_cast<float>(span.upper);
+    if ((static_cast<std::int32_t>(span.upper) - span.lower) != full_turn) {
+        const float distance = std::fabs(degrees);
+        return std::fmax(lower, (distance > upper) ? ((2.0F * upper) - distance) : distance);
+    }
+    if (degrees < lower) {
+        const float turned = degrees + static_cast<float>(full_turn);
+        return (turned < upper) ? turned : lower;  // an angle just below 0 can round up to 360
+    }
+    return degrees;
+}
+
+}  // namespace canproof

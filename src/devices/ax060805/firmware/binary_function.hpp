@@ -1,0 +1,46 @@
+// One binary function block (AX060805, 3.8): A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
+//
+// Total: every operation gives a value or an undefined signal for every bit pattern of its operands.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "devices/ax060805/firmware/signal.hpp"
+#include "generated/ax060805/tables.hpp"
+
+namespace canproof {
+
+using UnaryFunction = generated::ax060805::t_inc_t9::Function;
+using BinaryFunction = generated::ax060805::t_inc_t10::Function;
+
+/// Scale first, then offset.
+struct Linear {
+    float scale{1.0F};
+    float offset{0.0F};
+};
+
+struct FunctionInput {
+    Signal source{};
+    bool has_default{false};
+    float default_value{0.0F};  ///< taken when the source is undefined and has_default is set
+    std::uint8_t unary{0U};     ///< number of Table 9; an unknown one leaves the value
+    Linear linear{};
+};
+
+struct FunctionBlock {
+    std::array<FunctionInput, 2U> inputs{};
+    std::uint8_t operation{0U};  ///< number of Table 10; an unknown one is undefined
+    Linear output{};
+};
+
+/// Table 9. Integer functions work on to_discrete(x) and give a whole number.
+float apply_unary(std::uint8_t number, float x) noexcept;
+
+/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is no number.
+Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
+
+/// Equation 4.
+Signal evaluate(const FunctionBlock& block) noexcept;
+
+}  // namespace canproof

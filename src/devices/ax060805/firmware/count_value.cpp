@@ -1,0 +1,36 @@
+#include "devices/ax060805/firmware/count_value.hpp"
+
+#include <cmath>
+
+namespace canproof {
+
+namespace {
+
+constexpr float lowest = -32768.0F;
+constexpr float highest = 32767.0F;
+constexpr float highest_milliseconds = 65535.0F;
+constexpr float digits_of_whole_units = 1000.0F;  // with these a received count is one unit
+
+}  // namespace
+
+std::int16_t count_value(const float value, const CountScale& scale) noexcept {
+    const float counts = (value * static_cast<float>(scale.digits)) + scale.offset;
+    if (std::isnan(counts)) {
+        return 0;
+    }
+    const float clamped = std::fmin(std::fmax(counts, lowest), highest);
+    return static_cast<std::int16_t>(std::round(clamped));
+}
+
+std::uint16_t whole_milliseconds(const float milliseconds) noexcept {
+    if (!(milliseconds > 0.0F)) {
+        return 0U;
+    }
+    return static_cast<std::uint16_t>(std::round(std::fmin(milliseconds, highest_milliseconds)));
+}
+
+float value_of_count(const std::int16_t count, const ReceivedScale& scale) noexcept {
+    return ((static_cast<float>(count) + scale.offset) * static_cast<float>(scale.digits)) / digits_of_whole_units;
+}
+
+}  // namespace canproof

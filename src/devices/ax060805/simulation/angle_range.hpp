@@ -1,0 +1,21 @@
+// The angle configuration of an AX060805 (3.5, Table 8), which no object sets: a unit has it from the factory.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "devices/ax060805/firmware/ax060805.hpp"
+
+namespace canproof::host {
+
+struct AngleRange {
+    const char* word;  ///< the name that Table 8 gives it, less "Degree Range"
+    ax060805::AngleConfiguration range;
+};
+
+inline constexpr const char* angle_range_key = "angle_range";
+inline constexpr std::array<AngleRange, 3> angle_ranges{{{"180", ax060805::AngleConfiguration::half_turns},
+                                                         {"360", ax060805::AngleConfiguration::full_turn},
+                                                         {"90", ax060805::AngleConfiguration::right_angle}}};
+
+}  // namespace canproof::host

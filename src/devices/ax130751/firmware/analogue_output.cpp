@@ -1,0 +1,44 @@
+#include "devices/ax130751/firmware/analogue_output.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof {
+
+static_assert(implements<req::AOR_OUT_009> && implements<req::AOR_OUT_010> && implements<req::AOR_OUT_011> &&
+              implements<req::AOR_OUT_014> && implements<req::AOR_OUT_015> && implements<req::AOR_OUT_016> &&
+              implements<req::AOR_DIAG_009>);
+AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const AnalogueDemand& demand,
+                                            const OutputRange& range, const RampTimes& times,
+                                            const Instant now) noexcept {
+    constexpr double off = 0.0;
+    double target{off};
+    switch (drive) {
+        case OutputDrive::control:
+            target = range.nearest(demand.control);
+            static_cast<void>(ramp_.follow(target, times, now));
+            break;
+        case OutputDrive::ramp_off:
+            static_cast<void>(ramp_.follow(target, times, now));
+            break;
+        case OutputDrive::keep:
+            target = range.nearest(ramp_.hold(now));
+            break;
+        case OutputDrive::override_value:
+            target = range.nearest(demand.override_value);
+            ramp_.set(target);
+            break;
+        case OutputDrive::fault_value:
+            target = range.nearest(demand.fault_value);
+            ramp_.set(target);
+            break;
+        case OutputDrive::shut_off:
+        case OutputDrive::shutdown:
+        default:
+            ramp_.set(target);
+            break;
+    }
+    return AnalogueOutputState{target, range.nearest(ramp_.value_at(now))};
+}
+
+}  // namespace canproof

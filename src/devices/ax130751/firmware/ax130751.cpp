@@ -1,0 +1,401 @@
+#include "devices/ax130751/firmware/ax130751.hpp"
+
+#include "firmware/axiomatic/axiomatic.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+constexpr std::uint32_t override_value_index = 0x2300U;
+constexpr std::uint32_t output_type_index = 0x6310U;
+constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
+constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
+constexpr std::uint32_t fault_value_index = 0x7341U;
+constexpr std::uint32_t point_response_offset = 5U;
+constexpr std::uint32_t point_x_offset = 6U;
+
+constexpr ErrorId supply_error = ErrorId::first_of_device;
+constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
+constexpr std::array<ErrorId, 4U> heartbeat_errors{
+    {ErrorId::heartbeat_1, ErrorId::heartbeat_2, ErrorId::heartbeat_3, ErrorId::heartbeat_4}};
+
+static_assert(implements<req::AOR_K_CYCLE>);
+const Duration cycle_time = milliseconds(own::cycle_ms);
+
+static_assert(implements<req::AOR_T22>);
+const auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
+
+// What the node does for every device, in the manner of this one.
+static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_ERR_001> &&
+              implements<req::AOR_ERR_002> && implements<req::AOR_ERR_003> && implements<req::AOR_ERR_004> &&
+              implements<req::AOR_ERR_005> && implements<req::AOR_ERR_006> && implements<req::AOR_ERR_007> &&
+              implements<req::AOR_GUARD_001> && implements<req::AOR_HB_001> && implements<req::AOR_HB_002>);
+static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && implements<req::AOR_PDO_003> &&
+              implements<req::AOR_PDO_004> && implements<req::AOR_PDO_005> && implements<req::AOR_PDO_006> &&
+              implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
+static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
+              implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
+const NodeProfile profile = axiomatic_profile(bit_rates);
+
+constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t23::Row& row) noexcept {
+    const auto detail = static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
+    table[static_cast<std::size_t>(id)] = ErrorRow{row.code, row.register_bits, true, true, detail};
+}
+
+constexpr ErrorId id_of(const own::t_aor_t_node_errors::Error error) noexcept {
+    using own::t_aor_t_node_errors::Error;
+    switch (error) {
+        case Error::rpdo_length:
+            return ErrorId::rpdo_length;
+        case Error::rpdo_value:
+            return ErrorId::rpdo_value;
+        case Error::stored_set:
+        default:
+            return ErrorId::stored_set_checksum;
+    }
+}
+
+static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
+              implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&
+              implements<req::AOR_ERR_009> && implements<req::AOR_ERR_010> && implements<req::AOR_ERR_011>);
+constexpr ErrorTable make_error_table() noexcept {
+    using own::t_aor_t23::Error;
+    ErrorTable table{};
+    for (const own::t_aor_t23::Row& row : own::t_aor_t23::rows) {
+        switch (row.error) {
+            case Error::rpdo_timeout:
+                put_error(table, ErrorId::rpdo_timeout, row);
+                break;
+            case Error::life_guarding:
+                put_error(table, ErrorId::life_guarding, row);
+                break;
+            case Error::heartbeat:
+                for (const ErrorId error : heartbeat_errors) {
+                    put_error(table, error, row);
+                }
+                break;
+            case Error::error_reset:
+            default:
+                break;
+        }
+    }
+    for (const own::t_aor_t_fault_codes::Row& row : own::t_aor_t_fault_codes::rows) {
+        const bool of_supply = row.fault == own::t_aor_t_fault_codes::Fault::supply;
+        table[static_cast<std::size_t>(of_supply ? supply_error : temperature_error)] =
+            ErrorRow{row.code, row.register_bits, true, true, 0U};
+    }
+    for (const own::t_aor_t_node_errors::Row& row : own::t_aor_t_node_errors::rows) {
+        table[static_cast<std::size_t>(id_of(row.error))] = ErrorRow{row.code, row.register_bits, true, true, 0U};
+    }
+    return table;
+}
+const ErrorTable error_table = make_error_table();
+
+bool is_field_value(const std::uint16_t index) noexcept {
+    return (index == override_value_index) || (index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
+           (index == fault_value_index);
+}
+
+std::int16_t to_int16(const ByteView value) noexcept {
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(read_le(value, 0U, sizeof(std::int16_t))));
+}
+
+std::int32_t to_int32(const ByteView value) noexcept {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(read_le(value, 0U, sizeof(std::int32_t))));
+}
+
+}  // namespace
+
+Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      lss_store_{memory},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      factory_{factory},
+      sources_{objects_},
+      universal_{{UniversalOutput{objects_, sources_, 1U}, UniversalOutput{objects_, sources_, 2U}}},
+      relay_{objects_, sources_} {}
+
+static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003> && implements<req::AOR_K_NODE_ID> &&
+              implements<req::AOR_K_BIT_RATE>);
+void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
+    lss_stored_ = kept_;
+    bit_rate_ = kept_.bit_rate;
+    node_.power_on(kept_, now);
+    set_inputs(inputs, now);
+}
+
+void Device::receive(const Frame& frame, const Instant now) noexcept {
+    advance(now);
+    node_.receive(frame, now);
+    watch_network(now);
+    wake(now);
+}
+
+void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
+    advance(now);
+    inputs_ = inputs;
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
+    wake(now);
+}
+
+/// Cycles and deadlines of the node, in the order of their times; at the same time the cycle comes first.
+static_assert(implements<req::AOR_OUT_027>);
+void Device::advance(const Instant now) noexcept {
+    Instant due = next_deadline();
+    while (due <= now) {
+        if (next_cycle_ <= due) {
+            run_cycle(due);
+        }
+        node_.advance(due);
+        watch_network(due);
+        // A deadline of the node that stayed where it is would wait for something else, such as room in the queue.
+        const Instant next = next_deadline();
+        due = (next > due) ? next : next_cycle_;
+    }
+    node_.advance(now);
+    watch_network(now);
+}
+
+Instant Device::next_deadline() const noexcept {
+    return earliest(node_.next_deadline(), next_cycle_);
+}
+
+static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
+void Device::run_cycle(const Instant now) noexcept {
+    const bool quiet = !run_blocks(now);
+    tell_errors(now);
+    // Two such cycles in a row: so will all be that follow, until something new comes.
+    const bool rests = quiet && was_quiet_;
+    was_quiet_ = quiet;
+    next_cycle_ = rests ? next_change() : (now + cycle_time);
+}
+
+/// When blocks at rest move by themselves. What they wait for began with a cycle and lasts whole milliseconds.
+Instant Device::next_change() const noexcept {
+    return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
+}
+
+/// One evaluation of all blocks. True when something changed that a block earlier in the order may yet see, or that
+/// goes on changing. Not told is what a cycle sees at once and its repetition brings to an end, as new inputs do.
+bool Device::run_blocks(const Instant now) noexcept {
+    supervision_.advance(inputs_, objects_);
+    bool changes{false};
+    sources_.set_network(overdue_, silent_);
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        changes = tables_[table - 1U].advance(table, objects_, sources_, now) || changes;
+    }
+    for (std::uint8_t block = 1U; block <= logic_count; ++block) {
+        changes = selections_[block - 1U].advance(block, objects_, sources_) || changes;
+    }
+    for (std::uint8_t block = 1U; block <= math_count; ++block) {
+        changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
+    }
+    const bool runs = node_.state() == NmtState::operational;
+    const OutputCycle cycle{supervision_.shuts_down() || (!runs), supervision_.has_power(), now};
+    for (UniversalOutput& output : universal_) {
+        changes = output.advance(cycle, inputs_, outputs_) || changes;
+    }
+    relay_.advance(cycle, outputs_);
+    return changes;
+}
+
+static_assert(implements<req::AOR_DIAG_007>);
+void Device::tell_errors(const Instant now) noexcept {
+    if (node_.state() != NmtState::initialising) {
+        node_.set_error(supply_error, supervision_.has_supply_fault(), now);
+        node_.set_error(temperature_error, supervision_.has_temperature_fault(), now);
+    }
+}
+
+/// What makes CANopen messages faulty as sources, and the state in which outputs run.
+void Device::watch_network(const Instant now) noexcept {
+    bool silent = node_.has_error(ErrorId::life_guarding);
+    for (const ErrorId error : heartbeat_errors) {
+        silent = silent || node_.has_error(error);
+    }
+    const std::uint8_t overdue = node_.overdue_rpdos();
+    const NmtState state = node_.state();
+    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_) || (state != watched_state_)) {
+        silent_ = silent;
+        overdue_ = overdue;
+        watched_state_ = state;
+        wake(now);
+    }
+}
+
+/// Something new came at `now`: the next cycle sees it.
+void Device::wake(const Instant now) noexcept {
+    const std::uint64_t cycles_gone = elapsed(epoch_, now).us / cycle_time.us;
+    const Instant next = epoch_ + Duration{(cycles_gone + 1U) * cycle_time.us};
+    next_cycle_ = earliest(next_cycle_, next);
+    was_quiet_ = false;
+}
+
+AbortCode Device::check_access(const EntryRef&) {
+    return AbortCode::none;  // no entry depends on the state of the device
+}
+
+AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
+    const TableEntry place = table_entry(entry.index);
+    if (place.offset == point_x_offset) {
+        return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
+    }
+    return is_field_value(entry.index) ? universal_[entry.row->subindex - 1U].check_field_value(to_int16(value))
+                                       : AbortCode::none;
+}
+
+/// 5B50h and 5B51h lie where LSS stores, with the other manufacturer objects in time only.
+static_assert(implements<req::AOR_NODE_002>);
+AbortCode Device::save(const EntryRef& entry) {
+    constexpr std::uint32_t all = 1U;
+    constexpr std::uint32_t manufacturer = 4U;
+    const std::uint32_t group = entry.row->subindex;
+    const LssConfiguration wanted{objects_.get(field::o5b51_change_node_id), wanted_bit_rate()};
+    const bool differs = (std::uint32_t{wanted.node_id} != kept_.node_id) || (wanted.bit_rate != kept_.bit_rate);
+    if (((group != all) && (group != manufacturer)) || (!differs)) {
+        return AbortCode::none;
+    }
+    if (lss_store_.store(wanted) != LssError::none) {
+        return AbortCode::hardware_error;
+    }
+    kept_ = wanted;
+    return AbortCode::none;
+}
+
+void Device::after_write(const EntryRef& entry, const Instant) {
+    const TableEntry place = table_entry(entry.index);
+    if (place.table != 0U) {
+        if ((place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
+            is_over_time(objects_, place.table)) {
+            begin_time_response(objects_, place.table);
+        }
+        tables_[place.table - 1U].reread();
+    }
+    if (entry.index == output_type_index) {
+        const std::uint8_t output = entry.row->subindex;
+        const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
+        if (std::uint32_t{type} != types_[output - 1U]) {
+            types_[output - 1U] = type;
+            universal_[output - 1U].take_type_defaults();
+        }
+    }
+    follow_minima(entry);
+}
+
+/// Once a write, and not in each cycle: a minimum depends on parameters alone.
+void Device::follow_minima(const EntryRef& entry) noexcept {
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        if (first_points_[table - 1U].follow(table, entry, objects_, sources_)) {
+            tables_[table - 1U].reread();
+        }
+    }
+}
+
+static_assert(implements<req::AOR_ID_002>);
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
+            if (value.has_value()) {
+                objects_.set(entry, *value);
+            }
+        };
+        put(field::o1018_3_revision_number, factory_.revision);
+        put(field::o1018_4_serial_number, factory_.serial_number);
+        put(field::o1020_verify_configuration[1U], factory_.made_on);
+        put(field::o1020_verify_configuration[2U], factory_.made_at);
+    }
+}
+
+static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_NODE_004>);
+void Device::restart(const Instant now) {
+    outputs_ = Outputs{};
+    supervision_.reset();
+    sources_.reset();
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        tables_[table - 1U].reset();
+        first_points_[table - 1U].begin(table, objects_, sources_);
+    }
+    for (CalculationBlock& calculation : calculations_) {
+        calculation.reset();
+    }
+    for (std::uint8_t output = 1U; output <= output_count; ++output) {
+        universal_[output - 1U].reset();
+        types_[output - 1U] = objects_.get(field::o6310_ao_output_type[output]);
+    }
+    supervision_.advance(inputs_, objects_);
+    relay_.reset(supervision_.has_power(), outputs_);
+    show_bit_rate();
+    show_node_id();
+    overdue_ = 0U;
+    silent_ = false;
+    epoch_ = now;
+    next_cycle_ = never;
+    wake(now);
+}
+
+static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002>);
+void Device::booted(const Instant now) {
+    if (objects_.get(field::o5555_start_in_operational_mode)) {
+        node_.start_at(now);
+    }
+    tell_errors(now);
+}
+
+void Device::communication_failed(const bool, const Instant) {
+    // which of the messages fail, and when, is seen in watch_network()
+}
+
+void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
+    bit_rate_ = bit_rate;
+}
+
+/// What LSS has not changed stays as 1010h stored it, and in 5B50h and 5B51h as it was written.
+static_assert(implements<req::AOR_NODE_005>);
+LssError Device::store_configuration(const LssConfiguration& configuration) {
+    const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;
+    const bool stays_bit_rate = configuration.bit_rate == lss_stored_.bit_rate;
+    const LssConfiguration wanted{stays_node_id ? kept_.node_id : configuration.node_id,
+                                  stays_bit_rate ? kept_.bit_rate : configuration.bit_rate};
+    const LssError error = lss_store_.store(wanted);
+    if (error != LssError::none) {
+        return error;
+    }
+    kept_ = wanted;
+    lss_stored_ = configuration;
+    if (!stays_node_id) {
+        show_node_id();
+    }
+    if (!stays_bit_rate) {
+        show_bit_rate();
+    }
+    return error;
+}
+
+std::uint32_t Device::wanted_bit_rate() const noexcept {
+    return cell_or(own::t_aor_t22::find(objects_.get(field::o5b50_change_baud_rate)), &own::t_aor_t22::Row::bit_rate,
+                   kept_.bit_rate);
+}
+
+static_assert(implements<req::AOR_NODE_003>);
+void Device::show_bit_rate() noexcept {
+    for (const own::t_aor_t22::Row& row : own::t_aor_t22::rows) {
+        if (row.bit_rate == kept_.bit_rate) {
+            objects_.set(field::o5b50_change_baud_rate, row.index);
+        }
+    }
+}
+
+void Device::show_node_id() noexcept {
+    objects_.set(field::o5b51_change_node_id, kept_.node_id);
+}
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,102 @@
+// Axiomatic AX130751 and AX130771: two universal outputs and a relay on CANopen, with ten lookup tables, three logic
+// and four math blocks (manual AX130751, chapters 1, 3 and 4). The part numbers differ in isolation and housing, not in
+// what runs here.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "devices/ax130751/firmware/ax130751_blocks.hpp"
+#include "devices/ax130751/firmware/ax130751_first_point.hpp"
+#include "devices/ax130751/firmware/ax130751_output.hpp"
+#include "devices/ax130751/firmware/ax130751_relay.hpp"
+#include "devices/ax130751/firmware/ax130751_sources.hpp"
+#include "devices/ax130751/firmware/ax130751_supervision.hpp"
+#include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/canopen/lss_store.hpp"
+#include "firmware/canopen/node.hpp"
+
+namespace canproof::ax130751 {
+
+/// What belongs to one unit and left the factory with it. What is absent is as the register has it. 3.2.11, 3.2.12.
+struct FactoryData {
+    std::optional<std::uint32_t> revision{};       ///< 1018h:3
+    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4
+    std::optional<std::uint32_t> made_on{};        ///< 1020h:1
+    std::optional<std::uint32_t> made_at{};        ///< 1020h:2
+};
+
+class Device final : private Application {
+  public:
+    Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
+
+    /// Starts with the node-ID and bit rate that LSS, or 1010h with 5B50h and 5B51h, stored.
+    void power_on(const Inputs& inputs, Instant now) noexcept;
+    void receive(const Frame& frame, Instant now) noexcept;
+    /// The physical inputs as they are from `now` on; the blocks notice them in their next cycle.
+    void set_inputs(const Inputs& inputs, Instant now) noexcept;
+    /// Runs every cycle that is due: work grows with the time since the last call, a cycle a millisecond at most.
+    void advance(Instant now) noexcept;
+    Instant next_deadline() const noexcept;
+
+    const Outputs& outputs() const noexcept { return outputs_; }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
+    std::uint32_t bit_rate() const noexcept { return bit_rate_; }
+    std::uint8_t node_id() const noexcept { return node_.node_id(); }
+    NmtState state() const noexcept { return node_.state(); }
+
+  private:
+    AbortCode check_access(const EntryRef& entry) override;
+    AbortCode before_write(const EntryRef& entry, ByteView value) override;
+    AbortCode save(const EntryRef& entry) override;
+    void after_write(const EntryRef& entry, Instant now) override;
+    void put_factory_values(ParameterGroup group) override;
+    void restart(Instant now) override;
+    void booted(Instant now) override;
+    void communication_failed(bool failed, Instant now) override;
+    void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
+    LssError store_configuration(const LssConfiguration& configuration) override;
+
+    void run_cycle(Instant now) noexcept;
+    bool run_blocks(Instant now) noexcept;
+    void watch_network(Instant now) noexcept;
+    void tell_errors(Instant now) noexcept;
+    void wake(Instant now) noexcept;
+    Instant next_change() const noexcept;
+    void follow_minima(const EntryRef& entry) noexcept;
+    std::uint32_t wanted_bit_rate() const noexcept;
+    void show_bit_rate() noexcept;
+    void show_node_id() noexcept;
+
+    std::array<std::uint8_t, generated::ax130751::image_size> image_{};
+    ObjectDictionary objects_;
+    LssStore lss_store_;
+    PdoMemoryFor<generated::ax130751::compiled::tables> pdos_{};
+    Node node_;
+    FactoryData factory_;
+    Inputs inputs_{};
+    Outputs outputs_{};
+    LssConfiguration kept_{};        ///< for the next power-on
+    LssConfiguration lss_stored_{};  ///< what LSS last stored, which knows nothing of 5B50h and 5B51h
+    std::uint32_t bit_rate_{0U};
+
+    // In the order in which a cycle runs through them.
+    Supervision supervision_{};
+    Sources sources_;
+    std::array<FirstPoint, table_count> first_points_{};
+    std::array<TableBlock, table_count> tables_{};
+    std::array<SelectionBlock, logic_count> selections_{};
+    std::array<CalculationBlock, math_count> calculations_{};
+    std::array<UniversalOutput, output_count> universal_;
+    RelayOutput relay_;
+
+    std::array<std::uint16_t, output_count> types_{};  ///< 6310h as last acted upon
+    Instant epoch_{};                                  ///< cycles run at whole multiples of their time after this
+    Instant next_cycle_{never};
+    std::uint8_t overdue_{0U};
+    bool silent_{false};
+    NmtState watched_state_{NmtState::initialising};
+    bool was_quiet_{false};  ///< the last cycle: it changed nothing
+};
+
+}  // namespace canproof::ax130751

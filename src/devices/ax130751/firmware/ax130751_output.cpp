@@ -1,0 +1,316 @@
+#include "devices/ax130751/firmware/ax130751_output.hpp"
+
+#include <cmath>
+
+#include "devices/ax130751/firmware/current_loop.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+static_assert(implements<req::AOR_T07>);
+EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
+    using Action = own::t_aor_t07::Action;
+    switch (cell_or(own::t_aor_t07::find(response, on), &own::t_aor_t07::Row::action, Action::shut_off)) {
+        case Action::run:
+            return EnableAction::run;
+        case Action::ramp_off:
+            return EnableAction::ramp_off;
+        case Action::keep:
+            return EnableAction::keep;
+        case Action::shut_off:
+        default:
+            return EnableAction::shut_off;
+    }
+}
+
+static_assert(implements<req::AOR_T01>);
+SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool state) noexcept {
+    using Drive = own::t_aor_t01::Drive;
+    switch (cell_or(own::t_aor_t01::find(value, before, state), &own::t_aor_t01::Row::drive, Drive::off)) {
+        case Drive::on:
+            return SwitchDrive::on;
+        case Drive::keep:
+            return SwitchDrive::keep;
+        case Drive::change:
+            return SwitchDrive::change;
+        case Drive::blink:
+            return SwitchDrive::blink;
+        case Drive::off:
+        default:
+            return SwitchDrive::off;
+    }
+}
+
+static_assert(implements<req::AOR_T06> && implements<req::AOR_OUT_006>);
+bool follows_profile(const std::uint8_t response, const ScalingPosition position) noexcept {
+    namespace table = own::t_aor_t06;
+    table::Position where{table::Position::within};
+    if (position == ScalingPosition::below) {
+        where = table::Position::below;
+    } else if (position == ScalingPosition::above) {
+        where = table::Position::above;
+    } else {
+        // within
+    }
+    using table::Drive;
+    return cell_or(table::find(response, where), &table::Row::drive, Drive::off) == Drive::profile;
+}
+
+/// The override input as Table 8 reads it.
+static_assert(implements<req::AOR_T08>);
+bool is_overridden(const std::uint8_t response, const bool on) noexcept {
+    return cell_or(own::t_aor_t08::find(response, on), &own::t_aor_t08::Row::overridden, false);
+}
+
+OutputRange range_of(const own::t_aor_t03::Row& type) noexcept {
+    return OutputRange{static_cast<double>(type.minimum), static_cast<double>(type.maximum)};
+}
+
+}  // namespace
+
+void UniversalOutput::reset() noexcept {
+    analogue_.reset();
+    digital_.reset();
+    control_ = DigitalReading{};
+    enable_ = DigitalReading{};
+    override_ = DigitalReading{};
+    type_ = objects_.get(field::o6310_ao_output_type[number_]);
+    static_cast<void>(show(0, 0));
+}
+
+static_assert(implements<req::AOR_OUT_023>);
+void UniversalOutput::follow_type() noexcept {
+    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} != type_) {
+        reset();
+    }
+}
+
+bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
+    follow_type();
+    const InputSignals signals = read_inputs();
+    clear(outputs);
+    next_change_ = never;
+    return is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
+                                         : advance_analogue(signals, cycle, inputs, outputs);
+}
+
+UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
+    const InputSignals signals{
+        sources_.signal(control_choice_.follow(objects_.get(field::o2340_ao_control_input_source[number_]),
+                                               objects_.get(field::o2341_ao_control_input_number[number_]))),
+        sources_.signal(enable_choice_.follow(objects_.get(field::o2350_ao_enable_input_source[number_]),
+                                              objects_.get(field::o2351_ao_enable_input_number[number_]))),
+        sources_.signal(override_choice_.follow(objects_.get(field::o2360_ao_override_input_source[number_]),
+                                                objects_.get(field::o2361_ao_override_input_number[number_])))};
+    static_cast<void>(control_.read(signals.control));
+    static_cast<void>(enable_.read(signals.enable));
+    static_cast<void>(override_.read(signals.override_input));
+    return signals;
+}
+
+static_assert(implements<req::AOR_T02> && implements<req::AOR_T09>);
+FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
+    bool keeps{false};
+    if (digital) {
+        namespace table = own::t_aor_t02;
+        const std::uint8_t mode = objects_.get(field::o6250_do_fault_mode_1_output_line[number_]);
+        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_state) == table::Action::keep;
+    } else {
+        namespace table = own::t_aor_t09;
+        const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
+        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_value) == table::Action::keep;
+    }
+    return keeps ? FaultAction::keep : FaultAction::fault_value;
+}
+
+static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> &&
+              implements<req::AOR_SPEC_001>);
+OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
+    OutputConditions conditions{};
+    conditions.shutdown =
+        shutdown || enable_choice_.lacks(signals.enable) || override_choice_.lacks(signals.override_input);
+    conditions.input_in_error =
+        signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
+    conditions.on_error = fault_action(digital);
+    conditions.overridden = signals.override_input.is_valid() &&
+                            is_overridden(objects_.get(field::o2362_ao_override_response[number_]), override_.on());
+    conditions.enable = signals.enable.is_valid()
+                            ? enable_action(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
+                            : EnableAction::run;
+    const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
+    if (digital && runs && (!signals.control.is_available())) {
+        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+    }
+    return choose_drive(conditions);
+}
+
+LinearScaling UniversalOutput::scaling() noexcept {
+    const std::uint8_t pv_digits = objects_.get(field::o6302_ao_decimal_digits_pv[number_]);
+    const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    return LinearScaling{
+        parameters_.scaling_1_pv.of(objects_.get(field::o7320_ao_output_scaling_1_pv[number_]), pv_digits),
+        parameters_.scaling_2_pv.of(objects_.get(field::o7322_ao_output_scaling_2_pv[number_]), pv_digits),
+        parameters_.scaling_1_fv.of(objects_.get(field::o7321_ao_output_scaling_1_fv[number_]), fv_digits),
+        parameters_.scaling_2_fv.of(objects_.get(field::o7323_ao_output_scaling_2_fv[number_]), fv_digits)};
+}
+
+AnalogueDemand UniversalOutput::demand(const double control) noexcept {
+    const std::uint8_t digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    return AnalogueDemand{
+        control, parameters_.override_fv.of(objects_.get(field::o2300_ao_override_field_value[number_]), digits),
+        parameters_.fault_fv.of(objects_.get(field::o7341_ao_fault_field_value[number_]), digits)};
+}
+
+double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
+    const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
+    const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
+    return driven ? scale(control.value, scaling) : 0.0;
+}
+
+/// What of a value comes out at the terminals: as much current as the load lets pass; no duty cycle without pulses.
+double UniversalOutput::carried(const Kind kind, const double value, const Inputs& inputs) const noexcept {
+    if (kind == Kind::current) {
+        return loop_current(value, static_cast<double>(inputs.load[number_ - 1U]),
+                            static_cast<double>(own::compliance_voltage),
+                            static_cast<double>(own::milliamperes_per_ampere));
+    }
+    const bool stands = (kind == Kind::pwm) && (objects_.get(field::o2380_ao_output_frequency[number_]) == 0U);
+    return stands ? 0.0 : value;
+}
+
+static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && implements<req::AOR_OUT_005> &&
+              implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_025>);
+bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
+                                       Outputs& outputs) noexcept {
+    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    const LinearScaling line = scaling();
+    const AnalogueDemand demanded = demand(control_value(signals.control, line));
+    const RampTimes times{std::fabs(line.y2 - line.y1), milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
+                          milliseconds(objects_.get(field::o2331_ao_ramp_down[number_]))};
+    const OutputDrive drive = drive_of(signals, cycle.shutdown, false);
+    const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
+    const double value = carried(type.kind, state.value, inputs);
+    const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
+    drive_analogue(type.kind, value, outputs);
+    return analogue_.is_moving(cycle.now) || changes;
+}
+
+void UniversalOutput::clear(Outputs& outputs) const noexcept {
+    const std::size_t at = number_ - 1U;
+    outputs.out_voltage[at] = 0.0F;
+    outputs.out_current[at] = 0.0F;
+    outputs.out_duty[at] = 0.0F;
+    outputs.out_frequency[at] = 0.0F;
+    outputs.out_level[at] = 0.0F;
+    outputs.out_on[at] = false;
+}
+
+static_assert(implements<req::AOR_OUT_019> && implements<req::AOR_OUT_020> && implements<req::AOR_OUT_021>);
+void UniversalOutput::drive_analogue(const Kind kind, const double value, Outputs& outputs) const noexcept {
+    const std::size_t at = number_ - 1U;
+    switch (kind) {
+        case Kind::voltage:
+            outputs.out_voltage[at] = static_cast<float>(value);
+            break;
+        case Kind::current:
+            outputs.out_current[at] = static_cast<float>(value);
+            break;
+        case Kind::pwm:
+            outputs.out_duty[at] = static_cast<float>(value);
+            outputs.out_frequency[at] = static_cast<float>(objects_.get(field::o2380_ao_output_frequency[number_]));
+            outputs.out_level[at] = static_cast<float>(level());
+            break;
+        case Kind::frequency:
+            outputs.out_duty[at] = (value > 0.0) ? own::frequency_duty : 0.0F;
+            outputs.out_frequency[at] = static_cast<float>(value);
+            outputs.out_level[at] = static_cast<float>(level());
+            break;
+        case Kind::none:
+        case Kind::digital:
+        default:
+            break;
+    }
+}
+
+static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
+double UniversalOutput::level() const noexcept {
+    namespace table = own::t_aor_t_digital_range;
+    const std::uint8_t range = objects_.get(field::o2240_do_digital_range[number_]);
+    return static_cast<double>(cell_or(table::find(range), &table::Row::level_v, 0.0F));
+}
+
+SwitchPolarity UniversalOutput::polarity() const noexcept {
+    const std::uint8_t value = objects_.get(field::o2241_do_polarity_1_output_line[number_]);
+    SwitchPolarity made{};
+    made.was_off = {{switch_drive(value, false, false), switch_drive(value, false, true)}};
+    made.was_on = {{switch_drive(value, true, false), switch_drive(value, true, true)}};
+    return made;
+}
+
+static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
+bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
+                                      Outputs& outputs) noexcept {
+    const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
+                               objects_.get(field::o6260_do_fault_state_1_output_line[number_])};
+    const OutputDrive drive = drive_of(signals, cycle.shutdown, true);
+    const Duration blink = milliseconds(objects_.get(field::o2223_do_blink_rate_1_output_line[number_]));
+    const DigitalOutputState state = digital_.advance(drive, demand, polarity(), blink, cycle.now);
+    const std::size_t at = number_ - 1U;
+    outputs.out_on[at] = state.drive;
+    outputs.out_level[at] = static_cast<float>(level());
+    outputs.out_voltage[at] = state.drive ? outputs.out_level[at] : 0.0F;
+    next_change_ = digital_.next_change();
+    return show(static_cast<std::int16_t>(state.logic ? 1 : 0), static_cast<std::int16_t>(state.drive ? 1 : 0));
+}
+
+bool UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {
+    const bool changes = (target != shown_target_) || (feedback != shown_feedback_);
+    shown_target_ = target;
+    shown_feedback_ = feedback;
+    objects_.set(field::o7330_ao_output_field_value[number_], target);
+    objects_.set(field::o2370_ao_feedback_field_value[number_], feedback);
+    return changes;
+}
+
+static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);
+void UniversalOutput::take_type_defaults() noexcept {
+    const auto type = static_cast<own::OutputType>(objects_.get(field::o6310_ao_output_type[number_]));
+    const auto* const row = own::t_aor_t_type_defaults::find(type);
+    const bool updates = objects_.get(field::o5550_enable_automatic_updates) != 0U;
+    if ((row == nullptr) || (type == own::OutputType::not_used) || (!updates)) {
+        return;
+    }
+    constexpr std::int16_t off = 0;
+    objects_.set(field::o6302_ao_decimal_digits_pv[number_], row->digits);
+    objects_.set(field::o6332_ao_decimal_digits_fv[number_], row->digits);
+    objects_.set(field::o7320_ao_output_scaling_1_pv[number_], row->scaling_1);
+    objects_.set(field::o7322_ao_output_scaling_2_pv[number_], row->scaling_2);
+    objects_.set(field::o7321_ao_output_scaling_1_fv[number_], row->scaling_1);
+    objects_.set(field::o7323_ao_output_scaling_2_fv[number_], row->scaling_2);
+    objects_.set(field::o2300_ao_override_field_value[number_], off);
+    objects_.set(field::o7341_ao_fault_field_value[number_], off);
+}
+
+static_assert(implements<req::AOR_OUT_024>);
+AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
+    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    if ((type.kind == Kind::none) || (field_value == 0)) {
+        return AbortCode::none;
+    }
+    const double value = physical_value(field_value, objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
+    const OutputRange range = range_of(type);
+    if (value > range.maximum) {
+        return AbortCode::value_too_high;
+    }
+    return (value < range.minimum) ? AbortCode::value_too_low : AbortCode::none;
+}
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,153 @@
+#include "devices/ax130751/firmware/ax130751_relay.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+static_assert(implements<req::AOR_T10>);
+SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool control) noexcept {
+    using Drive = own::t_aor_t10::Drive;
+    switch (cell_or(own::t_aor_t10::find(value, before, control), &own::t_aor_t10::Row::drive, Drive::off)) {
+        case Drive::on:
+            return SwitchDrive::on;
+        case Drive::keep:
+            return SwitchDrive::keep;
+        case Drive::change:
+            return SwitchDrive::change;
+        case Drive::blink:
+            return SwitchDrive::blink;
+        case Drive::off:
+        case Drive::none:
+        default:
+            return SwitchDrive::off;
+    }
+}
+
+/// Polarity 0 is a relay that the unit does not have: nothing drives it.
+bool is_implemented(const std::uint8_t value) noexcept {
+    using Drive = own::t_aor_t10::Drive;
+    return cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::drive, Drive::none) != Drive::none;
+}
+
+UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
+    using Unlatch = own::t_aor_t10::Unlatch;
+    switch (cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::unlatch, Unlatch::ignored)) {
+        case Unlatch::to_off:
+            return UnlatchEffect::to_off;
+        case Unlatch::to_on:
+            return UnlatchEffect::to_on;
+        case Unlatch::ignored:
+        default:
+            return UnlatchEffect::ignored;
+    }
+}
+
+static_assert(implements<req::AOR_T11>);
+EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
+    using Action = own::t_aor_t11::Action;
+    switch (cell_or(own::t_aor_t11::find(response, on), &own::t_aor_t11::Row::action, Action::off)) {
+        case Action::run:
+            return EnableAction::run;
+        case Action::keep:
+            return EnableAction::keep;
+        case Action::off:
+        default:
+            return EnableAction::shut_off;
+    }
+}
+
+static_assert(implements<req::AOR_T12>);
+bool is_overridden(const std::uint8_t response, const bool on) noexcept {
+    return cell_or(own::t_aor_t12::find(response, on), &own::t_aor_t12::Row::overridden, false);
+}
+
+static_assert(implements<req::AOR_T11B>);
+bool override_state(const std::uint8_t value) noexcept {
+    return cell_or(own::t_aor_t11b::find(value), &own::t_aor_t11b::Row::on, false);
+}
+
+}  // namespace
+
+void RelayOutput::reset(const bool powered, Outputs& outputs) noexcept {
+    relay_.reset();
+    control_ = DigitalReading{};
+    unlatch_ = DigitalReading{};
+    enable_ = DigitalReading{};
+    override_ = DigitalReading{};
+    show(false, powered, outputs);
+}
+
+static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_018>);
+void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
+    const RelayPolarity wanted = polarity();
+    const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));
+    const OutputDrive drive = drive_of(wanted, cycle.shutdown || absent);
+    const RelayDemand demand{control_.on(), unlatch_.on(),
+                             override_state(objects_.get(field::o2293_relay_override_state[1U]))};
+    show(relay_.advance(drive, demand, wanted, times(), cycle.now), cycle.powered, outputs);
+}
+
+OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {
+    const BlockSignal control = sources_.signal(control_choice_.follow(
+        objects_.get(field::o2260_relay_control_source[1U]), objects_.get(field::o2261_relay_control_number[1U])));
+    const BlockSignal unlatch = sources_.signal(unlatch_choice_.follow(
+        objects_.get(field::o2270_relay_unlatch_source[1U]), objects_.get(field::o2271_relay_unlatch_number[1U])));
+    const BlockSignal enable = sources_.signal(enable_choice_.follow(
+        objects_.get(field::o2280_relay_enable_source[1U]), objects_.get(field::o2281_relay_enable_number[1U])));
+    const BlockSignal forced = sources_.signal(override_choice_.follow(
+        objects_.get(field::o2290_relay_override_source[1U]), objects_.get(field::o2291_relay_override_number[1U])));
+    static_cast<void>(control_.read(control));
+    static_cast<void>(unlatch_.read(unlatch));
+    const bool enabled = enable_.read(enable);
+    const bool override_on = override_.read(forced);
+    OutputConditions conditions{};
+    const bool unlatches = polarity.unlatch != UnlatchEffect::ignored;
+    const bool in_error =
+        control.is_in_error() || enable.is_in_error() || forced.is_in_error() || (unlatch.is_in_error() && unlatches);
+    conditions.shutdown = shutdown || in_error || enable_choice_.lacks(enable) || override_choice_.lacks(forced) ||
+                          (unlatch_choice_.lacks(unlatch) && unlatches);
+    conditions.overridden =
+        forced.is_available() && is_overridden(objects_.get(field::o2292_relay_override_response[1U]), override_on);
+    conditions.enable = enable.is_available()
+                            ? enable_action(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
+                            : EnableAction::run;
+    if ((!control.is_available()) && (conditions.enable == EnableAction::run)) {
+        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+    }
+    return choose_drive(conditions);
+}
+
+RelayPolarity RelayOutput::polarity() const noexcept {
+    const std::uint8_t value = objects_.get(field::o2242_relay_polarity[1U]);
+    RelayPolarity made{};
+    made.answer.was_off = {{switch_drive(value, false, false), switch_drive(value, false, true)}};
+    made.answer.was_on = {{switch_drive(value, true, false), switch_drive(value, true, true)}};
+    made.unlatch = unlatch_effect(value);
+    return made;
+}
+
+RelayTimes RelayOutput::times() const noexcept {
+    const bool delayed = objects_.get(field::o22a0_relay_enable_response_delay[1U]) != 0U;
+    const Duration blink = milliseconds(objects_.get(field::o2250_relay_blink_rate[1U]));
+    if (!delayed) {
+        return RelayTimes{Duration{}, Duration{}, blink};
+    }
+    return RelayTimes{milliseconds(objects_.get(field::o22a1_relay_on_delay[1U])),
+                      milliseconds(objects_.get(field::o22a2_relay_off_delay[1U])), blink};
+}
+
+/// The coil carries current in state OFF alone.
+static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_RELAY_019> && implements<req::AOR_T_CONTACT>);
+void RelayOutput::show(const bool on, const bool powered, Outputs& outputs) noexcept {
+    const auto* const row = own::t_aor_t_contact::find(on || (!powered));
+    outputs.relay_nc = cell_or(row, &own::t_aor_t_contact::Row::normally_closed, false);
+    outputs.relay_no = cell_or(row, &own::t_aor_t_contact::Row::normally_open, false);
+}
+
+}  // namespace canproof::ax130751

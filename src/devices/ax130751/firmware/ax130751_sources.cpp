@@ -1,0 +1,274 @@
+#include "devices/ax130751/firmware/ax130751_sources.hpp"
+
+#include <cmath>
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+constexpr std::uint32_t write_state_index = 0x6220U;
+constexpr std::uint32_t process_value_index = 0x7300U;
+constexpr std::uint32_t extra_received_index = 0x2500U;
+constexpr std::uint32_t first_rpdo_mapping = 0x1600U;
+
+/// Whether RPDO number + 1 maps an entry.
+bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
+          const std::uint8_t subindex) noexcept {
+    const auto mapping = static_cast<std::uint16_t>(first_rpdo_mapping + number);
+    const std::uint32_t count = objects.read(mapping, 0U);
+    const std::uint32_t entry = (static_cast<std::uint32_t>(index) << 8U) | subindex;
+    for (std::uint32_t position = 1U; position <= count; ++position) {
+        if ((objects.read(mapping, static_cast<std::uint8_t>(position)) >> 8U) == entry) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Tenths of a measured value.
+double to_tenths(const float measured) noexcept {
+    return std::round(static_cast<double>(measured) * 10.0) / 10.0;
+}
+
+}  // namespace
+
+static_assert(implements<req::AOR_T03> && implements<req::AOR_E_OUTPUT_TYPE>);
+const own::t_aor_t03::Row& output_type(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
+    const std::uint16_t type = objects.get(field::o6310_ao_output_type[output]);
+    const auto* const row = own::t_aor_t03::find(static_cast<own::OutputType>(type));
+    return (row == nullptr) ? own::t_aor_t03::rows[0U] : *row;
+}
+
+static_assert(implements<req::AOR_DO_001>);
+bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
+    return output_type(objects, output).kind == own::t_aor_t03::Kind::digital;
+}
+
+static_assert(implements<req::AOR_T4A> && implements<req::AOR_T4B> && implements<req::AOR_SRC_001>);
+SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept {
+    namespace table = own::t_aor_t4b;
+    const auto* const row = table::find(source, number);
+    return SourceRef{cell_or(row, &table::Row::quantity, Quantity::none),
+                     cell_or(row, &table::Row::channel, std::uint8_t{0U})};
+}
+
+void Sources::reset() noexcept {
+    lookup_states_.fill(SignalState::not_available);
+    lookup_limits_.fill(LookupLimits{});
+    logic_states_.fill(SignalState::not_available);
+    overdue_ = 0U;
+    silent_ = false;
+}
+
+void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcept {
+    overdue_ = overdue;
+    silent_ = silent;
+}
+
+void Sources::set_lookup(const std::uint8_t table, const SignalState state, const LookupLimits& limits) noexcept {
+    lookup_states_[table - 1U] = state;
+    lookup_limits_[table - 1U] = limits;
+}
+
+void Sources::set_logic(const std::uint8_t block, const SignalState state) noexcept {
+    logic_states_[block - 1U] = state;
+}
+
+static_assert(implements<req::AOR_T05> && implements<req::AOR_E_QUANTITY> && implements<req::AOR_SRC_002> &&
+              implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
+Sources::Place Sources::place(const SourceRef& ref) const noexcept {
+    const bool of_output = (ref.quantity == Quantity::output_command) || (ref.quantity == Quantity::commanded_value) ||
+                           (ref.quantity == Quantity::feedback_value);
+    const bool digital = of_output && is_digital(objects_, ref.channel);
+    namespace table = own::t_aor_t05;
+    const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
+    const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
+    const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};
+    return Place{read, row, digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel)};
+}
+
+BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
+    if (ref.quantity == Quantity::none) {
+        return BlockSignal{};
+    }
+    namespace table = own::t_aor_t05;
+    const Place read = place(ref);
+    const double first = lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits);
+    const double second = upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits);
+    return BlockSignal{value(read.ref, read.digits), lesser(first, second), greater(first, second), state(read.ref)};
+}
+
+BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
+    if (ref.quantity == Quantity::none) {
+        return BlockSignal{};
+    }
+    const Place read = place(ref);
+    return BlockSignal{value(read.ref, read.digits), 0.0, 0.0, state(read.ref)};
+}
+
+double Sources::minimum(const SourceRef& ref) const noexcept {
+    namespace table = own::t_aor_t05;
+    const Place read = place(ref);
+    return lesser(lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits),
+                  upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits));
+}
+
+std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) const noexcept {
+    switch (digits) {
+        case Digits::o6302:
+            return objects_.get(field::o6302_ao_decimal_digits_pv[channel]);
+        case Digits::o2502:
+            return objects_.get(field::o2502_ec_decimal_digits_pv[channel]);
+        case Digits::o3yz4:
+            return objects_.get(lookup_fields[channel - 1U].y_digits);
+        case Digits::o4032:
+            return objects_.get(field::o4032_math_output_decimal_digits_pv[channel]);
+        case Digits::o6332:
+            return objects_.get(field::o6332_ao_decimal_digits_fv[channel]);
+        case Digits::tenths:
+            return 1U;
+        case Digits::whole:
+        default:
+            return 0U;
+    }
+}
+
+double Sources::lower(const Lower limit, const std::uint8_t channel, const std::uint8_t digits) const noexcept {
+    switch (limit) {
+        case Lower::o7320:
+            return command_limits_[channel - 1U].lower.of(objects_.get(field::o7320_ao_output_scaling_1_pv[channel]),
+                                                          digits);
+        case Lower::o2520:
+            return received_limits_[channel - 1U].lower.of(objects_.get(field::o2520_ec_scaling_1_pv[channel]), digits);
+        case Lower::least_y:
+            return lookup_limits_[channel - 1U].least;
+        case Lower::o4021:
+            return calculation_limits_[channel - 1U].lower.of(
+                objects_.get(field::o4021_math_output_scaling_1_pv[channel]), digits);
+        case Lower::o7321:
+            return field_value_limits_[channel - 1U].lower.of(
+                objects_.get(field::o7321_ao_output_scaling_1_fv[channel]), digits);
+        case Lower::o5022:
+            return static_cast<double>(objects_.get(field::o5022_under_voltage_threshold));
+        case Lower::o5032_less_o5033:
+            return static_cast<double>(objects_.get(field::o5032_over_temperature_threshold)) -
+                   static_cast<double>(objects_.get(field::o5033_hysteresis_to_clear_temperature_fault));
+        case Lower::percent_low:
+            return static_cast<double>(own::percent_low);
+        case Lower::low:
+        case Lower::nothing:
+        default:
+            return 0.0;
+    }
+}
+
+double Sources::upper(const Upper limit, const std::uint8_t channel, const std::uint8_t digits) const noexcept {
+    switch (limit) {
+        case Upper::o7322:
+            return command_limits_[channel - 1U].upper.of(objects_.get(field::o7322_ao_output_scaling_2_pv[channel]),
+                                                          digits);
+        case Upper::o2522:
+            return received_limits_[channel - 1U].upper.of(objects_.get(field::o2522_ec_scaling_2_pv[channel]), digits);
+        case Upper::greatest_y:
+            return lookup_limits_[channel - 1U].greatest;
+        case Upper::o4023:
+            return calculation_limits_[channel - 1U].upper.of(
+                objects_.get(field::o4023_math_output_scaling_2_pv[channel]), digits);
+        case Upper::o7323:
+            return field_value_limits_[channel - 1U].upper.of(
+                objects_.get(field::o7323_ao_output_scaling_2_fv[channel]), digits);
+        case Upper::o5023:
+            return static_cast<double>(objects_.get(field::o5023_over_voltage_threshold));
+        case Upper::o5032:
+            return static_cast<double>(objects_.get(field::o5032_over_temperature_threshold));
+        case Upper::percent_high:
+            return static_cast<double>(own::percent_high);
+        case Upper::high:
+        case Upper::nothing:
+        default:
+            return 1.0;
+    }
+}
+
+static_assert(implements<req::AOR_SRC_003> && implements<req::AOR_SRC_008> && implements<req::AOR_SRC_010>);
+double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noexcept {
+    switch (ref.quantity) {
+        case Quantity::output_command:
+            return commands_[ref.channel - 1U].of(objects_.get(field::o7300_ao_output_process_value[ref.channel]),
+                                                  digits);
+        case Quantity::digital_command:
+        case Quantity::relay_command:
+            return (objects_.get(field::o6220_do_write_state_1_output_line[ref.channel]) != 0U) ? 1.0 : 0.0;
+        case Quantity::extra_received:
+            return received_[ref.channel - 1U].of(
+                objects_.get(field::o2500_ec_extra_received_process_value[ref.channel]), digits);
+        case Quantity::lookup_table:
+            return tables_[ref.channel - 1U].of(objects_.get(lookup_fields[ref.channel - 1U].output), digits);
+        case Quantity::math:
+            return calculations_[ref.channel - 1U].of(objects_.get(field::o4030_math_output_process_value[ref.channel]),
+                                                      digits);
+        case Quantity::logic:
+            return selections_[ref.channel - 1U].of(objects_.get(field::o3320_logic_block_output_pv[ref.channel]),
+                                                    digits);
+        case Quantity::commanded_value:
+            return field_values_[ref.channel - 1U].of(objects_.get(field::o7330_ao_output_field_value[ref.channel]),
+                                                      digits);
+        case Quantity::feedback_value:
+            return feedbacks_[ref.channel - 1U].of(objects_.get(field::o2370_ao_feedback_field_value[ref.channel]),
+                                                   digits);
+        case Quantity::supply:
+            return to_tenths(objects_.get(field::o5020_power_supply_field_value));
+        case Quantity::temperature:
+            return to_tenths(objects_.get(field::o5030_processor_temperature_field_value));
+        case Quantity::none:
+        default:
+            return 0.0;
+    }
+}
+
+SignalState Sources::state(const SourceRef& ref) const noexcept {
+    switch (ref.quantity) {
+        case Quantity::output_command:
+            return network_state(process_value_index, ref.channel);
+        case Quantity::digital_command:
+        case Quantity::relay_command:
+            return network_state(write_state_index, ref.channel);
+        case Quantity::extra_received:
+            return network_state(extra_received_index, ref.channel);
+        case Quantity::lookup_table:
+            return lookup_states_[ref.channel - 1U];
+        case Quantity::logic:
+            return logic_states_[ref.channel - 1U];
+        case Quantity::math:
+        case Quantity::commanded_value:
+        case Quantity::feedback_value:
+        case Quantity::supply:
+        case Quantity::temperature:
+            return SignalState::valid;
+        case Quantity::none:
+        default:
+            return SignalState::not_available;
+    }
+}
+
+static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
+SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
+    bool failed = silent_;
+    std::uint8_t number{0U};
+    std::uint32_t overdue{overdue_};
+    while (overdue != 0U) {
+        failed = failed || (((overdue & 1U) != 0U) && maps(objects_, number, index, subindex));
+        overdue >>= 1U;
+        ++number;
+    }
+    return failed ? SignalState::error : SignalState::valid;
+}
+
+}  // namespace canproof::ax130751

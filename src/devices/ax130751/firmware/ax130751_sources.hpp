@@ -1,0 +1,113 @@
+// Control sources of the AX130751: which value a source and a number stand for, with its limits and state (1.3, Tables
+// 4A, 4B and 5).
+#pragma once
+
+#include <array>
+
+#include "devices/ax130751/firmware/ax130751_fields.hpp"
+#include "devices/ax130751/firmware/block_signal.hpp"
+#include "devices/ax130751/firmware/lookup_table.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "generated/ax130751/enumerations.hpp"
+#include "generated/ax130751/tables.hpp"
+
+namespace canproof::ax130751 {
+
+using generated::ax130751::Quantity;
+
+/// What drives an output of the type in 6310h, and its range; that of an unknown type is "none".
+const generated::ax130751::t_aor_t03::Row& output_type(const ObjectDictionary& objects, std::uint8_t output) noexcept;
+/// Whether the digital output block drives it.
+bool is_digital(const ObjectDictionary& objects, std::uint8_t output) noexcept;
+
+struct SourceRef {
+    Quantity quantity{Quantity::none};
+    std::uint8_t channel{0U};
+};
+/// Tables 4A and 4B; none for a pair that they do not have.
+SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
+
+/// A source and a number as last chosen, and what they stand for: looked up when the choice changes.
+class SourceChoice {
+  public:
+    const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {
+        if ((std::uint32_t{source} != source_) || (std::uint32_t{number} != number_)) {
+            source_ = source;
+            number_ = number;
+            ref_ = resolve(source, number);
+        }
+        return ref_;
+    }
+    /// Whether a source is chosen (not 0) and gives no value: the block behind it is off, or there is no such number.
+    bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
+
+  private:
+    static constexpr std::uint8_t not_yet = 0xFFU;  // no source has this number
+
+    std::uint8_t source_{not_yet};
+    std::uint8_t number_{not_yet};
+    SourceRef ref_{};
+};
+
+class Sources {
+  public:
+    explicit Sources(const ObjectDictionary& objects) noexcept : objects_{objects} {}
+
+    void reset() noexcept;
+    /// `overdue`: bit n stands for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
+    void set_network(std::uint8_t overdue, bool silent) noexcept;
+    void set_lookup(std::uint8_t table, SignalState state, const LookupLimits& limits) noexcept;
+    void set_logic(std::uint8_t block, SignalState state) noexcept;
+
+    BlockSignal signal(const SourceRef& ref) const noexcept;
+    /// The same without its limits, where nothing depends on them: they cost more than the rest.
+    BlockSignal reading(const SourceRef& ref) const noexcept;
+    /// The lower limit alone, whether there is a value or not; not for a lookup table, whose points decide.
+    double minimum(const SourceRef& ref) const noexcept;
+
+  private:
+    using Lower = generated::ax130751::t_aor_t05::Lower;
+    using Upper = generated::ax130751::t_aor_t05::Upper;
+    using Digits = generated::ax130751::t_aor_t05::Digits;
+
+    /// What a reference reads, by Table 5.
+    struct Place {
+        SourceRef ref{};
+        const generated::ax130751::t_aor_t05::Row* row{nullptr};
+        std::uint8_t digits{0U};
+    };
+
+    struct KeptLimits {
+        KeptPhysicalValue lower{};
+        KeptPhysicalValue upper{};
+    };
+
+    Place place(const SourceRef& ref) const noexcept;
+    std::uint8_t digits(Digits digits, std::uint8_t channel) const noexcept;
+    double lower(Lower limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
+    double upper(Upper limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
+    double value(const SourceRef& ref, std::uint8_t digits) const noexcept;
+    SignalState state(const SourceRef& ref) const noexcept;
+    SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
+
+    const ObjectDictionary& objects_;
+    // Many blocks read the same quantities, which rarely change. What an integer stands for is no state of its own.
+    mutable std::array<KeptPhysicalValue, output_count> commands_{};
+    mutable std::array<KeptPhysicalValue, output_count> field_values_{};
+    mutable std::array<KeptPhysicalValue, output_count> feedbacks_{};
+    mutable std::array<KeptPhysicalValue, extra_received_count> received_{};
+    mutable std::array<KeptPhysicalValue, table_count> tables_{};
+    mutable std::array<KeptPhysicalValue, logic_count> selections_{};
+    mutable std::array<KeptPhysicalValue, math_count> calculations_{};
+    mutable std::array<KeptLimits, output_count> command_limits_{};
+    mutable std::array<KeptLimits, output_count> field_value_limits_{};
+    mutable std::array<KeptLimits, extra_received_count> received_limits_{};
+    mutable std::array<KeptLimits, math_count> calculation_limits_{};
+    std::array<SignalState, table_count> lookup_states_{};
+    std::array<LookupLimits, table_count> lookup_limits_{};
+    std::array<SignalState, logic_count> logic_states_{};
+    std::uint32_t overdue_{0U};
+    bool silent_{false};
+};
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,68 @@
+#include "devices/ax130751/firmware/digital_output.hpp"
+
+#include "devices/ax130751/firmware/blinking.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof {
+
+static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_006> && implements<req::AOR_DO_008>);
+DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
+                                          const SwitchPolarity& polarity, const Duration blink,
+                                          const Instant now) noexcept {
+    switch (drive) {
+        case OutputDrive::control:
+            state_.logic = demand.control;
+            state_.drive = follow_control(polarity.drive(control_before_, demand.control), blink, now);
+            break;
+        case OutputDrive::override_value:
+            state_ = DigitalOutputState{demand.override_state, demand.override_state};
+            break;
+        case OutputDrive::fault_value:
+            state_ = DigitalOutputState{demand.fault_state, demand.fault_state};
+            break;
+        case OutputDrive::keep:
+            break;
+        case OutputDrive::shutdown:
+        case OutputDrive::shut_off:
+        case OutputDrive::ramp_off:
+        default:
+            state_ = DigitalOutputState{};
+            break;
+    }
+    if (drive != OutputDrive::control) {
+        next_blink_ = never;
+    }
+    control_before_ = demand.control;  // an edge that comes while something else drives the output is past by then
+    return state_;
+}
+
+static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_004>);
+bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink, const Instant now) noexcept {
+    const bool blinks = drive == SwitchDrive::blink;
+    if (!blinking_) {
+        blinking_since_ = now;
+    }
+    blinking_ = blinks;
+    next_blink_ = blinks ? next_blink(blinking_since_, blink, now) : never;
+    switch (drive) {
+        case SwitchDrive::on:
+            memory_ = true;
+            break;
+        case SwitchDrive::change:
+            memory_ = !memory_;
+            break;
+        case SwitchDrive::blink:
+            memory_ = blinks_on(blinking_since_, blink, now);
+            break;
+        case SwitchDrive::keep:
+            break;
+        case SwitchDrive::off:
+        default:
+            memory_ = false;
+            break;
+    }
+    return memory_;
+}
+
+}  // namespace canproof

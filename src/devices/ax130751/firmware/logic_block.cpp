@@ -1,0 +1,66 @@
+#include "devices/ax130751/firmware/logic_block.hpp"
+
+#include "devices/ax130751/firmware/linear_scaling.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax130751/requirements.hpp"
+#include "generated/ax130751/tables.hpp"
+
+namespace canproof {
+
+namespace {
+
+namespace own = generated::ax130751;
+
+static_assert(implements<req::AOR_T16> && implements<req::AOR_LOGIC_001>);
+bool holds(const LogicCondition& condition) noexcept {
+    namespace table = own::t_aor_t16;
+    table::Relation relation{table::Relation::equal};
+    if (condition.first.value < condition.second.value) {
+        relation = table::Relation::less;
+    } else if (condition.first.value > condition.second.value) {
+        relation = table::Relation::greater;
+    } else {
+        // equal
+    }
+    return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
+}
+
+static_assert(implements<req::AOR_T19>);
+bool counts(const std::uint8_t logical, const ConditionResult result) noexcept {
+    return cell_or(own::t_aor_t19::find(logical, result), &own::t_aor_t19::Row::counts, false);
+}
+
+}  // namespace
+
+static_assert(implements<req::AOR_T17> && implements<req::AOR_E_CONDITION> && implements<req::AOR_LOGIC_002>);
+ConditionResult evaluate(const LogicCondition& condition) noexcept {
+    const bool in_error = condition.first.is_in_error() || condition.second.is_in_error();
+    const bool unavailable = (!condition.first.is_available()) || (!condition.second.is_available());
+    return cell_or(own::t_aor_t17::find(in_error, unavailable, holds(condition)), &own::t_aor_t17::Row::result,
+                   ConditionResult::error);
+}
+
+static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004>);
+bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept {
+    const auto* const row = own::t_aor_t18::find(logical, counts(logical, results[0U]), counts(logical, results[1U]),
+                                                 counts(logical, results[2U]));
+    return cell_or(row, &own::t_aor_t18::Row::selects, false);
+}
+
+static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);
+bool selects(const LogicFunction& function) noexcept {
+    const std::array<ConditionResult, logic_conditions> results{
+        {evaluate(function.conditions[0U]), evaluate(function.conditions[1U]), evaluate(function.conditions[2U])}};
+    return selects(function.logical, results);
+}
+
+static_assert(implements<req::AOR_LOGIC_007>);
+double percentage_of_limits(const BlockSignal& table) noexcept {
+    if (table.upper <= table.lower) {
+        return 0.0;
+    }
+    return scale(table.value, LinearScaling{table.lower, table.upper, 0.0, 100.0});
+}
+
+}  // namespace canproof

@@ -1,0 +1,99 @@
+#include "devices/ax130751/firmware/lookup_table.hpp"
+
+#include <cmath>
+
+#include "devices/ax130751/firmware/linear_scaling.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/ax130751/requirements.hpp"
+
+namespace canproof {
+
+static_assert(implements<req::AOR_LT_001> && implements<req::AOR_LT_002> && implements<req::AOR_LT_003> &&
+              implements<req::AOR_LT_004> && implements<req::AOR_LT_005> && implements<req::AOR_LT_006>);
+double lookup(const double x, const LookupPoints& points) noexcept {
+    if (x <= points.x[0U]) {
+        return points.y[0U];
+    }
+    for (std::size_t point = 1U; point < lookup_points; ++point) {
+        const std::size_t before = point - 1U;
+        if (points.response[point] == PointResponse::ignore) {
+            return points.y[before];
+        }
+        if (x <= points.x[point]) {
+            const bool jumps = points.response[point] == PointResponse::jump;
+            const LinearScaling stretch{points.x[before], points.x[point], points.y[before], points.y[point]};
+            return jumps ? points.y[point] : scale(x, stretch);
+        }
+    }
+    return points.y[lookup_points - 1U];
+}
+
+Duration profile_length(const LookupPoints& profile) noexcept {
+    std::uint64_t length{0U};
+    for (std::size_t point = 1U; point < lookup_points; ++point) {
+        if (profile.response[point] == PointResponse::ignore) {
+            return Duration{length};
+        }
+        length += static_cast<std::uint64_t>(profile.x[point]);
+    }
+    return Duration{length};
+}
+
+static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && implements<req::AOR_LT_013>);
+double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
+    // Ten times 24 hours are 8.64e11 us: exact in a double, as are all sums of whole microseconds below 9e15.
+    LookupPoints since_start{profile};
+    double end{0.0};
+    for (std::size_t point = 0U; point < lookup_points; ++point) {
+        end += (point == 0U) ? 0.0 : profile.x[point];
+        since_start.x[point] = end;
+    }
+    const std::uint64_t length = profile_length(profile).us;
+    const bool wraps = repeat && (length != 0U) && (running.us > length);
+    const std::uint64_t position = wraps ? (((running.us - 1U) % length) + 1U) : running.us;
+    return lookup(static_cast<double>(position), since_start);
+}
+
+LookupLimits lookup_limits(const LookupPoints& points) noexcept {
+    LookupLimits limits{points.y[0U], points.y[0U]};
+    for (const double y : points.y) {
+        limits.least = std::fmin(limits.least, y);
+        limits.greatest = std::fmax(limits.greatest, y);
+    }
+    return limits;
+}
+
+static_assert(implements<req::AOR_LT_015> && implements<req::AOR_LT_016>);
+LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& config, const Instant now) noexcept {
+    if (!input.is_available()) {
+        reset();
+        return LookupOutput{};
+    }
+    if (config.axis == LookupAxis::time) {
+        value_ = follow_time(input, config, now);
+    } else {
+        running_ = false;
+        under_way_ = false;
+        value_ = input.is_valid() ? lookup(input.value, config.points) : value_;
+    }
+    return LookupOutput{value_, input.state};
+}
+
+static_assert(implements<req::AOR_LT_010>);
+double LookupTable::follow_time(const BlockSignal& input, const LookupConfig& config, const Instant now) noexcept {
+    const bool on = start_.read(input) && input.is_valid();
+    if (!on) {
+        under_way_ = false;
+        running_ = false;
+        return 0.0;
+    }
+    if (!under_way_) {
+        under_way_ = true;
+        started_ = now;
+    }
+    const Duration gone = elapsed(started_, now);
+    running_ = config.repeat || (gone.us < profile_length(config.points).us);
+    return lookup_in_time(gone, config.points, config.repeat);
+}
+
+}  // namespace canproof

@@ -1,0 +1,66 @@
+// The relay block (AX130751, 1.4): polarity with latch and unlatch, enable, override, delays.
+#pragma once
+
+#include "devices/ax130751/firmware/delayed_state.hpp"
+#include "devices/ax130751/firmware/output_priority.hpp"
+#include "devices/ax130751/firmware/switch_polarity.hpp"
+
+namespace canproof {
+
+/// What the unlatch input does to a relay of some polarity, and where its latch rests.
+enum class UnlatchEffect : std::uint8_t { ignored, to_off, to_on };
+
+struct RelayPolarity {
+    SwitchPolarity answer{};
+    UnlatchEffect unlatch{UnlatchEffect::ignored};
+};
+
+/// 0 where no delay is set or delays are off.
+struct RelayTimes {
+    Duration on_delay{};
+    Duration off_delay{};
+    Duration blink{};
+};
+
+struct RelayDemand {
+    bool control{false};
+    bool unlatch{false};
+    bool override_state{false};
+};
+
+class Relay {
+  public:
+    /// ON or OFF at `now`. To be called in every cycle: edges are those between two calls.
+    bool advance(OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity, const RelayTimes& times,
+                 Instant now) noexcept;
+    /// OFF, at once, and nothing remembered.
+    void reset() noexcept { *this = Relay{}; }
+    /// When it will change by itself, its inputs staying as they are.
+    Instant next_change() const noexcept { return earliest(delayed_.due(), next_blink_); }
+
+  private:
+    /// Of a latch, as 1.4 describes unlatching.
+    enum class Latch : std::uint8_t {
+        latching,
+        unlatched,  ///< the unlatch input is ON: at rest, deaf to the control
+        waiting     ///< it is OFF again, but the control is not yet back at rest
+    };
+
+    void choose_polarity(const RelayPolarity& polarity) noexcept;
+    void watch_unlatch(bool control, bool unlatch) noexcept;
+    SwitchDrive follow_control(const RelayDemand& demand, const RelayPolarity& polarity, bool counts) noexcept;
+    bool follow(SwitchDrive drive, const RelayTimes& times, Instant now) noexcept;
+    bool force(bool state) noexcept;
+
+    DelayedState delayed_{};
+    Latch latch_{Latch::latching};
+    UnlatchEffect effect_{UnlatchEffect::ignored};
+    Instant blinking_since_{};
+    Instant next_blink_{never};
+    bool memory_{false};
+    bool control_before_{false};
+    bool blinking_{false};
+    bool state_{false};
+};
+
+}  // namespace canproof

@@ -1,0 +1,49 @@
+#include "devices/ax130751/simulation/simulation.hpp"
+
+#include "devices/ax130751/firmware/ax130751.hpp"
+#include "generated/ax130751/constants.hpp"
+#include "host/sim/devices/simulation.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+// Two banks of about 1.6 kB of parameters, and LSS at the end; the STM32F405 (chapter 4) has more.
+constexpr std::size_t memory_size = 8192;
+
+ax130751::FactoryData factory_data(const FactoryValues& values) {
+    ax130751::FactoryData data;
+    values.take("revision_number", data.revision);
+    values.take("serial_number", data.serial_number);
+    values.take("configuration_date", data.made_on);
+    values.take("configuration_time", data.made_at);
+    return data;
+}
+
+/// AX130751 and AX130771: one firmware (1018h:2 has one value for both).
+class Ax130751Simulation final
+    : public Simulation<ax130751::Device, ax130751::Inputs, ax130751::Outputs, ax130751::FactoryData> {
+  public:
+    explicit Ax130751Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
+
+    /// As if LSS had stored it; the bit rate stays.
+    void set_node_id(NodeId node_id) override {
+        namespace own = generated::ax130751;
+        LssStore store{memory_};
+        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
+        configuration.node_id = node_id.value();
+        store.store(configuration);
+    }
+};
+
+}  // namespace
+
+}  // namespace canproof::host
+
+namespace canproof::ax130751 {
+
+std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
+    return std::make_unique<host::Ax130751Simulation>(factory);
+}
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,13 @@
+// The AX130751 as the host runs it.
+#pragma once
+
+#include <memory>
+
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::ax130751 {
+
+/// Makes a unit with these factory values. Throws InputError for a value that its type cannot hold.
+std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory = {});
+
+}  // namespace canproof::ax130751

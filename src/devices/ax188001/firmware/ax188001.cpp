@@ -1,0 +1,320 @@
+#include "devices/ax188001/firmware/ax188001.hpp"
+
+#include "firmware/axiomatic/axiomatic.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "firmware/canopen/nmt.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/requirements.hpp"
+#include "generated/ax188001/tables.hpp"
+#include "generated/canopen/constants.hpp"
+
+namespace canproof::ax188001 {
+
+namespace {
+
+namespace own = generated::ax188001;
+namespace field = generated::ax188001::field;
+
+constexpr std::uint32_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
+static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
+const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
+
+const Duration scan_period = milliseconds(own::update_period_ms);
+// Readings made up for when the caller comes late; what is missed beyond them is left out.
+constexpr std::size_t most_late_scans = 8U;
+
+static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003>);
+const auto bit_rates = lss_bit_rates(own::t_tcs_t4::rows);
+
+static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> &&
+              implements<req::TCS_ERR_006> && implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> &&
+              implements<req::TCS_T_BEHAVIOUR> && implements<req::TCS_LSS_005> && implements<req::TCS_PDO_001> &&
+              implements<req::TCS_PDO_002> && implements<req::TCS_PDO_003> && implements<req::TCS_PDO_004> &&
+              implements<req::TCS_PDO_005> && implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> &&
+              implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
+              implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
+/// What the node does for this device, beside its objects.
+const NodeProfile profile = axiomatic_profile(bit_rates);
+
+constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
+    return error_after(ErrorId::first_of_device, (static_cast<std::size_t>(fault) * channel_count) + channel);
+}
+constexpr ErrorId unit_error(const UnitFault fault) noexcept {
+    return error_after(ErrorId::first_of_device,
+                       (channel_fault_count * channel_count) + static_cast<std::size_t>(fault));
+}
+
+using ErrorName = own::t_tcs_t5::Error;
+
+/// The node's number for an error of Table 5.
+constexpr ErrorId error_id(const ErrorName name) noexcept {
+    switch (name) {
+        case ErrorName::rpdo_timeout:
+            return ErrorId::rpdo_timeout;
+        case ErrorName::can_overrun:
+            return ErrorId::can_overrun;
+        case ErrorName::life_guarding:
+            return ErrorId::life_guarding;
+        case ErrorName::bus_off_recovered:
+            return ErrorId::bus_off_recovered;
+        case ErrorName::stored_set:
+            return ErrorId::stored_set_checksum;
+        case ErrorName::open_circuit_1:
+            return channel_error(ChannelFault::open, 0U);
+        case ErrorName::open_circuit_2:
+            return channel_error(ChannelFault::open, 1U);
+        case ErrorName::high_warning_1:
+            return channel_error(ChannelFault::high, 0U);
+        case ErrorName::high_warning_2:
+            return channel_error(ChannelFault::high, 1U);
+        case ErrorName::low_warning_1:
+            return channel_error(ChannelFault::low, 0U);
+        case ErrorName::low_warning_2:
+            return channel_error(ChannelFault::low, 1U);
+        case ErrorName::shutdown_1:
+            return channel_error(ChannelFault::shutdown, 0U);
+        case ErrorName::shutdown_2:
+            return channel_error(ChannelFault::shutdown, 1U);
+        case ErrorName::fd1_cpu_temperature:
+            return unit_error(UnitFault::cpu_temperature);
+        case ErrorName::fd2_over_voltage:
+            return unit_error(UnitFault::over_voltage);
+        case ErrorName::fd3_under_voltage:
+            return unit_error(UnitFault::under_voltage);
+        case ErrorName::heartbeat:
+        default:
+            return ErrorId::heartbeat_1;
+    }
+}
+
+static_assert(implements<req::TCS_T5> && implements<req::TCS_E_EMCY_CODE> && implements<req::TCS_E_DESCRIPTION> &&
+              implements<req::TCS_ERR_007> && implements<req::TCS_ERR_009> && implements<req::TCS_ERR_011>);
+constexpr ErrorTable make_error_table() noexcept {
+    constexpr std::size_t producers = 4U;  // 1016h
+    ErrorTable table{};
+    for (const auto& row : own::t_tcs_t5::rows) {
+        const std::uint32_t description = static_cast<std::uint32_t>(row.description);
+        ErrorRow told{};
+        told.code = static_cast<std::uint16_t>(row.code);
+        told.register_bits = generic_error;
+        told.sent = true;
+        told.listed = row.error != ErrorName::bus_off_recovered;  // over when it is told
+        told.detail = static_cast<std::uint16_t>((description << 8U) | row.channel);
+        const std::size_t copies = (row.error == ErrorName::heartbeat) ? producers : 1U;
+        for (std::size_t i = 0U; i < copies; ++i) {
+            table[static_cast<std::size_t>(error_after(error_id(row.error), i))] = told;
+        }
+    }
+    return table;
+}
+const ErrorTable error_table = make_error_table();
+
+static_assert(implements<req::TCS_T_REACTION>);
+/// Sub-index of 1029h; the node itself obeys that of communication errors.
+constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) noexcept {
+    return cell_or(own::t_tcs_t_reaction::find(errors), &own::t_tcs_t_reaction::Row::subindex, std::uint8_t{0U});
+}
+
+}  // namespace
+
+Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      queue_{queue},
+      lss_store_{memory},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      scanner_{objects_},
+      factory_{factory} {}
+
+static_assert(implements<req::TCS_LSS_001> && implements<req::TCS_LSS_002>);
+void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    const LssConfiguration stored = lss_store_.load(shipped);
+    bit_rate_ = stored.bit_rate;
+    node_.power_on(stored, now);
+    set_inputs(inputs, now);
+}
+
+void Device::receive(const Frame& frame, const Instant now) noexcept {
+    advance_when_due(now);
+    const std::uint8_t addressed = frame.data[1];
+    if (nmt_command(frame, addressed).has_value()) {
+        start_others_at_ = never;  // there is a master, whichever node it speaks to
+    }
+    node_.receive(frame, now);
+    advance_when_due(now);  // a self-start that followed a reset
+    show_outputs();
+}
+
+void Device::advance_when_due(const Instant now) noexcept {
+    if (next_deadline() <= now) {
+        advance(now);
+    }
+}
+
+void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
+    advance(now);  // a reading that is due sees what was there before
+    inputs_ = inputs;
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
+}
+
+void Device::advance(const Instant now) noexcept {
+    scan_when_due(now);
+    if (scanner_.next_deadline() <= now) {
+        scanner_.advance(now);
+        tell_faults(now);
+    }
+    node_.advance(now);
+    start_others_when_due(now);
+    show_outputs();
+}
+
+Instant Device::next_deadline() const noexcept {
+    const Instant scanning = earliest(next_scan_, scanner_.next_deadline());
+    return earliest(earliest(scanning, node_.next_deadline()), start_others_at_);
+}
+
+static_assert(implements<req::TCS_IN_001> && implements<req::TCS_K_UPDATE_PERIOD>);
+void Device::scan_when_due(const Instant now) noexcept {
+    for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
+        const Instant due = next_scan_;
+        if (scanner_.next_deadline() < due) {  // told before this reading could end it
+            scanner_.advance(scanner_.next_deadline());
+            tell_faults(due);
+        }
+        scanner_.read(inputs_);
+        scanner_.evaluate(due);
+        tell_faults(due);
+        next_scan_ = due + scan_period;
+    }
+    if (next_scan_ <= now) {
+        next_scan_ = now + scan_period;
+    }
+}
+
+static_assert(implements<req::TCS_ERR_001> && implements<req::TCS_ERR_002> && implements<req::TCS_ERR_010> &&
+              implements<req::TCS_LIM_004>);
+void Device::tell_faults(const Instant now) noexcept {
+    const std::uint32_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
+    const std::uint32_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
+    if (node_.state() == NmtState::initialising) {
+        return;  // told when the node boots
+    }
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (std::size_t i = 0U; i < channel_fault_count; ++i) {
+            const ChannelFault fault = static_cast<ChannelFault>(i);
+            tell(channel_error(fault, channel), scanner_.told(channel, fault), channel_reaction, now);
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        const UnitFault fault = static_cast<UnitFault>(i);
+        tell(unit_error(fault), scanner_.told(fault), unit_reaction, now);
+    }
+}
+
+void Device::tell(const ErrorId error, const bool present, const std::uint8_t reaction, const Instant now) noexcept {
+    const bool begins = present && !node_.has_error(error);
+    node_.set_error(error, present, now);
+    if (begins) {
+        node_.apply_error_behaviour(reaction, now);
+    }
+}
+
+AbortCode Device::check_access(const EntryRef&) {
+    return AbortCode::none;
+}
+
+AbortCode Device::before_write(const EntryRef&, const ByteView) {
+    return AbortCode::none;
+}
+
+static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
+void Device::after_write(const EntryRef& entry, const Instant now) {
+    // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
+    const std::size_t channel = (std::uint32_t{entry.row->subindex} == channel_count) ? 1U : 0U;
+    scanner_.reevaluate(entry.index, channel, now);
+    tell_faults(now);
+}
+
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        objects_.set(field::o1018_3_revision_number, factory_.revision);
+        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+    }
+}
+
+void Device::restart(const Instant now) {
+    scanner_.restart(inputs_);
+    scanner_.evaluate(now);
+    next_scan_ = now + scan_period;
+}
+
+static_assert(implements<req::TCS_T3> && implements<req::TCS_START_001> && implements<req::TCS_START_002> &&
+              implements<req::TCS_START_003>);
+void Device::booted(const Instant now) {
+    start_others_at_ = never;
+    const auto* const row = own::t_tcs_t3::find(objects_.get(field::o5555_start_in_operational_mode));
+    if (cell_or(row, &own::t_tcs_t3::Row::start, false)) {
+        node_.start_at(now);
+        if (cell_or(row, &own::t_tcs_t3::Row::others, false)) {
+            start_others_at_ = now + milliseconds(objects_.get(field::o5556_start_in_operational_nmt_delay));
+        }
+    }
+    tell_faults(now);
+    obey_lasting_faults(now);
+}
+
+/// 1029h outranks the self-start: a fault that outlasts a reset of the communication holds the node as when it was
+/// told.
+static_assert(implements<req::TCS_START_005>);
+void Device::obey_lasting_faults(const Instant now) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (std::size_t i = 0U; i < channel_fault_count; ++i) {
+            if (scanner_.told(channel, static_cast<ChannelFault>(i))) {
+                node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::tc_input), now);
+            }
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        if (scanner_.told(static_cast<UnitFault>(i))) {
+            node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::fault_detection), now);
+        }
+    }
+}
+
+static_assert(implements<req::TCS_START_004>);
+void Device::start_others_when_due(const Instant now) noexcept {
+    const bool due = start_others_at_ <= now;
+    if (due) {
+        start_others_at_ = never;
+    }
+    if (due && (node_.state() == NmtState::operational)) {
+        constexpr std::uint32_t all_nodes = 0U;
+        Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);
+        command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);
+        command.data[1] = all_nodes;
+        static_cast<void>(queue_.push(command));
+    }
+}
+
+void Device::communication_failed(const bool, const Instant) {}
+
+static_assert(implements<req::TCS_LSS_004>);
+void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
+    bit_rate_ = bit_rate;
+}
+
+LssError Device::store_configuration(const LssConfiguration& configuration) {
+    return lss_store_.store(configuration);
+}
+
+static_assert(implements<req::TCS_S_ADC_FILTER> && implements<req::TCS_S_ADC_GAIN>);
+void Device::show_outputs() noexcept {
+    outputs_.adc_filter = objects_.get(field::o2020_adc_filter_frequency);
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        outputs_.tc_gain[channel] = scanner_.gain(channel);
+    }
+}
+
+}  // namespace canproof::ax188001

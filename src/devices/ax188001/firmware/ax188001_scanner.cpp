@@ -1,0 +1,434 @@
+#include "devices/ax188001/firmware/ax188001_scanner.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "devices/ax188001/firmware/limit_condition.hpp"
+#include "devices/ax188001/firmware/thermocouple_curves.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/objects.hpp"
+#include "generated/ax188001/requirements.hpp"
+#include "generated/ax188001/tables.hpp"
+
+namespace canproof::ax188001 {
+
+namespace {
+
+namespace own = generated::ax188001;
+namespace field = generated::ax188001::field;
+
+constexpr double microvolts_per_millivolt = 1000.0;
+constexpr double millivolts_per_microvolt = 0.001;  // a product costs half of a quotient
+constexpr std::uint32_t channel_field_value_index = 0x6100U;
+constexpr std::uint32_t average_field_value_index = 0x2100U;
+// Parameters by what depends on them.
+constexpr std::uint32_t cold_junction_correction_index = 0x2000U;
+constexpr std::uint32_t filter_index = 0x2020U;
+constexpr std::uint32_t average_mode_index = 0x2112U;
+constexpr std::uint32_t average_factor_index = 0x2126U;
+constexpr std::uint32_t average_offset_index = 0x2127U;
+constexpr std::uint32_t cold_junction_factor_index = 0x3126U;
+constexpr std::uint32_t cold_junction_offset_index = 0x3127U;
+constexpr std::uint32_t low_warning_index = 0x4000U;
+constexpr std::uint32_t high_warning_index = 0x4010U;
+constexpr std::uint32_t shutdown_index = 0x4020U;
+constexpr std::uint32_t channel_delay_index = 0x4030U;
+constexpr std::uint32_t fault_set_index = 0x5041U;
+constexpr std::uint32_t fault_clear_index = 0x5042U;
+constexpr std::uint32_t fault_enable_index = 0x5050U;
+constexpr std::uint32_t fault_delay_index = 0x5051U;
+constexpr std::uint32_t sensor_type_index = 0x6110U;
+constexpr std::uint32_t operating_mode_index = 0x6112U;
+constexpr std::uint32_t channel_factor_index = 0x6126U;
+constexpr std::uint32_t channel_offset_index = 0x6127U;
+constexpr std::uint32_t filter_50_hz = 50U;
+constexpr std::uint32_t filter_60_hz = 60U;
+
+static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
+              implements<req::TCS_K_FV_DISABLED>);
+const ReservedValues reserved{own::process_value_disabled, own::process_value_open};
+
+static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
+              implements<req::TCS_K_GAIN_BACK>);
+constexpr ConverterCircuit make_circuit() noexcept {
+    ConverterCircuit circuit{};
+    for (const auto& row : own::t_tcs_t_gain::rows) {
+        circuit.gains[row.step] = ConverterGain{row.gain, static_cast<double>(row.full_scale_uv)};
+    }
+    circuit.codes = static_cast<double>(own::converter_codes);
+    circuit.raise_fraction = static_cast<double>(own::gain_raise_fraction);
+    circuit.settling_conversions = own::settling_conversions;
+    return circuit;
+}
+const ConverterCircuit circuit = make_circuit();
+
+// From the highest gain to the lowest, each change settled: what the start of the module waits for.
+const std::size_t conversions_to_settle =
+    1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
+
+static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
+double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
+    namespace table = own::t_tcs_t_rejection;
+    const table::FilterHz selected = (filter == filter_50_hz) ? table::FilterHz::hz_50 : table::FilterHz::hz_60;
+    table::MainsHz frequency = table::MainsHz::none;
+    if (mains == filter_50_hz) {
+        frequency = table::MainsHz::hz_50;
+    } else if (mains == filter_60_hz) {
+        frequency = table::MainsHz::hz_60;
+    } else {
+        // no hum
+    }
+    return static_cast<double>(cell_or(table::find(selected, frequency), &table::Row::left, 0.0F));
+}
+
+/// Sub-index of a channel, which is counted from 0.
+constexpr std::uint8_t subindex(const std::size_t channel) noexcept {
+    return static_cast<std::uint8_t>(channel + 1U);
+}
+
+std::uint32_t bits_of(const float value) noexcept {
+    return bit_cast<std::uint32_t>(value);
+}
+
+}  // namespace
+
+static_assert(implements<req::TCS_IN_001> && implements<req::TCS_LIM_006>);
+void Scanner::restart(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].reset();
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.clear();
+        }
+    }
+    for (DelayedFault& fault : unit_faults_) {
+        fault.clear();
+    }
+    hum_rises_ = true;
+    for (std::size_t i = 0U; i < conversions_to_settle; ++i) {
+        read(inputs);
+    }
+    schedule();
+}
+
+static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST> && implements<req::TCS_IN_002> &&
+              implements<req::TCS_IN_003> && implements<req::TCS_IN_004> && implements<req::TCS_IN_005>);
+void Scanner::read(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].convert(input_uv(inputs, channel), circuit);
+    }
+    hum_rises_ = !hum_rises_;
+    cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
+                                 own::cold_junction_highest_c);
+    cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);
+    supply_v_ = static_cast<double>(inputs.supply);
+}
+
+/// What the converter sees: the detection current pulls a broken wire up beyond every gain; what is left of hum falls
+/// on the one side of the voltage and on the other in turn, the worst that a beat with the readings can do.
+static_assert(implements<req::TCS_IN_006>);
+double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
+    if (inputs.tc_open[channel]) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double left = static_cast<double>(inputs.tc_hum[channel]) *
+                        hum_left(objects_.get(field::o2020_adc_filter_frequency), inputs.mains_frequency);
+    const double voltage = static_cast<double>(inputs.tc_microvolts[channel]);
+    return hum_rises_ ? (voltage + left) : (voltage - left);
+}
+
+void Scanner::change_filter() noexcept {
+    for (GainRanging& converter : converters_) {
+        converter.unsettle(circuit);
+    }
+}
+
+static_assert(implements<req::TCS_IN_014>);
+SensorType Scanner::sensor_type(const std::size_t channel) const noexcept {
+    // 6110h takes the numbers of the enumeration only (table TCS-T1).
+    return static_cast<SensorType>(objects_.get(field::o6110_tc_sensor_type[subindex(channel)]));
+}
+
+std::uint8_t Scanner::gain(const std::size_t channel) const noexcept {
+    return converters_[channel].gain(circuit);
+}
+
+bool Scanner::is_enabled(const std::size_t channel) const noexcept {
+    return objects_.get(field::o6112_tc_operating_mode[subindex(channel)]) != 0U;
+}
+
+static_assert(implements<req::TCS_CJ_003> && implements<req::TCS_IN_009> && implements<req::TCS_IN_010>);
+double Scanner::converted_uv(const std::size_t channel) noexcept {
+    const double measured = converters_[channel].microvolts();
+    if (objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) == 0U) {
+        return measured;
+    }
+    Kept<double>& kept = compensations_[channel];
+    const SensorType type = sensor_type(channel);
+    if (!kept.is_of(type, cold_junction_c_)) {
+        const double millivolts = reference_mv(thermocouple_curve(type), cold_junction_c_);
+        kept = Kept<double>{type, cold_junction_c_, millivolts * microvolts_per_millivolt};
+    }
+    return measured + kept.value;
+}
+
+static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_006> && implements<req::TCS_K_RANGE_MARGIN>);
+Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) noexcept {
+    const SensorType type = sensor_type(channel);
+    Kept<Conversion>& kept = conversions_[channel];
+    if (kept.is_of(type, microvolts)) {
+        return kept.value;
+    }
+    Conversion result{};
+    result.celsius = exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt);
+    namespace table = own::t_tcs_t1;
+    const auto* const range = table::find(type);
+    const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
+    const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));
+    result.above = microvolts > (highest + own::range_margin_uv);
+    result.below = microvolts < (lowest - own::range_margin_uv);
+    kept = Kept<Conversion>{type, microvolts, result};
+    return result;
+}
+
+static_assert(implements<req::TCS_IN_011>);
+void Scanner::evaluate(const Instant now) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        measurements_[channel] = evaluate_channel(channel, now);
+    }
+    evaluate_average();
+    evaluate_cold_junction();
+    evaluate_unit(now);
+    put_status();
+    schedule();
+}
+
+static_assert(implements<req::TCS_IN_008> && implements<req::TCS_VAL_008>);
+void Scanner::reevaluate(const std::uint32_t index, const std::size_t channel, const Instant now) noexcept {
+    switch (index) {
+        case filter_index:
+            change_filter();
+            break;
+        case cold_junction_correction_index:
+        case low_warning_index:
+        case high_warning_index:
+        case shutdown_index:
+        case channel_delay_index:
+        case sensor_type_index:
+        case operating_mode_index:
+        case channel_factor_index:
+        case channel_offset_index:
+            measurements_[channel] = evaluate_channel(channel, now);
+            evaluate_average();
+            put_status();
+            break;
+        case average_mode_index:
+        case average_factor_index:
+        case average_offset_index:
+            evaluate_average();
+            break;
+        case cold_junction_factor_index:
+        case cold_junction_offset_index:
+            evaluate_cold_junction();
+            break;
+        case fault_set_index:
+        case fault_clear_index:
+        case fault_enable_index:
+        case fault_delay_index:
+            evaluate_unit(now);
+            break;
+        default:
+            break;  // nothing measured depends on it
+    }
+    schedule();
+}
+
+static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002> && implements<req::TCS_VAL_003> &&
+              implements<req::TCS_IN_012> && implements<req::TCS_VAL_005> && implements<req::TCS_VAL_006> &&
+              implements<req::TCS_VAL_007> && implements<req::TCS_IN_013>);
+Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
+    const std::uint8_t sub = subindex(channel);
+    const bool open = converters_[channel].is_open();
+    const double microvolts = converted_uv(channel);
+    if (!open) {
+        objects_.set(field::o2010_tc_input_microvolts[sub], static_cast<std::int32_t>(std::round(microvolts)));
+    }
+    if (!is_enabled(channel)) {
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.clear();
+        }
+        put_channel(channel, own::field_value_invalid_bits, own::process_value_disabled);
+        return Measurement{};
+    }
+    fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
+    if (open) {
+        // 6150h has no temperature to judge: what was told stays, what waits is dropped.
+        fault_of(channel, ChannelFault::high).drop();
+        fault_of(channel, ChannelFault::low).drop();
+        fault_of(channel, ChannelFault::shutdown).drop();
+        put_channel(channel, own::field_value_invalid_bits, own::process_value_open);
+        return Measurement{};
+    }
+    Conversion conversion = convert(channel, microvolts);
+    // What is sent is what is judged: the field value is a REAL32.
+    const float field_value = static_cast<float>(conversion.celsius);
+    conversion.celsius = static_cast<double>(field_value);
+    judge_temperature(channel, conversion, now);
+    const Scaling scaling{static_cast<double>(objects_.get(field::o6126_tc_scaling_factor[sub])),
+                          static_cast<double>(objects_.get(field::o6127_tc_scaling_offset[sub]))};
+    put_channel(channel, bits_of(field_value), measured_process_value(conversion.celsius, scaling, reserved));
+    return Measurement{conversion.celsius, true};
+}
+
+void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_value_bits,
+                          const std::int16_t process_value) noexcept {
+    objects_.write(channel_field_value_index, subindex(channel), field_value_bits);
+    objects_.set(field::o7130_tc_input_process_value[subindex(channel)], process_value);
+}
+
+static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_007> &&
+              implements<req::TCS_LIM_009> && implements<req::TCS_LIM_010> && implements<req::TCS_K_HYSTERESIS> &&
+              implements<req::TCS_K_LIMIT_RESOLUTION>);
+void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
+    // In steps of the thresholds: a product of two short numbers is exact, a quotient of them is not, and dear.
+    const double steps = static_cast<double>(own::limit_steps_per_c);
+    const double hysteresis = static_cast<double>(own::limit_hysteresis_c) * steps;
+    const double temperature = conversion.celsius * steps;
+    const std::uint8_t sub = subindex(channel);
+    const Duration delay = channel_delay(channel);
+    const double low = static_cast<double>(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));
+    const double high = static_cast<double>(objects_.get(field::o4010_tc_high_temperature_warning_threshold[sub]));
+    const double shutdown = static_cast<double>(objects_.get(field::o4020_tc_high_temperature_shutdown_threshold[sub]));
+
+    FaultCondition too_low = low_limit(temperature, low, low + hysteresis);
+    too_low.begins = too_low.begins || conversion.below;
+    too_low.ends = too_low.ends && !conversion.below;
+    FaultCondition too_hot = high_limit(temperature, shutdown, shutdown - hysteresis);
+    too_hot.begins = too_hot.begins || conversion.above;
+    too_hot.ends = too_hot.ends && !conversion.above;
+
+    fault_of(channel, ChannelFault::low).judge(too_low, delay, now);
+    fault_of(channel, ChannelFault::high).judge(high_limit(temperature, high, high - hysteresis), delay, now);
+    fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
+}
+
+static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
+              implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
+void Scanner::evaluate_average() noexcept {
+    using own::t_tcs_t2::Mode;
+    const std::uint8_t mode = objects_.get(field::o2112_avg_operating_mode);
+    const bool enabled = cell_or(own::t_tcs_t2::find(mode), &own::t_tcs_t2::Row::mode, Mode::disabled) == Mode::normal;
+    const Measurement mean = enabled ? average(measurements_) : Measurement{};
+    if (mean.valid) {
+        const float field_value = static_cast<float>(mean.value);
+        const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),
+                              static_cast<double>(objects_.get(field::o2127_avg_scaling_offset))};
+        objects_.write(average_field_value_index, 0U, bits_of(field_value));
+        objects_.set(field::o2130_avg_input_process_value,
+                     measured_process_value(static_cast<double>(field_value), scaling, reserved));
+        return;
+    }
+    bool broken{false};
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        broken = broken || (is_enabled(channel) && converters_[channel].is_open());
+    }
+    objects_.write(average_field_value_index, 0U, own::field_value_invalid_bits);
+    objects_.set(field::o2130_avg_input_process_value, (enabled && broken) ? reserved.open : reserved.disabled);
+}
+
+static_assert(implements<req::TCS_CJ_001> && implements<req::TCS_CJ_002>);
+void Scanner::evaluate_cold_junction() noexcept {
+    const float field_value = static_cast<float>(cold_junction_c_);
+    const Scaling scaling{static_cast<double>(objects_.get(field::o3126_cj_scaling_factor)),
+                          static_cast<double>(objects_.get(field::o3127_cj_scaling_offset))};
+    objects_.set(field::o3100_cj_input_field_value, field_value);
+    objects_.set(field::o3130_cj_input_process_value, process_value(static_cast<double>(field_value), scaling));
+}
+
+static_assert(implements<req::TCS_FD_007> && implements<req::TCS_FD_001> && implements<req::TCS_FD_002> &&
+              implements<req::TCS_FD_003> && implements<req::TCS_FD_004> && implements<req::TCS_FD_005> &&
+              implements<req::TCS_K_FD_RESOLUTION>);
+void Scanner::evaluate_unit(const Instant now) noexcept {
+    const double steps = static_cast<double>(own::fault_steps_per_unit);
+    const double temperature = std::round(cpu_temperature_c_ * steps);
+    const double voltage = std::round(supply_v_ * steps);
+    objects_.set(field::o5040_fd_field_value[1U], static_cast<float>(temperature));
+    objects_.set(field::o5040_fd_field_value[2U], static_cast<float>(voltage));
+
+    std::array<double, unit_fault_count> set{};
+    std::array<double, unit_fault_count> clear{};
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        set[i] = static_cast<double>(objects_.get(field::o5041_fd_set_threshold[subindex(i)]));
+        clear[i] = static_cast<double>(objects_.get(field::o5042_fd_clear_threshold[subindex(i)]));
+    }
+    const bool temperature_enabled = objects_.get(field::o5050_fd_enable_fault_detection[1U]) != 0U;
+    const bool supply_enabled = objects_.get(field::o5050_fd_enable_fault_detection[2U]) != 0U;
+    judge_unit(UnitFault::cpu_temperature, temperature_enabled, high_limit(temperature, set[0], clear[0]), now);
+    judge_unit(UnitFault::over_voltage, supply_enabled, high_limit(voltage, set[1], clear[1]), now);
+    judge_unit(UnitFault::under_voltage, supply_enabled, low_limit(voltage, set[2], clear[2]), now);
+}
+
+void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultCondition& condition,
+                         const Instant now) noexcept {
+    const std::size_t at = static_cast<std::size_t>(fault);
+    if (enabled) {
+        unit_faults_[at].judge(condition, unit_delay(at), now);
+    } else {
+        unit_faults_[at].clear();
+    }
+}
+
+static_assert(implements<req::TCS_T7> && implements<req::TCS_LIM_005>);
+void Scanner::put_status() noexcept {
+    namespace table = own::t_tcs_t7;
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        const auto* const row =
+            table::find(told(channel, ChannelFault::open) ? table::Open::yes : table::Open::no,
+                        told(channel, ChannelFault::shutdown) ? table::Shutdown::yes : table::Shutdown::no,
+                        told(channel, ChannelFault::high) ? table::High::yes : table::High::no,
+                        told(channel, ChannelFault::low) ? table::Low::yes : table::Low::no);
+        objects_.set(field::o6150_tc_status[subindex(channel)], cell_or(row, &table::Row::status, std::uint8_t{0U}));
+    }
+}
+
+static_assert(implements<req::TCS_LIM_003> && implements<req::TCS_LIM_011>);
+Duration Scanner::channel_delay(const std::size_t channel) const noexcept {
+    return milliseconds(objects_.get(field::o4030_tc_error_react_delay[subindex(channel)]));
+}
+
+/// 5051h:1 for FD1, 5051h:2 for FD2 and FD3.
+Duration Scanner::unit_delay(const std::size_t fault) const noexcept {
+    const std::uint8_t sub = (fault == static_cast<std::size_t>(UnitFault::cpu_temperature)) ? 1U : 2U;
+    return milliseconds(objects_.get(field::o5051_fd_error_response_delay[sub]));
+}
+
+void Scanner::advance(const Instant now) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.advance(channel_delay(channel), now);
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        unit_faults_[i].advance(unit_delay(i), now);
+    }
+    put_status();
+    schedule();
+}
+
+/// Faults and their delays change with a reading, a parameter and a deadline: only then is it looked which comes next.
+void Scanner::schedule() noexcept {
+    Instant next = never;
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        const Duration delay = channel_delay(channel);
+        for (const DelayedFault& fault : faults_[channel]) {
+            next = earliest(next, fault.due(delay));
+        }
+    }
+    for (std::size_t i = 0U; i < unit_fault_count; ++i) {
+        next = earliest(next, unit_faults_[i].due(unit_delay(i)));
+    }
+    next_deadline_ = next;
+}
+
+}  // namespace canproof::ax188001

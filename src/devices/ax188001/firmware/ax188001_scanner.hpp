@@ -1,0 +1,112 @@
+// The measuring part of the AX188001: from the terminals to field values, process values and faults (1.1 to 1.4). It
+// reads its parameters from the dictionary and writes what it measures into it; what is told on the bus is the device's
+// part.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "devices/ax188001/firmware/delayed_fault.hpp"
+#include "devices/ax188001/firmware/gain_ranging.hpp"
+#include "devices/ax188001/firmware/process_value.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "generated/ax188001/enumerations.hpp"
+#include "generated/ax188001/signals.hpp"
+
+namespace canproof::ax188001 {
+
+using Inputs = generated::ax188001::Inputs;
+using generated::ax188001::SensorType;
+
+constexpr std::size_t channel_count = 2U;
+
+/// The faults of one channel (1.1).
+enum class ChannelFault : std::uint8_t { open = 0U, high = 1U, low = 2U, shutdown = 3U };
+constexpr std::size_t channel_fault_count = 4U;
+
+/// FD1 to FD3 (1.4).
+enum class UnitFault : std::uint8_t { cpu_temperature = 0U, over_voltage = 1U, under_voltage = 2U };
+constexpr std::size_t unit_fault_count = 3U;
+
+class Scanner {
+  public:
+    explicit Scanner(ObjectDictionary& objects) noexcept : objects_{objects} {}
+
+    /// Parameters were loaded: the converters settle on what is at the terminals, no fault is told or waits.
+    void restart(const Inputs& inputs) noexcept;
+    /// One reading of everything.
+    void read(const Inputs& inputs) noexcept;
+    /// Converts the last reading by the parameters as they are, and judges it.
+    void evaluate(Instant now) noexcept;
+    /// The parameter of this index, and of this channel where it has one (0 or 1), has a new value: what depends on it
+    /// is converted and judged anew.
+    void reevaluate(std::uint32_t index, std::size_t channel, Instant now) noexcept;
+    /// Tells the faults whose delay has passed.
+    void advance(Instant now) noexcept;
+    /// When the next fault that waits is told.
+    Instant next_deadline() const noexcept { return next_deadline_; }
+
+    bool told(const std::size_t channel, const ChannelFault fault) const noexcept {
+        return faults_[channel][static_cast<std::size_t>(fault)].told();
+    }
+    bool told(const UnitFault fault) const noexcept { return unit_faults_[static_cast<std::size_t>(fault)].told(); }
+    SensorType sensor_type(std::size_t channel) const noexcept;
+    std::uint8_t gain(std::size_t channel) const noexcept;
+
+  private:
+    /// A voltage as its type's range sees it.
+    struct Conversion {
+        double celsius{0.0};
+        bool above{false};
+        bool below{false};
+    };
+
+    /// A function of the sensor's type and a number, kept while both stay: double precision is dear without an FPU for
+    /// it.
+    template <typename Value>
+    struct Kept {
+        SensorType type{SensorType::j};
+        double of{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: nothing yet
+        Value value{};
+
+        bool is_of(const SensorType wanted, const double number) const noexcept {
+            return (type == wanted) && (of <= number) && (of >= number);
+        }
+    };
+
+    double input_uv(const Inputs& inputs, std::size_t channel) const noexcept;
+    bool is_enabled(std::size_t channel) const noexcept;
+    double converted_uv(std::size_t channel) noexcept;
+    Conversion convert(std::size_t channel, double microvolts) noexcept;
+    void change_filter() noexcept;
+    Measurement evaluate_channel(std::size_t channel, Instant now) noexcept;
+    void put_channel(std::size_t channel, std::uint32_t field_value_bits, std::int16_t process_value) noexcept;
+    void judge_temperature(std::size_t channel, const Conversion& conversion, Instant now) noexcept;
+    void evaluate_average() noexcept;
+    void evaluate_cold_junction() noexcept;
+    void evaluate_unit(Instant now) noexcept;
+    void judge_unit(UnitFault fault, bool enabled, const FaultCondition& condition, Instant now) noexcept;
+    void put_status() noexcept;
+    void schedule() noexcept;
+
+    DelayedFault& fault_of(const std::size_t channel, const ChannelFault fault) noexcept {
+        return faults_[channel][static_cast<std::size_t>(fault)];
+    }
+    Duration channel_delay(std::size_t channel) const noexcept;
+    Duration unit_delay(std::size_t fault) const noexcept;
+
+    ObjectDictionary& objects_;
+    std::array<GainRanging, channel_count> converters_{};
+    std::array<Kept<double>, channel_count> compensations_{};    ///< µV by °C of the cold junction
+    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< by µV
+    std::array<Measurement, channel_count> measurements_{};
+    std::array<std::array<DelayedFault, channel_fault_count>, channel_count> faults_{};
+    std::array<DelayedFault, unit_fault_count> unit_faults_{};
+    double cold_junction_c_{0.0};
+    double cpu_temperature_c_{0.0};
+    double supply_v_{0.0};
+    bool hum_rises_{true};
+    Instant next_deadline_{never};
+};
+
+}  // namespace canproof::ax188001

@@ -1,0 +1,40 @@
+#include "devices/ax188001/firmware/gain_ranging.hpp"
+
+#include <cmath>
+
+namespace canproof {
+
+void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
+    if (settling_left_ > 0U) {
+        --settling_left_;
+        if (settling_left_ > 0U) {
+            return;
+        }
+    }
+    const double size = std::fabs(input_uv);
+    const double full_scale = circuit.gains[step_].full_scale_uv;
+    if (!(size < full_scale)) {  // a NaN is nothing that can be read either
+        const bool lowest = (step_ + 1U) == ConverterCircuit::gain_count;
+        open_ = lowest;
+        if (!lowest) {
+            choose(step_ + 1U, circuit);
+        }
+        return;
+    }
+    const double lsb = full_scale / circuit.codes;
+    microvolts_ = std::round(input_uv / lsb) * lsb;
+    open_ = false;
+    for (std::size_t finer = 0U; finer < step_; ++finer) {
+        if (size <= (circuit.gains[finer].full_scale_uv * circuit.raise_fraction)) {
+            choose(finer, circuit);
+            break;
+        }
+    }
+}
+
+void GainRanging::choose(const std::size_t step, const ConverterCircuit& circuit) noexcept {
+    step_ = step;
+    unsettle(circuit);
+}
+
+}  // namespace canproof

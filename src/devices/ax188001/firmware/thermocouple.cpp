@@ -1,0 +1,178 @@
+#include "devices/ax188001/firmware/thermocouple.hpp"
+
+#include <cmath>
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/blocks/bounds.hpp"
+#include "generated/ax188001/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+// Newton's method doubles the digits with each step; halving the interval instead gains at least one bit a step, and
+// 64 of them bring the widest interval below the steps of the numbers.
+constexpr std::size_t most_steps = 64U;
+/// A step as short as this lands within its own thousandth: slopes in single precision are as good as that.
+constexpr Fixed close_enough = to_fixed(1e-5);
+
+/// A curve at a temperature.
+struct CurvePoint {
+    Fixed mv{0};
+    float slope{0.0F};      ///< mV/°C
+    float curvature{0.0F};  ///< mV/°C², without the exponential term, which bends the curve little
+};
+
+const ReferencePiece& reference_piece_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
+    std::size_t at{0U};
+    while (((at + 1U) < curve.reference_count) && (celsius >= curve.reference[at].end)) {
+        ++at;
+    }
+    return curve.reference[at];
+}
+
+static_assert(implements<req::TCS_CONV_008>);
+Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
+    constexpr std::uint32_t reach = 10U;  // 1024 °C
+    constexpr std::uint32_t whole_place = 56U;
+    constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
+    constexpr std::uint32_t negligible = 40U;  // less than a step
+    const std::uint64_t distance = magnitude(celsius - term.centre);
+    if ((distance >> (fixed_places + reach)) != 0U) {
+        return 0;
+    }
+    const std::uint64_t fraction = distance << (64U - fixed_places - reach);
+    const std::uint64_t halvings = upper_product(upper_product(fraction, fraction), term.halvings);
+    const std::uint64_t whole = halvings >> whole_place;
+    const auto rest = static_cast<Fixed>((halvings & (whole_unit - 1U)) >> (whole_place - fixed_places));
+    return (whole < negligible) ? static_cast<Fixed>(magnitude(term.mv_of_rest.value(rest)) >> whole) : 0;
+}
+
+/// Horner's scheme, for the slope and for the slope's slope.
+CurvePoint slopes_at(const ReferencePiece& piece, const Offset& at) noexcept {
+    constexpr std::uint32_t single_places = 32U;
+    constexpr float step = 1.0F / 4294967296.0F;  // 2^-32
+    const float distance = static_cast<float>(static_cast<std::uint32_t>(at.fraction >> single_places)) * step;
+    const float x = at.is_below ? -distance : distance;
+    CurvePoint point{};
+    for (std::size_t i = piece.mv.terms; i > 0U; --i) {
+        point.curvature = (point.curvature * x) + point.slope;
+        point.slope = (point.slope * x) + piece.slope[i - 1U];
+    }
+    point.curvature /= static_cast<float>(std::uint32_t{1U} << piece.mv.reach);
+    return point;
+}
+
+static_assert(implements<req::TCS_CONV_005> && implements<req::TCS_CONV_010>);
+CurvePoint curve_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
+    const ReferencePiece& piece = reference_piece_at(curve, celsius);
+    const Offset at = piece.mv.offset(celsius);
+    CurvePoint point = slopes_at(piece, at);
+    point.mv = piece.mv.value(at);
+    if (piece.exponential != nullptr) {
+        const Fixed added = exponential(*piece.exponential, celsius);
+        point.mv += added;
+        point.slope += piece.exponential->bend * rough(celsius - piece.exponential->centre) * rough(added);
+    }
+    return point;
+}
+
+Fixed mv_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
+    return curve_at(curve, celsius).mv;
+}
+
+/// How far it is to where a parabola through this point is zero, which lies `excess` above that; by the slope alone
+/// where there is no such place. Beside a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope alone would
+/// lead half of the way each time.
+float way_to_root(const float excess, const CurvePoint& point) noexcept {
+    const float inner = (point.slope * point.slope) - (2.0F * point.curvature * excess);
+    const float both = (inner > 0.0F) ? (point.slope + std::sqrt(inner)) : (2.0F * point.slope);
+    return (-2.0F * excess) / both;
+}
+
+/// Of any double. What lies far outside of every thermocouple's voltages and temperatures is held where the numbers
+/// end.
+Fixed held(const double value) noexcept {
+    constexpr double most = 4.0e6;
+    return to_fixed(lesser(greater(value, -most), most));
+}
+
+Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
+    const Fixed raised = (value < low) ? low : value;
+    return (raised > high) ? high : raised;
+}
+
+/// By the inverse function.
+Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
+    std::size_t at{0U};
+    while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {
+        ++at;
+    }
+    const InversePiece& piece = curve.inverse[at];
+    return piece.celsius.value(clamped(mv, piece.begin, piece.end));
+}
+
+/// Where a root is looked for. An end that is still the range's may be the answer itself.
+struct Bracket {
+    Fixed low{0};
+    Fixed high{0};
+    bool low_is_end{true};
+    bool high_is_end{true};
+};
+
+}  // namespace
+
+double exponential_mv(const ExponentialTerm& term, const double celsius) noexcept {
+    return from_fixed(exponential(term, held(celsius)));
+}
+
+double reference_mv(const ThermocoupleCurve& curve, const double celsius) noexcept {
+    return from_fixed(mv_at(curve, held(celsius)));
+}
+
+double reference_slope(const ThermocoupleCurve& curve, const double celsius) noexcept {
+    return static_cast<double>(curve_at(curve, held(celsius)).slope);
+}
+
+static_assert(implements<req::TCS_CONV_009>);
+double approximate_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
+    return from_fixed(first_guess(curve, held(mv)));
+}
+
+static_assert(implements<req::TCS_CONV_002> && implements<req::TCS_CONV_003> && implements<req::TCS_CONV_004>);
+double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
+    const Fixed wanted = held(mv);
+    Bracket bracket{curve.lowest, curve.highest, true, true};
+    Fixed guess = clamped(first_guess(curve, wanted), bracket.low, bracket.high);
+    Fixed moved = bracket.high - bracket.low;
+    for (std::size_t step = 0U; (step < most_steps) && (moved > close_enough); ++step) {
+        const CurvePoint point = curve_at(curve, guess);
+        const Fixed excess = point.mv - wanted;
+        if (excess > 0) {
+            bracket.high = guess;
+            bracket.high_is_end = false;
+        } else {
+            bracket.low = guess;
+            bracket.low_is_end = false;
+        }
+        const float way = way_to_root(rough(excess), point);
+        // Not `way > …`: no number is not within reach either.
+        const bool within_reach = std::fabs(way) <= rough(bracket.high - bracket.low);
+        Fixed next = within_reach ? (guess + to_fixed(way)) : bracket.high;
+        const bool inside = within_reach && (next >= bracket.low) && (next <= bracket.high);
+        if (!inside) {
+            if (bracket.low_is_end && (wanted <= mv_at(curve, bracket.low))) {
+                return curve.lowest_c();
+            }
+            if (bracket.high_is_end && (wanted >= mv_at(curve, bracket.high))) {
+                return curve.highest_c();
+            }
+            next = bracket.low + ((bracket.high - bracket.low) / 2);
+        }
+        moved = inside ? static_cast<Fixed>(magnitude(next - guess)) : (bracket.high - bracket.low);
+        guess = next;
+    }
+    return from_fixed(guess);
+}
+
+}  // namespace canproof

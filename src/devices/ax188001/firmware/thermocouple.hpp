@@ -1,0 +1,124 @@
+// Thermocouples: from temperature to voltage and back by the reference and inverse functions of the ITS-90 (AX188001,
+// 1.1). In fixed point: the polynomials of degree 14 lose too much in single precision, and double is dear without an
+// FPU for it. Slopes only steer: they are in single precision. No library function but rounding-free ones is called.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "devices/ax188001/firmware/fixed_point.hpp"
+
+namespace canproof {
+
+/// a0·exp(a1·(t − a2)²), a1 negative; type K only. As a power of two: a0·2^−whole·2^−rest.
+struct ExponentialTerm {
+    static constexpr std::size_t powers = 12U;  ///< 2^−rest errs by 7e-15
+    Fixed centre{0};
+    std::uint64_t halvings{0U};  ///< at 1024 °C from the centre, as a fraction of 256
+    float bend{0.0F};            ///< 2·a1
+    FixedPolynomial<powers> mv_of_rest{};
+};
+
+/// Σ c[i]·tⁱ in mV with the reference junction at 0 °C, for t from `begin` to `end`.
+struct ReferencePiece {
+    static constexpr std::size_t size = 15U;
+    Fixed begin{0};  ///< °C
+    Fixed end{0};    ///< °C
+    FixedPolynomial<size> mv{};
+    std::array<float, size> slope{};  ///< mV/°C, by the powers of what `mv` is taken at
+    const ExponentialTerm* exponential{nullptr};
+};
+
+/// Σ d[i]·Eⁱ in °C, approximate, for E from `begin` to `end`.
+struct InversePiece {
+    static constexpr std::size_t size = 11U;
+    Fixed begin{0};  ///< mV
+    Fixed end{0};    ///< mV
+    FixedPolynomial<size> celsius{};
+};
+
+/// How many coefficients there are up to the last that is not zero.
+template <std::size_t Size>
+constexpr std::size_t terms_of(const std::array<double, Size>& coefficients) noexcept {
+    std::size_t terms{Size};
+    while ((terms > 0U) && (coefficients[terms - 1U] <= 0.0) && (coefficients[terms - 1U] >= 0.0)) {
+        --terms;
+    }
+    return terms;
+}
+
+constexpr ReferencePiece reference_piece(const double from_c, const double to_c,
+                                         const std::array<double, ReferencePiece::size>& coefficients) noexcept {
+    ReferencePiece piece{};
+    piece.begin = to_fixed(from_c);
+    piece.end = to_fixed(to_c);
+    piece.mv = fixed_polynomial(coefficients, terms_of(coefficients), from_c, to_c);
+    const auto unit_c = static_cast<double>(std::uint32_t{1U} << piece.mv.reach);
+    for (std::size_t i = 1U; i < piece.mv.terms; ++i) {
+        piece.slope[i - 1U] =
+            static_cast<float>(from_fixed(piece.mv.coefficients[i]) * static_cast<double>(i) / unit_c);
+    }
+    return piece;
+}
+
+constexpr InversePiece inverse_piece(const double from_mv, const double to_mv,
+                                     const std::array<double, InversePiece::size>& coefficients) noexcept {
+    return InversePiece{to_fixed(from_mv), to_fixed(to_mv),
+                        fixed_polynomial(coefficients, terms_of(coefficients), from_mv, to_mv)};
+}
+
+/// The parameters as the ITS-90 gives them.
+constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_per_c2, const double a2_c) noexcept {
+    constexpr double natural_logarithm_of_2 = 0.69314718055994530942;
+    constexpr double root_of_2 = 1.41421356237309504880;
+    constexpr double farthest = 1048576.0;  // 1024 °C, squared
+    constexpr double most = 256.0;
+    constexpr double steps = 18446744073709551616.0;  // 2^64
+    const double halvings = -a1_per_c2 * farthest / (natural_logarithm_of_2 * most);
+    ExponentialTerm term{};
+    term.centre = to_fixed(a2_c);
+    term.halvings = (halvings < 1.0) ? static_cast<std::uint64_t>(halvings * steps) : UINT64_MAX;
+    term.bend = static_cast<float>(2.0 * a1_per_c2);
+    term.mv_of_rest.centre = to_fixed(0.5);
+    term.mv_of_rest.terms = ExponentialTerm::powers;
+    double coefficient = a0_mv / root_of_2;  // 2^-rest about the rest 1/2: (-ln 2)^i / i!
+    for (std::size_t i = 0U; i < ExponentialTerm::powers; ++i) {
+        term.mv_of_rest.coefficients[i] = to_fixed(coefficient);
+        coefficient *= -natural_logarithm_of_2 / static_cast<double>(i + 1U);
+    }
+    return term;
+}
+
+/// One type of thermocouple. The pieces ascend; each begins where the one before it ends, or inside it.
+struct ThermocoupleCurve {
+    static constexpr std::size_t most_reference_pieces = 3U;
+    static constexpr std::size_t most_inverse_pieces = 4U;
+    std::array<ReferencePiece, most_reference_pieces> reference{};
+    std::size_t reference_count{0U};
+    std::array<InversePiece, most_inverse_pieces> inverse{};
+    std::size_t inverse_count{0U};
+    Fixed lowest{0};   ///< °C; from here to `highest` the voltage rises with the temperature
+    Fixed highest{0};  ///<
+
+    constexpr double lowest_c() const noexcept { return from_fixed(lowest); }
+    constexpr double highest_c() const noexcept { return from_fixed(highest); }
+};
+
+/// Voltage in mV at `celsius`, reference junction at 0 °C, to 1e-10 mV. Beyond the type's range the nearest piece is
+/// continued, to at most twice its length.
+double reference_mv(const ThermocoupleCurve& curve, double celsius) noexcept;
+
+/// Slope of reference_mv in mV/°C, in single precision.
+double reference_slope(const ThermocoupleCurve& curve, double celsius) noexcept;
+
+/// Temperature in °C by the inverse function, good to 0.06 °C within its range; beyond it the value at its end.
+double approximate_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
+
+/// Temperature in °C at which reference_mv gives `mv`, from `lowest` to `highest`: exact to 1e-6 °C. A voltage beyond
+/// that range gives its end.
+double exact_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
+
+/// The exponential term in mV at `celsius`, to 1e-11 mV.
+double exponential_mv(const ExponentialTerm& term, double celsius) noexcept;
+
+}  // namespace canproof

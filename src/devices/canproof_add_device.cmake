@@ -1,0 +1,40 @@
+# canproof_add_device(NAME): makes the device in this folder part of the build and of the catalogue.
+#   firmware/    the library canproof_NAME_firmware
+#   simulation/  the library canproof_NAME_simulation, with simulation/model.cpp, and panel.json
+#   target/      its image for the microcontroller (preset target)
+function(canproof_add_device name)
+  string(REPLACE "-" "_" word ${name})
+  canproof_device_part(${name} simulation/panel.json "the panel's card")
+  canproof_device_part(${name} target/main.cpp "the image's main()")
+  file(GLOB_RECURSE firmware CONFIGURE_DEPENDS firmware/*.cpp)
+  canproof_firmware_library(canproof_${word}_firmware SOURCES ${firmware} LINKS canproof_firmware)
+  file(GLOB_RECURSE simulation CONFIGURE_DEPENDS simulation/*.cpp)
+  add_library(canproof_${word}_simulation STATIC ${simulation})
+  target_link_libraries(canproof_${word}_simulation PUBLIC canproof_${word}_firmware canproof_report)
+  target_compile_options(canproof_${word}_simulation PRIVATE ${CANPROOF_FUZZED_FLAGS})
+  set_property(GLOBAL APPEND PROPERTY CANPROOF_DEVICES ${name})
+endfunction()
+
+# Stops the configure step when a part of a device is missing.
+function(canproof_device_part device path meaning)
+  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${path})
+    message(FATAL_ERROR "device ${device} has no ${path} (${meaning}); src/devices/README.md says what it holds")
+  endif()
+endfunction()
+
+# The library canproof_devices: the generated list of all devices.
+function(canproof_write_catalogue)
+  get_property(devices GLOBAL PROPERTY CANPROOF_DEVICES)
+  set(declarations "")
+  set(rows "")
+  set(libraries "")
+  foreach(name ${devices})
+    string(REPLACE "-" "_" word ${name})
+    string(APPEND declarations "namespace canproof::${word} {\nconst host::DeviceModel& model();\n}\n")
+    string(APPEND rows "        {\"${name}\", &${word}::model()},\n")
+    list(APPEND libraries canproof_${word}_simulation)
+  endforeach()
+  configure_file(catalogue.cpp.in ${generated_dir}/catalogue.cpp @ONLY)
+  add_library(canproof_devices STATIC catalogue.cpp ${generated_dir}/catalogue.cpp)
+  target_link_libraries(canproof_devices PUBLIC ${libraries})
+endfunction()

@@ -1,0 +1,335 @@
+#include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "firmware/canopen/indicator.hpp"
+#include "generated/cbx_ao412/constants.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+
+namespace canproof::cbx_ao412 {
+
+namespace {
+
+namespace own = generated::cbx_ao412;
+namespace field = generated::cbx_ao412::field;
+using own::IndicatorState;
+
+constexpr std::uint32_t hardware_version_index = 0x1009U;
+constexpr std::uint32_t software_version_index = 0x100AU;
+constexpr std::uint32_t output_index = 0x6411U;
+constexpr std::uint32_t offset_index = 0x2404U;
+constexpr std::uint32_t gain_index = 0x2405U;
+constexpr std::uint32_t program_data_index = 0x1F50U;
+constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
+constexpr std::uint32_t max_node_id = 0x7FU;
+constexpr ErrorId hardware_error = ErrorId::first_of_device;
+
+constexpr std::uint32_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
+// What the node and the dictionary do for this device, in the manner of the profile below.
+static_assert(implements<req::AO4_ERR_001> && implements<req::AO4_ERR_002> && implements<req::AO4_ERR_003> &&
+              implements<req::AO4_ERR_004> && implements<req::AO4_ERR_005> && implements<req::AO4_ERR_006> &&
+              implements<req::AO4_ERR_007> && implements<req::AO4_ERR_008> && implements<req::AO4_ERR_009> &&
+              implements<req::AO4_ERR_010> && implements<req::AO4_ERR_011> && implements<req::AO4_ERR_012>);
+static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> && implements<req::AO4_GUARD_003> &&
+              implements<req::AO4_GUARD_004> && implements<req::AO4_PDO_001> && implements<req::AO4_PDO_002> &&
+              implements<req::AO4_PDO_003> && implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> &&
+              implements<req::AO4_PROG_002> && implements<req::AO4_PROG_003> && implements<req::AO4_START_002>);
+static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
+              implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
+              implements<req::AO4_STORE_005>);
+constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, EmcyContent::listed_errors, rpdo2_answers_remote,
+                              true};
+
+// 4.3.1: reference times the gain of the differential amplifier.
+const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
+                                   own::dac_steps, own::codes_per_step};
+
+static_assert(implements<req::AO4_T_ERRORS>);
+constexpr ErrorTable make_error_table() noexcept {
+    namespace errors = own::t_ao4_t_errors;
+    ErrorTable table{};
+    for (const errors::Row& row : errors::rows) {
+        const ErrorRow told{row.code, row.register_bits, row.sent, row.listed};
+        switch (row.error) {
+            case errors::Error::can_overrun:
+                table[static_cast<std::size_t>(ErrorId::can_overrun)] = told;
+                break;
+            case errors::Error::error_passive:
+                table[static_cast<std::size_t>(ErrorId::error_passive)] = told;
+                break;
+            case errors::Error::guard_or_heartbeat:
+                table[static_cast<std::size_t>(ErrorId::guard_or_heartbeat)] = told;
+                break;
+            case errors::Error::bus_off_recovered:
+                table[static_cast<std::size_t>(ErrorId::bus_off_recovered)] = told;
+                break;
+            case errors::Error::sync_length:
+                table[static_cast<std::size_t>(ErrorId::sync_length)] = told;
+                break;
+            case errors::Error::stored_set_checksum:
+                table[static_cast<std::size_t>(ErrorId::stored_set_checksum)] = told;
+                break;
+            case errors::Error::internal_software:
+                table[static_cast<std::size_t>(ErrorId::internal_software)] = told;
+                break;
+            case errors::Error::hardware:
+                table[static_cast<std::size_t>(hardware_error)] = told;
+                break;
+            default:
+                break;
+        }
+    }
+    return table;
+}
+const ErrorTable error_table = make_error_table();
+
+static_assert(implements<req::AO4_T5>);
+IndicatorPattern pattern_of(const IndicatorState state) noexcept {
+    namespace table = own::t_ao4_t5;
+    const auto* const row = table::find(state);
+    const auto time = [row](std::uint16_t table::Row::*const column) noexcept {
+        return milliseconds(cell_or(row, column, std::uint16_t{0U}));
+    };
+    return IndicatorPattern{cell_or(row, &table::Row::flashes, std::uint8_t{0U}), time(&table::Row::on_ms),
+                            time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
+}
+
+/// Red LEDs begin one flash after the green ones (3.2.1, note).
+Duration red_shift() noexcept {
+    return pattern_of(IndicatorState::blinking).on;
+}
+
+template <typename Row>
+IndicatorState led_of(const Row* const row) noexcept {
+    return cell_or(row, &Row::led, IndicatorState::off);
+}
+
+}  // namespace
+
+Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      factory_{factory} {}
+
+static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && implements<req::AO4_SW_003>);
+void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
+    bit_rate_ = cell_or(own::t_ao4_t11::find(inputs.switch_baud), &own::t_ao4_t11::Row::bit_rate, std::uint32_t{0U});
+    runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
+    if (runs_) {
+        node_.power_on(node_id_, now);
+    }
+    set_inputs(inputs, now);
+}
+
+void Device::receive(const Frame& frame, const Instant now) noexcept {
+    node_.receive(frame, now);
+    drive_leds(now);
+}
+
+void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
+    inputs_ = inputs;
+    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
+    watch_internal_faults(now);
+    set_failed(communication_failed_, has_internal_fault());
+    drive_leds(now);
+}
+
+/// 7.9.4: a stored set that could not be used is an internal software error as well, until the next reset.
+void Device::watch_internal_faults(const Instant now) noexcept {
+    const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
+    internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
+    node_.set_error(ErrorId::internal_software, software, now);
+    node_.set_error(hardware_error, inputs_.hardware_fault, now);
+}
+
+void Device::advance(const Instant now) noexcept {
+    node_.advance(now);
+    drive_leds(now);
+}
+
+Instant Device::next_deadline() const noexcept {
+    return earliest(node_.next_deadline(), next_led_change_);
+}
+
+static_assert(implements<req::AO4_PROG_001>);
+AbortCode Device::check_access(const EntryRef& entry) {
+    // 7.12: program data can be loaded in the boot loader only, and the application is running.
+    return (entry.index == program_data_index) ? AbortCode::device_state : AbortCode::none;
+}
+
+AbortCode Device::before_write(const EntryRef&, const ByteView) {
+    return AbortCode::none;
+}
+
+static_assert(implements<req::AO4_AOUT_005>);
+void Device::after_write(const EntryRef& entry, const Instant) {
+    const std::uint8_t number = entry.row->subindex;
+    if ((entry.index == output_index) && !failed_) {
+        command_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
+    } else if ((entry.index == offset_index) || (entry.index == gain_index)) {
+        drive_output(number);
+    } else {
+        // no output changes at once
+    }
+}
+
+static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001>);
+void Device::put_factory_values(const ParameterGroup group) {
+    if (group == ParameterGroup::communication) {
+        put_version(hardware_version_index, factory_.hardware_version);
+        put_version(software_version_index, factory_.software_version);
+        objects_.set(field::o1f52_1_application_software_date, factory_.software_date);
+        objects_.set(field::o1f52_2_application_software_time, factory_.software_time);
+        objects_.set(field::o1018_3_revision_number, factory_.revision);
+        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+    }
+    for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
+        objects_.set(field::o2404_calibration_offset_value[number], factory_.offset[number - 1U]);
+        objects_.set(field::o2405_calibration_gain_value[number], factory_.gain[number - 1U]);
+    }
+}
+
+void Device::put_version(const std::uint16_t index, const VersionText& text) noexcept {
+    const auto entry = objects_.find(index, 0U);
+    if (entry.ok() && (text[0] != 0U)) {
+        static_cast<void>(objects_.put(entry.value(), ByteView{text}));
+    }
+}
+
+static_assert(implements<req::AO4_AOUT_010>);
+void Device::restart(const Instant) {
+    communication_failed_ = false;
+    failed_ = false;
+    internal_fault_shown_ = false;
+    if (has_internal_fault()) {
+        set_failed(false, true);
+    } else {
+        command_outputs();
+    }
+}
+
+static_assert(implements<req::AO4_START_001>);
+void Device::booted(const Instant now) {
+    watch_internal_faults(now);
+    if (objects_.get(field::o1f80_nmt_startup) == autostart_enabled) {
+        node_.start_at(now + milliseconds(objects_.get(field::o1f91_self_starting_nodes_timing_parameters[1U])));
+    }
+}
+
+void Device::communication_failed(const bool failed, const Instant) {
+    set_failed(failed, has_internal_fault());
+}
+
+static_assert(implements<req::AO4_AOUT_006> && implements<req::AO4_AOUT_008>);
+void Device::set_failed(const bool communication, const bool internal) noexcept {
+    communication_failed_ = communication;
+    const bool failed = communication || internal;
+    if (failed && !failed_) {
+        for (std::uint8_t number = 1U; number <= output_count; ++number) {
+            apply_error_mode(number);
+        }
+    }
+    failed_ = failed;
+}
+
+static_assert(implements<req::AO4_T_ERROR_MODE> && implements<req::AO4_AOUT_007>);
+void Device::apply_error_mode(const std::uint8_t number) noexcept {
+    namespace modes = own::t_ao4_t_error_mode;
+    const std::uint8_t mode = objects_.get(field::o6443_analogue_output_error_mode[number]);
+    const modes::Action action = cell_or(modes::find(mode), &modes::Row::action, modes::Action::zero);
+    if (action == modes::Action::zero) {
+        driven_[number - 1U] = Driven{};
+        drive_output(number);
+    } else if (action == modes::Action::error_value) {
+        const auto bits = static_cast<std::uint32_t>(objects_.get(field::o6444_analogue_output_error_value[number]));
+        command_output(number, static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> 16U)));
+    } else {
+        // keep
+    }
+}
+
+void Device::command_outputs() noexcept {
+    for (std::uint8_t number = 1U; number <= output_count; ++number) {
+        command_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
+    }
+}
+
+void Device::command_output(const std::uint8_t number, const std::int16_t value) noexcept {
+    driven_[number - 1U] = Driven{true, value};
+    drive_output(number);
+}
+
+static_assert(implements<req::AO4_AOUT_001> && implements<req::AO4_AOUT_002> && implements<req::AO4_AOUT_003> &&
+              implements<req::AO4_AOUT_004>);
+void Device::drive_output(const std::uint8_t number) noexcept {
+    const Driven driven = driven_[number - 1U];
+    if (!driven.on) {
+        outputs_.aout[number - 1U] = 0.0F;
+        return;
+    }
+    const float gain_codes = static_cast<float>(objects_.get(field::o2405_calibration_gain_value[number]));
+    const float offset_codes = static_cast<float>(objects_.get(field::o2404_calibration_offset_value[number]));
+    const float offset_lsb_v = own::calibration_offset_full_scale / 32768.0F;
+    const OutputCalibration calibration{1.0F + (gain_codes / static_cast<float>(own::calibration_gain_divisor)),
+                                        offset_codes * offset_lsb_v};
+    outputs_.aout[number - 1U] = step_voltage(output_step(driven.value, circuit, calibration), circuit);
+}
+
+static_assert(implements<req::AO4_LED_001> && implements<req::AO4_T7>);
+IndicatorState Device::status_indicator() const noexcept {
+    namespace table = own::t_ao4_t7;
+    if (!runs_) {
+        return led_of(table::find(table::Mode::invalid_node_id));
+    }
+    switch (node_.state()) {
+        case NmtState::operational:
+            return led_of(table::find(table::Mode::operational));
+        case NmtState::stopped:
+            return led_of(table::find(table::Mode::stopped));
+        case NmtState::initialising:
+        case NmtState::pre_operational:
+        default:
+            return led_of(table::find(table::Mode::pre_operational));
+    }
+}
+
+static_assert(implements<req::AO4_LED_002> && implements<req::AO4_T6>);
+IndicatorState Device::can_error_indicator() const noexcept {
+    namespace table = own::t_ao4_t6;
+    table::Can can{table::Can::bus_off};
+    switch (inputs_.can_state) {
+        case static_cast<std::uint8_t>(CanState::error_active):
+            can = table::Can::active;
+            break;
+        case static_cast<std::uint8_t>(CanState::warning):
+            can = table::Can::warning;
+            break;
+        case static_cast<std::uint8_t>(CanState::error_passive):
+            can = table::Can::passive;
+            break;
+        default:
+            break;
+    }
+    return led_of(table::find(!runs_, can, node_.has_error(ErrorId::guard_or_heartbeat)));
+}
+
+bool Device::show(const IndicatorState state, const Duration shift, const Instant now) noexcept {
+    const IndicatorPhase phase = indicator_phase(pattern_of(state), now, shift);
+    next_led_change_ = earliest(next_led_change_, phase.next_change);
+    return phase.lit;
+}
+
+static_assert(implements<req::AO4_LED_003> && implements<req::AO4_LED_004> && implements<req::AO4_LED_005> &&
+              implements<req::AO4_LED_006> && implements<req::AO4_T8> && implements<req::AO4_T9>);
+void Device::drive_leds(const Instant now) noexcept {
+    next_led_change_ = never;
+    outputs_.led_e = show(can_error_indicator(), red_shift(), now);
+    outputs_.led_s = show(status_indicator(), Duration{}, now);
+    outputs_.led_m = show(led_of(own::t_ao4_t8::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
+    outputs_.led_p = show(led_of(own::t_ao4_t9::find(runs_)), Duration{}, now);
+}
+
+}  // namespace canproof::cbx_ao412

@@ -1,0 +1,13 @@
+// The CBX-AO412 as the host runs it.
+#pragma once
+
+#include <memory>
+
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::cbx_ao412 {
+
+/// Makes a unit with these factory values. Throws InputError for a value that its type cannot hold.
+std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory = {});
+
+}  // namespace canproof::cbx_ao412

@@ -1,0 +1,41 @@
+// A device as the catalogue knows it: what src/devices/NAME/simulation/model.cpp says of it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/report/line_plot.hpp"
+#include "host/sim/devices/factory_key.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+/// One request of `canproof demo`.
+struct DemoRequest {
+    const char* section;  ///< of the manual
+    const char* what;
+    const char* frame;  ///< `603#4000100000000000`
+};
+
+/// What `canproof demo` plays against the device after power-on.
+struct DemoScene {
+    const char* title;
+    const char* boot_section;  ///< of the manual
+    std::vector<DemoRequest> requests;
+    std::vector<std::string> outputs;  ///< names of the outputs that it prints at the end, in V
+};
+
+struct DeviceModel {
+    std::vector<std::string> other_names;  ///< further part numbers that the same simulation serves
+    std::unique_ptr<SimulatedDevice> (*make)(const FactoryValues& factory);
+    /// Plots of its behaviour by file name, which begins with the name of the device.
+    std::map<std::string, LinePlot> (*figures)();
+    DemoScene demo;
+    /// Factory data that no object shows, by part number (the device's own name where none was given); may be nullptr.
+    std::vector<FactoryKey> (*further_factory_keys)(const std::string& part_number);
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,118 @@
+// audit: gaps and an exit status, or one requirement's whole story.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/sound_register.hpp"
+#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/story.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+void print_part(const PartAudit& audit) {
+    fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s), {:>3} suspect(s)\n",
+               audit.part->name, audit.items.size(), audit.sections.size(), audit.part->decisions.size(),
+               audit.gaps.size(), audit.suspects.size());
+    for (const auto* findings : {&audit.gaps, &audit.suspects}) {
+        for (const auto& finding : *findings) {
+            fmt::print("  {}\n", finding);
+        }
+    }
+}
+
+int list_items(const std::vector<PartAudit>& audits, const AuditFilter& filter) {
+    std::size_t found = 0;
+    std::size_t not_shown = 0;
+    for (const auto& audit : audits) {
+        for (const auto& item : audit.items) {
+            if (passes(item, filter)) {
+                fmt::print("{}", item_line(item));
+                ++found;
+                not_shown += item.status() == "shown" ? 0 : 1;
+            }
+        }
+    }
+    fmt::print("{} item(s), {} of them not shown\n", found, not_shown);
+    return not_shown == 0 ? 0 : 1;
+}
+
+/// Lists what installers and operators must keep, by section of the device's manual, or of all manuals.
+int list_conditions(const Register& content, const std::string& device) {
+    if (!device.empty() && content.part(device) == nullptr) {
+        throw InputError{fmt::format("`{}` is no device; `canproof devices` lists them", device)};
+    }
+    std::size_t found = 0;
+    for (const Part& part : content.parts) {
+        const Manual* manual = content.manual(part.info.manual);
+        if (manual == nullptr || (!device.empty() && part.name != device)) {
+            continue;
+        }
+        for (const auto& section : manual->sections) {
+            for (const auto& condition : section.conditions) {
+                fmt::print("{}:{} {}\n", manual->key, section.ref, condition);
+                ++found;
+            }
+        }
+    }
+    fmt::print("{} condition(s) of use\n", found);
+    return 0;
+}
+
+/// The parts that an audit of this device is about: a device rests on the shared rules. All without a name.
+std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
+    const auto other = [&](const PartAudit& one) {
+        return !device.empty() && one.part->is_device() && one.part->name != device;
+    };
+    audits.erase(std::remove_if(audits.begin(), audits.end(), other), audits.end());
+    return audits;
+}
+
+}  // namespace
+
+int audit(const AuditOptions& options) {
+    const std::filesystem::path root{options.root};
+    const Register content = sound_register(root / "spec");
+    if (options.filter.kind == "condition-of-use") {
+        return list_conditions(content, options.subject);
+    }
+    const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
+    const Evidence evidence = collect_evidence(root, verdicts, content);
+    std::vector<PartAudit> audits = audit_all(content, evidence);
+    const bool is_device = content.part(options.subject) != nullptr;
+    if (!options.subject.empty() && !is_device) {
+        const auto mutations = read_mutation_json(root / "build" / "mutation" / "mutation.json");
+        const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
+        if (!story) {
+            throw InputError{fmt::format(
+                "`{}` is no device, id, section (AX130751:1.3), source file or test (Suite.Name)", options.subject)};
+        }
+        fmt::print("{}", story->text);
+        return story->open ? 1 : 0;
+    }
+    audits = parts_for(std::move(audits), options.subject);
+    if (!options.filter.empty()) {
+        return list_items(audits, options.filter);
+    }
+    std::size_t gaps = 0;
+    std::size_t suspects = 0;
+    for (const auto& one : audits) {
+        print_part(one);
+        gaps += one.gaps.size();
+        suspects += one.suspects.size();
+    }
+    const auto strays = orphans(evidence);
+    for (const auto& stray : strays) {
+        fmt::print("orphan: {}\n", stray);
+    }
+    fmt::print("{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s)\n", evidence.tests, evidence.failed, gaps,
+               strays.size(), suspects);
+    return gaps + suspects + strays.size() + evidence.failed == 0 ? 0 : 1;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,75 @@
+#include "host/app/cli/built_in.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "host/register/embedded_spec.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Part numbers are printed in capitals, names of devices are not.
+bool same(const std::string& number, const std::string& name) {
+    const auto lower = [](unsigned char c) { return std::tolower(c); };
+    return std::equal(number.begin(), number.end(), name.begin(), name.end(), [&](char a, char b) {
+        return lower(static_cast<unsigned char>(a)) == lower(static_cast<unsigned char>(b));
+    });
+}
+
+/// The register of those files alone whose paths are wanted; nothing when they need others.
+template <typename Wanted>
+std::optional<Register> register_of(const Wanted& is_wanted) {
+    SpecFiles files;
+    for (const auto& [path, text] : embedded_spec()) {
+        if (is_wanted(path)) {
+            files.emplace(path, text);
+        }
+    }
+    return read_sound_register(files);
+}
+
+/// What each device is called, and with what numbers.
+const Register& device_files() {
+    static const Register content =
+        register_of([](const std::filesystem::path& path) { return path.filename() == "device.toml"; }).value();
+    return content;
+}
+
+/// Most programs run one device of the four: only that is read.
+const Part& device_part(const std::string& name) {
+    static std::map<std::string, std::optional<Register>> read;
+    const auto [known, unread] = read.try_emplace(name);
+    if (unread) {
+        const std::string folder = "spec/devices/" + name + "/";
+        known->second = register_of([&folder](const std::string& path) { return path.rfind(folder, 0) == 0; });
+    }
+    return *(known->second ? *known->second : built_in_register()).part(name);
+}
+
+}  // namespace
+
+const Register& built_in_register() {
+    // The build has found it sound.
+    static const Register content = read_sound_register(embedded_spec()).value();
+    return content;
+}
+
+const Part& device_named(const std::string& name) {
+    for (const Part& one : device_files().parts) {
+        const auto& numbers = one.info.part_numbers;
+        if (one.is_device() && (one.name == name || std::any_of(numbers.begin(), numbers.end(),
+                                                                [&](const auto& n) { return same(n, name); }))) {
+            return device_part(one.name);
+        }
+    }
+    throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,116 @@
+#include "host/app/cli/chosen_devices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "devices/catalogue.hpp"
+#include "host/app/cli/built_in.hpp"
+#include "host/app/cli/eds_device.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/generic_simulation.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int most_switches = 255;
+
+/// A number of at most three digits; -1 from anything else.
+int number_of(const std::string& text) {
+    const bool number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
+    return number ? std::stoi(text) : -1;
+}
+
+ChosenDevice from_catalogue(const Part& part, const std::string& name, FactoryOptions& factory) {
+    ChosenDevice chosen;
+    chosen.name = name;
+    chosen.device = make_device(part.name, factory.for_device(name, part));
+    chosen.part = &part;
+    chosen.bit_rate = static_cast<std::uint32_t>(part.info.bit_rate);
+    return chosen;
+}
+
+}  // namespace
+
+void set_node(ChosenDevice& chosen, const std::string& node) {
+    const int number = number_of(node);
+    const bool fits_switches = number >= 0 && number <= most_switches;
+    chosen.notice.clear();
+    if (fits_switches && chosen.device->set_coding_switches(static_cast<std::uint8_t>(number))) {
+        if (number < NodeId::lowest || number > NodeId::highest) {
+            chosen.notice = fmt::format(
+                "{}: the coding switches stand at {:02X}h, which is no node-ID; the application does not run, the LEDs "
+                "say so",
+                chosen.name, number);
+        }
+    } else if (NodeId::is_one(number)) {
+        chosen.device->set_node_id(number);
+    } else {
+        throw InputError{fmt::format("{}: `{}` is no node-ID; write {}", chosen.name, node, node_id_words())};
+    }
+}
+
+ChosenDevice choose_device(const std::string& text) {
+    FactoryOptions none;
+    return choose_device(text, none);
+}
+
+ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
+    const auto at = text.find('@');
+    ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)), text, factory);
+    if (chosen.device == nullptr) {
+        throw InputError{fmt::format("{} cannot be run; `canproof devices` says which can", text.substr(0, at))};
+    }
+    if (at != std::string::npos) {
+        set_node(chosen, text.substr(at + 1));
+    }
+    return chosen;
+}
+
+ChosenDevice choose_eds(const std::string& text) {
+    const auto at = text.rfind('@');
+    const std::string path = text.substr(0, at);
+    auto device = read_eds_device(path);
+    ChosenDevice chosen;
+    chosen.name = std::filesystem::path{path}.stem().string();
+    chosen.part = &device->part();
+    chosen.bit_rate = static_cast<std::uint32_t>(chosen.part->info.bit_rate);
+    chosen.device = std::move(device);
+    if (at != std::string::npos) {
+        chosen.name += text.substr(at);
+        set_node(chosen, text.substr(at + 1));
+    }
+    return chosen;
+}
+
+std::vector<ChosenDevice> choose_catalogue() {
+    FactoryOptions none;
+    return choose_catalogue(none);
+}
+
+std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory) {
+    std::vector<ChosenDevice> all;
+    std::set<int> taken;
+    for (const Part& part : built_in_register().parts) {
+        ChosenDevice one = part.is_device() ? from_catalogue(part, part.name, factory) : ChosenDevice{};
+        if (one.device == nullptr) {
+            continue;
+        }
+        int node = part.info.node_id;
+        for (int free = 1; taken.count(node) != 0 && free <= NodeId::highest; ++free) {
+            node = free;
+        }
+        taken.insert(node);
+        if (node != part.info.node_id) {
+            one.device->set_node_id(node);
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,36 @@
+// The devices that a command line names: of the catalogue, or from an EDS.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/app/cli/factory_options.hpp"
+#include "host/register/register.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+/// A device to run, and what describes its signals.
+struct ChosenDevice {
+    std::string name;  ///< as written: NAME or NAME@NODE
+    std::unique_ptr<SimulatedDevice> device;
+    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has none
+    std::uint32_t bit_rate{0};  ///< bit/s as shipped
+    std::string notice;         ///< what its user has to know before it runs; empty: nothing
+};
+
+/// NODE of NAME@NODE and of `--node`: a node-ID, or any value of coding switches where the device has them, with a
+/// notice when that is no node-ID. Throws InputError.
+void set_node(ChosenDevice& chosen, const std::string& node);
+/// NAME or NAME@NODE. Throws InputError.
+ChosenDevice choose_device(const std::string& text);
+ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
+/// FILE or FILE@NODE: a device from an EDS, DCF or XDD; its name is the file's without folder and extension. Throws
+/// InputError, with every fault of the file.
+ChosenDevice choose_eds(const std::string& text);
+/// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
+std::vector<ChosenDevice> choose_catalogue();
+std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
+
+}  // namespace canproof::host

@@ -1,0 +1,79 @@
+// coverage: what no test reached in the firmware, and whether each such place has its reason.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/assess/coverage/coverage.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// `src/firmware/canopen` of `src/firmware/canopen/node.cpp`.
+std::string folder_of(const std::string& file) {
+    return std::filesystem::path{file}.parent_path().generic_string();
+}
+
+void print_row(const std::string& name, const CoverageTotals& counts) {
+    const auto cell = [](const CoverageCount& count) {
+        return fmt::format("{:6.2f} % {:>11}", count.percent(), fmt::format("({}/{})", count.covered, count.total));
+    };
+    fmt::print("{:<24}{:>22}{:>22}{:>22}\n", name, cell(counts.lines), cell(counts.branches), cell(counts.conditions));
+}
+
+void print_counts(const std::vector<FileCoverage>& files) {
+    std::map<std::string, CoverageTotals> folders;
+    for (const auto& file : files) {
+        folders[folder_of(file.file)].add(file);
+    }
+    fmt::print("{:<24}{:>22}{:>22}{:>22}\n", "", "lines", "branches", "MC/DC");
+    for (const auto& [folder, counts] : folders) {
+        print_row(folder, counts);
+    }
+    print_row("all", totals_of(files));
+}
+
+/// Without a measurement: whether each record still names something in the sources.
+int check_records(const std::filesystem::path& place, const std::filesystem::path& root) {
+    const std::vector<CoverageRecord> records = read_coverage_records(place);
+    const std::vector<CoverageRecord> stale = stale_records(records, root);
+    for (const auto& record : stale) {
+        fmt::print("{}:{}: `{}` is not in {} any more; remove the record or name what replaced it\n", place.string(),
+                   record.line, record.code, record.file);
+    }
+    fmt::print("{} record(s), {} stale\n", records.size(), stale.size());
+    return stale.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int check_coverage(const CoverageOptions& options) {
+    const auto place = std::filesystem::path{options.root} / "reports" / "coverage.toml";
+    if (options.records_only) {
+        return check_records(place, options.root);
+    }
+    const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
+    const CoverageVerdict verdict = judge_coverage(files, read_coverage_records(place));
+    print_counts(files);
+    for (const auto& [gap, reason] : verdict.gaps) {
+        if (reason.empty()) {
+            fmt::print("{}:{}: {} `{}` {}\n", gap.file, gap.line, gap.kind, gap.code, gap.missing);
+        }
+    }
+    for (const auto& record : verdict.unused) {
+        fmt::print("{}:{}: the record of `{}` matches nothing; remove it\n", place.string(), record.line, record.code);
+    }
+    if (!options.cobertura.empty()) {
+        write_file(options.cobertura, write_cobertura(files));
+    }
+    fmt::print("{} place(s) not reached, {} with a reason, {} open, {} record(s) unused; MC/DC {:.2f} %, {}{:.0f} %\n",
+               verdict.gaps.size(), verdict.gaps.size() - verdict.open(), verdict.open(), verdict.unused.size(),
+               verdict.conditions.percent(), verdict.enough_conditions() ? "at least " : "less than ",
+               CoverageVerdict::least_conditions);
+    return verdict.holds() ? 0 : 1;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,32 @@
+// diff: the impact of what has changed since a revision.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/sound_register.hpp"
+#include "host/assess/change/impact.hpp"
+#include "host/assess/change/revision.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+int diff(const DiffOptions& options) {
+    const std::filesystem::path root{options.root};
+    const LoadResult before = load_register(spec_files_at(root, options.revision));
+    const Register after = sound_register(root / "spec");
+    const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
+    const Evidence evidence = collect_evidence(root, verdicts, after);
+    Impact impact;
+    impact.items = compare(before.content, after);
+    impact.files = files_changed_since(root, options.revision, {"src", "tests", "properties", "fuzz"});
+    if (!options.old_verdicts.empty()) {
+        impact.verdicts = verdict_changes(read_verdict_files(options.old_verdicts), evidence);
+    }
+    fmt::print("{}", write_impact(impact, after, evidence));
+    const bool worse = std::any_of(impact.verdicts.begin(), impact.verdicts.end(),
+                                   [](const VerdictChange& one) { return one.before == "passed"; });
+    return worse ? 1 : 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,46 @@
+#include "host/app/cli/eds_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/app/cli/standard_streams.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+#include "host/datasheet/read_eds.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t most_told = 100;
+
+std::string told(const Faults& faults) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(faults.size(), most_told); ++i) {
+        text += faults[i].text() + "\n";
+    }
+    if (faults.size() > most_told) {
+        text += fmt::format("… and {} more\n", faults.size() - most_told + faults.left_out());
+    }
+    return text;
+}
+
+}  // namespace
+
+std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
+    EdsResult read = read_eds(read_file(path, longest_eds_file), path);
+    if (!read.faults.empty()) {
+        std::string all = told(read.faults);
+        all.pop_back();
+        throw InputError{
+            fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size() + read.faults.left_out(), all)};
+    }
+    if (std::string notes = told(read.notes); !notes.empty()) {
+        notes.pop_back();
+        tell(notes);
+    }
+    return std::make_unique<GenericSimulation>(std::move(read.part));
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,14 @@
+// A device from an EDS, DCF or XDD file.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/sim/devices/generic_simulation.hpp"
+
+namespace canproof::host {
+
+/// Notes go to stderr. Throws InputError with every fault of the file.
+std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path);
+
+}  // namespace canproof::host

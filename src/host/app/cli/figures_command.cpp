@@ -1,0 +1,21 @@
+// figures: what the devices do, drawn.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "devices/catalogue.hpp"
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+
+namespace canproof::host {
+
+int draw_figures(const std::string& folder) {
+    for (const auto& [file, plot] : all_figures()) {
+        const auto path = std::filesystem::path{folder} / file;
+        write_file(path, write_svg(plot));
+        fmt::print("{}: {}\n", path.string(), plot.title);
+    }
+    return 0;
+}
+
+}  // namespace canproof::host

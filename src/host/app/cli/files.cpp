@@ -1,0 +1,34 @@
+#include "host/app/cli/files.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "host/base/replace_file.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+std::ifstream open_input(const std::string& path) {
+    if (std::filesystem::is_directory(path)) {
+        throw InputError{fmt::format("{} is a folder; name a file", path)};
+    }
+    std::ifstream in{path, std::ios::binary};
+    if (!in) {
+        throw InputError{fmt::format("cannot read {}; name an existing file", path)};
+    }
+    return in;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& bytes) {
+    if (const auto folder = path.parent_path(); !folder.empty()) {
+        std::filesystem::create_directories(folder);
+    }
+    try {
+        replace_file(path, bytes);
+    } catch (const std::system_error& error) {
+        throw InputError{fmt::format("cannot write {}: {}", path.string(), error.code().message())};
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,22 @@
+// fuzz: a campaign that Ctrl-C stops in order.
+#include <csignal>
+
+#include "host/app/cli/commands.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+}  // namespace
+
+int fuzz_targets(const CampaignOptions& options) {
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop_asked = 1; };
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    return run_campaign(options, [] { return stop_asked != 0; });
+}
+
+}  // namespace canproof::host

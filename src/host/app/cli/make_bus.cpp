@@ -1,0 +1,62 @@
+#include "host/app/cli/make_bus.hpp"
+
+#include <fmt/format.h>
+
+#include "host/app/cli/standard_streams.hpp"
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/bus/socketcan_bus.hpp"
+#include "host/sim/bus/socketcand_bus.hpp"
+#include "host/sim/bus/socketcand_client_bus.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t longest_interface_name = 15;  // IFNAMSIZ less its zero
+
+std::unique_ptr<Bus> make_socketcan(const RunOptions& options, const std::string& interface) {
+    if (interface.empty() || interface.size() > longest_interface_name) {
+        throw InputError{fmt::format("`{}` is no interface; write --bus socketcan:vcan0", interface)};
+    }
+    const auto control = options.control_interface ? InterfaceControl::granted : InterfaceControl::none;
+    return std::make_unique<SocketCanBus>(interface, linux_can_system(), control, Instant{});
+}
+
+std::unique_ptr<Bus> make_socketcand(const std::string& address, std::uint32_t bit_rate, const BusFaultRates& faults) {
+    auto bus = std::make_unique<SocketcandBus>(parse_listen_address(address), bit_rate, faults,
+                                               linux_can_system().realtime_ns() / 1000);
+    tell(fmt::format("socketcand listens at port {}; python-can: interface=socketcand channel=can0 port={}",
+                     bus->port(), bus->port()));
+    return bus;
+}
+
+}  // namespace
+
+std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate) {
+    const auto colon = options.bus.find(':');
+    const std::string kind = options.bus.substr(0, colon);
+    const std::string rest = colon == std::string::npos ? "" : options.bus.substr(colon + 1);
+    const BusFaultRates faults = parse_bus_faults(options.bus_faults);
+    if ((kind == "socketcan" || kind == "socketcand-client") && faults.any()) {
+        throw InputError{"--bus-faults are those of the in-process bus; a bus outside has its own"};
+    }
+    if (kind == "inproc" && rest.empty()) {
+        return std::make_unique<ArbitratedBus>("inproc", bit_rate, faults);
+    }
+    if (kind == "socketcan") {
+        return make_socketcan(options, rest);
+    }
+    if (kind == "socketcand") {
+        return make_socketcand(rest, bit_rate, faults);
+    }
+    if (kind == "socketcand-client") {
+        return std::make_unique<SocketcandClientBus>(parse_socketcand_place(rest), bit_rate, Instant{});
+    }
+    throw InputError{
+        fmt::format("bus `{}` is unknown; use inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 "
+                    "or socketcand-client:127.0.0.1:29536/can0",
+                    options.bus)};
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,71 @@
+// misra: the checkers of misra/, run on a built firmware.
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "host/app/cli/commands.hpp"
+#include "host/sim/bus/candump.hpp"
+
+extern char** environ;
+
+namespace canproof::host {
+
+namespace {
+
+/// Runs a program to its end, with this one's output; its exit status, 2 when a signal ended it.
+int run_program(const std::vector<std::string>& words) {
+    std::vector<std::string> copies{words};
+    std::vector<char*> arguments;
+    for (auto& word : copies) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (const int error = posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); error != 0) {
+        throw InputError{fmt::format("cannot start {}: {}", words.front(), std::strerror(error))};
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            throw InputError{fmt::format("lost {}: {}", words.front(), std::strerror(errno))};
+        }
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
+}
+
+bool holds_firmware(const std::filesystem::path& build) {
+    return std::filesystem::exists(build / "libcanproof_firmware.a");
+}
+
+std::filesystem::path build_folder(const MisraOptions& options) {
+    if (!options.build.empty()) {
+        return options.build;
+    }
+    const auto builds = std::filesystem::path{options.root} / "build";
+    const auto candidates = {builds / "release", builds / "debug"};
+    const auto found = std::find_if(candidates.begin(), candidates.end(), holds_firmware);
+    return found == candidates.end() ? builds / "release" : *found;
+}
+
+}  // namespace
+
+int check_misra(const MisraOptions& options) {
+    const auto script = std::filesystem::path{options.root} / "misra" / "run";
+    if (!std::filesystem::exists(script)) {
+        throw InputError{fmt::format("there is no {}; name the project's folder with --root", script.string())};
+    }
+    const auto build = build_folder(options);
+    if (!options.review_file.empty()) {
+        return run_program({script.string(), "review", build.string(), options.review_file, options.review_rule, "--by",
+                            options.reviewer, "--judgement", options.judgement});
+    }
+    return run_program(
+        {script.string(), build.string(), options.out.empty() ? (build / "misra").string() : options.out});
+}
+
+}  // namespace canproof::host

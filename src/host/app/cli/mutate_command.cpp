@@ -1,0 +1,110 @@
+// mutate: every generated cell altered, or every operator and condition of the firmware, one at a time; survivors
+// without a recorded reason by item.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/app/cli/sound_register.hpp"
+#include "host/assess/mutation/code_exhibit.hpp"
+#include "host/assess/mutation/code_mutation.hpp"
+#include "host/assess/mutation/mutation.hpp"
+#include "host/base/replace_folder.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// The cells of one item or of one device; all without a subject.
+std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Register& content,
+                                      const std::string& subject) {
+    if (subject.empty()) {
+        return cells;
+    }
+    const Part* part = content.part(subject);
+    const std::string start = part == nullptr ? subject : part->prefix + "-";
+    const auto other = [&](const AlteredCell& cell) {
+        return part == nullptr ? cell.item != subject : cell.item.rfind(start, 0) != 0;
+    };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
+    if (cells.empty()) {
+        throw InputError{fmt::format("`{}` is no device and no item with generated cells", subject)};
+    }
+    return cells;
+}
+
+std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const std::string& file) {
+    const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
+    mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
+    if (mutants.empty()) {
+        throw InputError{fmt::format("no file of src/firmware with mutants has `{}` in its path", file)};
+    }
+    return mutants;
+}
+
+void print_survivors(const std::vector<MutationOutcome>& outcomes) {
+    std::string item;
+    for (const auto& outcome : outcomes) {
+        if (!outcome.open()) {
+            continue;
+        }
+        if (outcome.cell.item != item) {
+            item = outcome.cell.item;
+            fmt::print("{}\n", item);
+        }
+        fmt::print("  {}: {}{}\n", outcome.cell.cell, outcome.cell.change,
+                   outcome.claimed ? "" : " (no test can notice)");
+    }
+}
+
+void show_progress(std::size_t done, std::size_t all) {
+    if (isatty(STDERR_FILENO) != 0) {
+        fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
+    }
+}
+
+}  // namespace
+
+int mutate(const MutateOptions& options) {
+    const std::filesystem::path root{options.root};
+    const auto programs =
+        options.programs.empty() ? root / "build" / "mutation" : std::filesystem::path{options.programs};
+    const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
+    const auto records = read_survivor_records(record_file);
+    const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
+    auto cells = options.code ? chosen_mutants(all, options.subject)
+                              : chosen_cells(all, sound_register(root / "spec"), options.subject);
+    const bool whole = options.subject.empty() && options.sample == 0;
+    if (options.sample != 0) {
+        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
+        cells = sample_of(cells, options.sample, options.seed);
+    }
+    const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
+    auto outcomes = options.code
+                        ? mutate_code({programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs},
+                                      cells, all.size(), progress)
+                        : mutate_cells({programs / "canproof_tests", programs / "canproof_properties",
+                                        programs / "verdicts", options.jobs},
+                                       cells, progress);
+    const auto idle = justify(outcomes, records);
+    print_survivors(outcomes);
+    if (whole) {
+        write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
+        if (options.code) {
+            replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
+        }
+        for (const SurvivorRecord* record : idle) {
+            fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),
+                       record->line);
+        }
+    }
+    const MutationCount counted = total(count_by_item(outcomes));
+    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", counted.altered,
+               options.code ? "places" : "cells", counted.noticed, counted.justified, counted.open());
+    return counted.open() == 0 && (!whole || idle.empty()) ? 0 : 1;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,62 @@
+#include "host/app/cli/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "host/base/input_error.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Two names of one regular file. Devices such as /dev/null may be named as often as one likes.
+bool same_file(const std::string& one, const std::string& other) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(one, none) && std::filesystem::equivalent(one, other, none);
+}
+
+}  // namespace
+
+void OutputFile::flush() {
+    if (out_.is_open()) {
+        out_.flush();
+    }
+}
+
+void OutputFile::finish() {
+    flush();
+    if (out_.is_open() && !out_) {
+        throw InputError{fmt::format("{} could not be written to its end; is the disk full?", path_)};
+    }
+}
+
+void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<std::string>& inputs) {
+    std::vector<std::string> taken = inputs;
+    for (OutputFile* const file : files) {
+        if (!file->is_wanted()) {
+            continue;
+        }
+        // Appending makes the file and leaves what it holds.
+        file->out_.open(file->path_, std::ios::binary | std::ios::app);
+        if (!file->out_) {
+            throw InputError{fmt::format("cannot write {} ({}); name a file in a folder that exists", file->path_,
+                                         std::strerror(errno))};
+        }
+        if (std::any_of(taken.begin(), taken.end(), [&](const auto& one) { return same_file(file->path_, one); })) {
+            throw InputError{fmt::format("{} is named twice; name another file to write", file->path_)};
+        }
+        taken.push_back(file->path_);
+    }
+    for (OutputFile* const file : files) {
+        if (file->is_wanted()) {
+            file->out_.close();
+            file->out_.open(file->path_, std::ios::binary | std::ios::trunc);
+        }
+    }
+}
+
+}  // namespace canproof::host

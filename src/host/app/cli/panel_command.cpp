@@ -1,0 +1,79 @@
+// panel: devices in real time on a bus, and one local page that shows them and acts on them.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "host/app/cli/built_in.hpp"
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/prepared_run.hpp"
+#include "host/app/cli/standard_streams.hpp"
+#include "host/app/panel/http_front.hpp"
+#include "host/app/panel/panel.hpp"
+#include "host/sim/run/event_loop.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// The page sees time pass even where nothing happens.
+constexpr Duration longest_wait = milliseconds(50);
+
+class PanelRun {
+  public:
+    explicit PanelRun(const PanelOptions& options)
+        : panel_{built_in_register(), [this] { return now(); }},
+          front_{[this](const PanelRequest& request) { return panel_.answer(request); }, options.port},
+          prepared_{options.run, nullptr, &panel_.observer(),
+                    [this](const std::string& text) { panel_.notice(text); }} {
+        panel_.take(prepared_.session(), prepared_.parts());
+    }
+
+    void run() {
+        prepared_.open_outputs();
+        panel_.power_on();
+        fmt::print("panel at {}  (Ctrl-C ends)\n", front_.address());
+        finish_standard_output();
+        while (!loop_.is_interrupted()) {
+            panel_.advance_to(now());
+            prepared_.tell_node_ids();
+            prepared_.flush();
+            front_.turn(now());
+            wait();
+        }
+        prepared_.finish();
+        if (const std::string told = panel_.summary(); !told.empty()) {
+            tell(told);
+        }
+    }
+
+  private:
+    Instant now() const {
+        const auto passed = std::chrono::steady_clock::now() - start_;
+        return Instant{
+            static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
+    }
+
+    void wait() {
+        std::vector<Watch> watches = panel_.watches();
+        const std::vector<Watch> clients = front_.watches();
+        watches.insert(watches.end(), clients.begin(), clients.end());
+        const Duration due = elapsed(now(), earliest(panel_.next_deadline(), front_.next_deadline()));
+        loop_.wait(watches, due.us < longest_wait.us ? due : longest_wait);
+    }
+
+    EventLoop loop_;
+    std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
+    Panel panel_;
+    HttpFront front_;  // before what it shows: a port that is taken is found out before any file is opened
+    PreparedRun prepared_;
+};
+
+}  // namespace
+
+int run_panel(const PanelOptions& options) {
+    PanelRun{options}.run();
+    return 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,15 @@
+// plot: what `--outputs` wrote as an SVG file.
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/report/output_plot.hpp"
+
+namespace canproof::host {
+
+int plot_outputs(const PlotOptions& options) {
+    auto in = open_input(options.csv);
+    const LinePlot plot = output_plot(in, options.csv, options.signals);
+    write_file(options.svg, write_svg(plot));
+    return 0;
+}
+
+}  // namespace canproof::host

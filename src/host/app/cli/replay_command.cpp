@@ -1,0 +1,76 @@
+// replay: files in, the device's frames out.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include "host/app/cli/chosen_devices.hpp"
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/app/cli/output_file.hpp"
+#include "host/app/cli/standard_streams.hpp"
+#include "host/sim/devices/stored_memory_file.hpp"
+#include "host/sim/replay/replay.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::optional<Instant> instant_of(const std::optional<double>& seconds) {
+    if (!seconds) {
+        return std::nullopt;
+    }
+    return Instant{static_cast<std::uint64_t>(std::llround(*seconds * 1.0e6))};
+}
+
+void tell_counts(const LogCounts& counts) {
+    if (counts.error_frames != 0) {
+        tell(fmt::format("{} error frame(s) in the log, which no node receives", counts.error_frames));
+    }
+    if (counts.coded_lengths != 0) {
+        tell(fmt::format("{} frame(s) with a length code above 8, received as eight bytes", counts.coded_lengths));
+    }
+}
+
+}  // namespace
+
+int replay_log(const ReplayOptions& options) {
+    std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
+    FactoryOptions factory{options.factory};
+    ChosenDevice chosen = options.eds.empty() ? choose_device(options.device, factory) : choose_eds(options.eds);
+    factory.check_used();
+    SimulatedDevice* const device = chosen.device.get();
+    ReplayInput input;
+    std::ifstream file;
+    if (options.log != "-") {
+        file = open_input(options.log);
+    }
+    CandumpReader log{options.log == "-" ? std::cin : file, options.log == "-" ? "standard input" : options.log};
+    input.source = [&log](LoggedFrame& frame) { return log.next(frame); };
+    input.notice = tell;
+    if (!options.stimulus.empty()) {
+        auto in = open_input(options.stimulus);
+        input.stimuli = read_stimuli(in, options.stimulus);
+        check_stimuli(input.stimuli, {chosen.part});
+    }
+    input.start = instant_of(options.start);
+    input.until = instant_of(options.until);
+    if (options.node) {
+        set_node(chosen, *options.node);
+    }
+    if (!chosen.notice.empty()) {
+        tell(chosen.notice);
+    }
+    if (!options.nvm.empty()) {
+        keep_in_file(device->memory(), options.nvm, tell);
+    }
+    OutputFile outputs{options.outputs};
+    OutputFile::open({&outputs}, {options.log, options.stimulus});
+    replay(*device, input, std::cout, outputs.stream());
+    outputs.finish();
+    tell_counts(log.counts());
+    return 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,80 @@
+// spec review: records that items were read as they are now, together with their code and tests.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <regex>
+
+#include "host/app/cli/commands.hpp"
+#include "host/app/cli/files.hpp"
+#include "host/app/cli/sound_register.hpp"
+#include "host/assess/trace/review.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string today() {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t now = epoch == nullptr ? std::time(nullptr) : static_cast<std::time_t>(std::atoll(epoch));
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
+void check(const ReviewOptions& options) {
+    static const std::regex form{R"(\d{4}-\d{2}-\d{2})"};
+    if (!options.date.empty() && !std::regex_match(options.date, form)) {
+        throw InputError{fmt::format("{} is no date; write YYYY-MM-DD", options.date)};
+    }
+    if (options.subjects.empty() != options.all) {
+        throw InputError{"name what was read, ids or devices, or say --all"};
+    }
+}
+
+/// Those of the part that the user has named; each name that is found is struck from `names`.
+std::set<std::string> chosen_of(const Part& part, const ReviewOptions& options, std::set<std::string>& names) {
+    const std::set<std::string> waiting = unreviewed(part);
+    if (options.all || names.erase(part.name) != 0) {
+        return waiting;
+    }
+    std::set<std::string> chosen;
+    for (const auto& id : reviewable(part)) {
+        if (names.erase(id) != 0) {
+            chosen.insert(id);
+        }
+    }
+    return chosen;
+}
+
+}  // namespace
+
+int review_spec(const ReviewOptions& options) {
+    check(options);
+    const Register content = sound_register(options.spec);
+    std::set<std::string> names{options.subjects.begin(), options.subjects.end()};
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
+    std::size_t count = 0;
+    for (const auto& part : content.parts) {
+        const auto chosen = chosen_of(part, options, names);
+        if (chosen.empty()) {
+            continue;
+        }
+        count += chosen.size();
+        const auto folder =
+            std::filesystem::path{options.spec} / (part.is_device() ? "devices/" + part.name : part.name);
+        files.emplace_back(folder / "reviews.toml",
+                           write_reviews(part, chosen, options.date.empty() ? today() : options.date, options.by));
+    }
+    if (!names.empty()) {
+        throw InputError{fmt::format("`{}` is neither a device nor an id in force", *names.begin())};
+    }
+    for (const auto& [file, text] : files) {
+        write_file(file, text);
+    }
+    fmt::print("{} item(s) reviewed by {}\n", count, options.by);
+    return 0;
+}
+
+}  // namespace canproof::host

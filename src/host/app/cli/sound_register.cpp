@@ -1,0 +1,21 @@
+#include "host/app/cli/sound_register.hpp"
+
+#include <fmt/format.h>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+Register sound_register(const std::filesystem::path& spec) {
+    if (!std::filesystem::is_directory(spec)) {
+        throw InputError{fmt::format("{} is no folder; name the project with --root", spec.string())};
+    }
+    LoadResult loaded = load_register(read_spec_files(spec));
+    if (!loaded.faults.empty()) {
+        throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
+                                     loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
+    }
+    return std::move(loaded.content);
+}
+
+}  // namespace canproof::host

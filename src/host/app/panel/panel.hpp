@@ -1,0 +1,62 @@
+// A session that a page looks at and acts on: the run loop moves it on, requests read it and queue stimuli and frames.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "host/app/panel/recorder.hpp"
+#include "host/app/panel/request_guard.hpp"
+#include "host/sim/run/pace.hpp"
+#include "host/sim/run/run_session.hpp"
+
+namespace canproof::host {
+
+class Panel {
+  public:
+    static constexpr std::size_t frames_at_once = 400;
+    static constexpr std::size_t changes_at_once = 8000;
+    static constexpr std::size_t stimuli_kept = 100000;
+    static constexpr std::size_t notices_kept = 20;
+
+    using Clock = std::function<Instant()>;
+
+    /// `clock` gives the session's time.
+    Panel(const Register& content, Clock clock);
+
+    /// What the session must tell; good for as long as the panel is.
+    SessionObserver& observer() { return recorder_; }
+    /// Before power-on, once. `parts` are parallel to the session's nodes.
+    void take(RunSession& session, std::vector<const Part*> parts);
+
+    void power_on();
+    void advance_to(Instant now);
+    Instant next_deadline() const;
+    std::vector<Watch> watches() const;
+    void notice(const std::string& text);
+    /// What the user should know at the end; empty when there is nothing.
+    std::string summary() const { return pace_.summary(); }
+
+    /// The answer to any request; what is not allowed is refused.
+    PanelResponse answer(const PanelRequest& request);
+
+  private:
+    PanelResponse get(const PanelRequest& request) const;
+    PanelResponse post(const PanelRequest& request);
+    nlohmann::json description() const;
+    nlohmann::json state(std::uint64_t changes_from, std::uint64_t frames_from) const;
+    nlohmann::json device_state(const Recorder::Device& device) const;
+    std::string stimuli_csv() const;
+    PanelResponse stimulate(const nlohmann::json& body);
+    PanelResponse send(const nlohmann::json& body);
+
+    Clock clock_;
+    Pace pace_;
+    Recorder recorder_;
+    RunSession* session_{nullptr};
+    std::vector<const Part*> parts_;
+    std::vector<nlohmann::json> views_;
+    Ring<Stimulus> stimuli_{stimuli_kept};
+    Ring<std::string> notices_{notices_kept};
+};
+
+}  // namespace canproof::host

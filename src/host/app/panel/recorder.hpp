@@ -1,0 +1,106 @@
+// What a session did, as the page asks for it: changes of outputs and LEDs at their own times, measured values, frames
+// in words, each device's last emergency. Bounded: who asks too late gets the newest.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/app/panel/lamp.hpp"
+#include "host/app/panel/ring.hpp"
+#include "host/sim/decode/decode_frame.hpp"
+#include "host/sim/run/run_session.hpp"
+
+namespace canproof::host {
+
+/// A number of a device that the page can show.
+struct Channel {
+    enum class Kind {
+        output,    ///< a physical output, exact in time
+        lamp,      ///< an LED that the panel lends to a device without any
+        measured,  ///< an entry of the dictionary that the device itself keeps up to date
+        setting    ///< an entry that the page marks on a scale: a limit
+    } kind{Kind::output};
+    std::string name;
+    std::string text;
+    std::string unit;
+    double scale{1.0};  ///< the unit counts for so many counts: 0.1 of `0.1 degC`
+    std::optional<double> minimum;
+    std::optional<double> maximum;
+    const Entry* entry{nullptr};  ///< of a measured value or setting
+    EntryRef place{};
+    bool truth{false};
+    bool whole{false};  ///< counts, without digits behind the point
+};
+
+/// What the page should know of a device beside its part of the register.
+struct DeviceFace {
+    std::vector<std::string> leds;      ///< outputs that are LEDs; none: the panel lends `run` and `error`
+    std::vector<std::string> settings;  ///< names of entries
+};
+
+struct ChannelChange {
+    Instant time{};
+    std::size_t channel{0};  ///< counted through all devices
+    double value{0.0};
+};
+
+struct RecordedFrame {
+    Instant time{};
+    Frame frame{};
+    std::string sender;  ///< empty: from outside
+    FrameWords words;
+};
+
+struct LastEmergency {
+    Instant time{};
+    std::string text;
+    bool error{false};  ///< false: the code says that an error has gone
+};
+
+class Recorder final : public SessionObserver {
+  public:
+    static constexpr std::size_t changes_kept = 16384;
+    static constexpr std::size_t frames_kept = 2000;
+    /// Measured values are looked at so often.
+    static constexpr Duration measuring_period = milliseconds(50);
+
+    struct Device {
+        std::string name;
+        const SimulatedDevice* device{nullptr};
+        const Part* part{nullptr};
+        std::vector<Channel> channels;
+        std::vector<double> values;  ///< parallel to channels
+        std::map<std::size_t, LampHistory> lamps;
+        std::optional<LastEmergency> emergency;
+        std::size_t first_channel{0};
+    };
+
+    explicit Recorder(const Register& content) : decoder_{content} {}
+
+    /// Before power-on. `part` may be nullptr; what is handed must outlive the recorder.
+    void add(const std::string& name, const SimulatedDevice& device, const Part* part, const DeviceFace& face);
+
+    void on_frame(const BusFrame& frame) override;
+    void on_step(Instant at) override;
+
+    const std::vector<Device>& devices() const { return devices_; }
+    const Ring<ChannelChange>& changes() const { return changes_; }
+    const Ring<RecordedFrame>& frames() const { return frames_; }
+
+  private:
+    std::vector<KnownNode> known_nodes() const;
+    void put(Device& device, std::size_t channel, double value, Instant at);
+    void follow_lamps(Device& device, Instant at);
+    void measure(Device& device, Instant at);
+
+    FrameDecoder decoder_;
+    std::vector<Device> devices_;
+    Ring<ChannelChange> changes_{changes_kept};
+    Ring<RecordedFrame> frames_{frames_kept};
+    Instant last_step_{};
+    Instant next_measuring_{};
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,64 @@
+#include "host/assess/change/revision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "host/base/child_process.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in{text};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::string git(const std::filesystem::path& root, std::vector<std::string> words, const std::string& revision) {
+    words.insert(words.begin(), {"git", "-C", root.string()});
+    const auto text = output_of(words);
+    if (!text) {
+        throw InputError{fmt::format("git knows no revision `{}` of {}; name a commit, branch or tag", revision,
+                                     std::filesystem::absolute(root).string())};
+    }
+    return *text;
+}
+
+}  // namespace
+
+SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision) {
+    // With the commit's name no option of git can be meant by the word.
+    const std::string commit =
+        lines_of(git(root, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"}, revision))
+            .at(0);
+    SpecFiles files;
+    for (const auto& path : lines_of(git(root, {"ls-tree", "-r", "--name-only", commit, "spec/"}, revision))) {
+        if (std::filesystem::path{path}.extension() == ".toml") {
+            files[path] = git(root, {"show", commit + ":./" + path}, revision);
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> files_changed_since(const std::filesystem::path& root, const std::string& revision,
+                                             const std::vector<std::string>& folders) {
+    std::vector<std::string> words{"diff", "--name-only", "--relative", "--end-of-options", revision, "--"};
+    words.insert(words.end(), folders.begin(), folders.end());
+    auto files = lines_of(git(root, words, revision));
+    std::vector<std::string> others{"ls-files", "--others", "--exclude-standard", "--"};
+    others.insert(others.end(), folders.begin(), folders.end());
+    for (const auto& file : lines_of(git(root, others, revision))) {
+        files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace canproof::host

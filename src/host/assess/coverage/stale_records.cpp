@@ -1,0 +1,66 @@
+// Records of coverage against the sources alone: what a build that measures nothing can tell of them.
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "host/assess/coverage/coverage.hpp"
+#include "host/base/reading.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// With one space for every run of spaces and line breaks, as the text of a gap has it.
+std::string on_one_line(std::istream& in) {
+    std::string text;
+    for (std::string word; in >> word;) {
+        text += (text.empty() ? "" : " ") + word;
+    }
+    return text;
+}
+
+/// The file, or all the files below the folder.
+std::vector<fs::path> sources_of(const fs::path& place) {
+    std::vector<fs::path> files;
+    if (fs::is_directory(place)) {
+        for (const auto& entry : fs::recursive_directory_iterator{place}) {
+            if (entry.is_regular_file()) {
+                files.push_back(entry.path());
+            }
+        }
+    } else if (fs::is_regular_file(place)) {
+        files.push_back(place);
+    }
+    return files;
+}
+
+/// What a record's text is in the source: of a function `canproof::curve` it is `curve(`.
+std::string written(const CoverageRecord& record) {
+    if (record.kind != "function") {
+        std::istringstream code{record.code};
+        return on_one_line(code);
+    }
+    const auto scope = record.code.rfind(':');
+    return record.code.substr(scope == std::string::npos ? 0 : scope + 1) + "(";
+}
+
+}  // namespace
+
+std::vector<CoverageRecord> stale_records(const std::vector<CoverageRecord>& records, const fs::path& root) {
+    std::vector<CoverageRecord> stale;
+    std::copy_if(records.begin(), records.end(), std::back_inserter(stale), [&root](const CoverageRecord& record) {
+        const std::vector<fs::path> files = sources_of(root / record.file);
+        const std::string code = written(record);
+        return std::none_of(files.begin(), files.end(), [&code](const fs::path& file) {
+            std::ifstream in{file};
+            const std::string text = on_one_line(in);
+            check_read(in, file.string());
+            return text.find(code) != std::string::npos;
+        });
+    });
+    return stale;
+}
+
+}  // namespace canproof::host

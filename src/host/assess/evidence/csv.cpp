@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/assess/evidence/pack.hpp"
+#include "host/base/csv_line.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string tests_of(const std::string& id, const Evidence& evidence) {
+    std::vector<std::string> all;
+    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            all.push_back(fmt::format("{} {} {}", verdict.kind, verdict.test, verdict.passed ? "passed" : "failed"));
+        }
+    }
+    return joined(all);
+}
+
+}  // namespace
+
+std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence) {
+    std::string text =
+        csv_line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
+    for (const auto& audit : audits) {
+        for (const auto& one : audit.items) {
+            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text, joined(origins(*one.item)),
+                              joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
+                              tests_of(one.item->id, evidence), one.status()});
+        }
+    }
+    return text;
+}
+
+std::string write_decisions_csv(const std::vector<PartAudit>& audits) {
+    std::string text = csv_line({"id", "part", "question", "readings", "chosen", "because", "affects"});
+    for (const auto& audit : audits) {
+        for (const auto& decision : audit.part->decisions) {
+            std::vector<std::string> readings;
+            for (const auto& reading : decision.readings) {
+                readings.push_back(fmt::format("{} ({})", reading.says, reading.source));
+            }
+            text += csv_line({decision.id, audit.part->name, decision.text, joined(readings), decision.chosen,
+                              decision.because, decision.affects.empty() ? decision.none : joined(decision.affects)});
+        }
+    }
+    return text;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "host/assess/evidence/pages.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// The fields of one line; quotes as in RFC 4180, no breaks within fields.
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields{""};
+    bool quoted = false;
+    for (const char one : line) {
+        if (one == '"') {
+            quoted = !quoted;
+        } else if (one == ',' && !quoted) {
+            fields.emplace_back();
+        } else if (one != '\r') {
+            fields.back() += one;
+        }
+    }
+    for (auto& field : fields) {
+        field = escaped(field);
+    }
+    return fields;
+}
+
+std::string csv_table(const std::string& text) {
+    std::istringstream lines{text};
+    std::string line;
+    std::getline(lines, line);
+    std::vector<HtmlColumn> head;
+    for (auto& title : fields_of(line)) {
+        head.push_back({title});
+    }
+    std::vector<std::vector<std::string>> rows;
+    while (std::getline(lines, line)) {
+        rows.push_back(fields_of(line));
+        rows.back().resize(head.size());
+    }
+    return html_table(head, rows, rows.size() > 20 ? Search::yes : Search::no);
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+std::string exhibit_page(const Exhibit& exhibit) {
+    std::string text = fmt::format("<p>{} {}</p>\n", html_state(word_of(exhibit.state)), escaped(exhibit.says));
+    if (!exhibit.figures.empty()) {
+        std::vector<std::vector<std::string>> rows;
+        for (const auto& [name, value] : exhibit.figures) {
+            rows.push_back({escaped(name), escaped(value)});
+        }
+        text += html_table({{"Figure", 50}, {"Value"}}, rows);
+    }
+    if (!exhibit.open.empty()) {
+        text += "<h2>Open</h2>\n<ul>";
+        for (const auto& sentence : exhibit.open) {
+            text += fmt::format("<li>{}\n", escaped(sentence));
+        }
+        text += "</ul>\n";
+    }
+    for (const auto& [path, bytes] : exhibit.files) {
+        text += fmt::format("<h2><a href=\"{0}\">{1}</a></h2>\n", escaped(path),
+                            escaped(std::filesystem::path{path}.filename().string()));
+        if (ends_with(path, ".csv")) {
+            text += csv_table(bytes);
+        } else if (ends_with(path, ".svg")) {
+            text += fmt::format("<figure><img src=\"{0}\" alt=\"{0}\"></figure>\n", escaped(path));
+        }
+    }
+    return text;
+}
+
+}  // namespace canproof::host

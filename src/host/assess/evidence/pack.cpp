@@ -1,0 +1,112 @@
+#include "host/assess/evidence/pack.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/assess/evidence/pages.hpp"
+#include "host/base/sha256.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibits& exhibits) {
+    std::vector<NavigationEntry> entries{{"index.html", "canproof"},      {"argument.html", "Argument"},
+                                         {"audit.html", "Audit"},         {"sections.html", "Sections"},
+                                         {"decisions.html", "Decisions"}, {"tests.html", "Tests"}};
+    if (input.coverage.has_value()) {
+        entries.push_back({"coverage.html", "Coverage"});
+    }
+    if (input.mutation.has_value()) {
+        entries.push_back({"mutation.html", "Mutation"});
+    }
+    if (input.target.has_value()) {
+        entries.push_back({"target.html", "Target"});
+    }
+    for (const auto& one : input.exhibits) {
+        entries.push_back({exhibits.at(one.key).page, one.title});
+    }
+    entries.push_back({"plots.html", "Plots"});
+    return entries;
+}
+
+/// The pack's data/, each file with what it is.
+std::string data_markup(const PackFiles& files) {
+    static const std::map<std::string, std::string> words{
+        {"data/register.reqif", "the register as ReqIF"}, {"data/junit.xml", "test cases as JUnit"},
+        {"data/cobertura.xml", "coverage as Cobertura"},  {"data/requirements.csv", "requirements as CSV"},
+        {"data/decisions.csv", "decisions as CSV"},       {"data/sbom.cdx.json", "packages as CycloneDX"},
+        {"data/mutation.json", "altered cells as JSON"},  {"data/misra.sarif", "MISRA findings as SARIF"},
+    };
+    std::string text = "<h2>The same as data</h2>\n<ul>";
+    for (auto file = files.lower_bound("data/"); file != files.end() && file->first.rfind("data/", 0) == 0; ++file) {
+        const auto known = words.find(file->first);
+        const std::string word = known == words.end() ? file->first.substr(5) : known->second;
+        text += fmt::format("<li><a href=\"{}\">{}</a>\n", escaped(file->first), escaped(word));
+    }
+    return text + "<li><a href=\"manifest.json\">checksums of all files, compiler, commit</a></ul>\n";
+}
+
+}  // namespace
+
+PackFiles make_pack(const PackInput& input) {
+    const Exhibits exhibits = exhibits_of(input);
+    const auto navigation = navigation_of(input, exhibits);
+    PackFiles files;
+    const auto page = [&](const std::string& name, const std::string& title, const std::string& body) {
+        files[name] = html_page(title, name, navigation, body);
+    };
+    page("argument.html", "Argument", argument_page(input, exhibits));
+    page("audit.html", "Audit", audit_page(input));
+    page("sections.html", "Sections of the manuals", sections_page(input));
+    page("decisions.html", "Decisions", decisions_page(input));
+    page("tests.html", "Tests", tests_page(input));
+    page("plots.html", "Plots", plots_page(input));
+    if (input.coverage.has_value()) {
+        page("coverage.html", "Structural coverage", coverage_page(*input.coverage));
+        files["data/cobertura.xml"] = write_cobertura(input.coverage->files);
+    }
+    if (input.mutation.has_value()) {
+        page("mutation.html", "Mutation of generated cells", mutation_page(*input.mutation));
+        files["data/mutation.json"] = input.mutation->json;
+    }
+    if (input.target.has_value()) {
+        page("target.html", "On the microcontroller", *input.target);
+    }
+    files["data/register.reqif"] = write_reqif(*input.content, input.audits);
+    files["data/junit.xml"] = write_junit(input.evidence);
+    files["data/sbom.cdx.json"] = write_sbom(input.provenance);
+    files["data/requirements.csv"] = write_requirements_csv(input.audits, input.evidence);
+    files["data/decisions.csv"] = write_decisions_csv(input.audits);
+    for (const auto& [name, text] : input.figures) {
+        files["plots/" + name] = text;
+    }
+    for (const auto& one : input.exhibits) {
+        if (one.page.empty()) {
+            page(exhibits.at(one.key).page, one.title, exhibit_page(one));
+        }
+        files.insert(one.files.begin(), one.files.end());
+        for (const auto& name : one.data) {
+            files["data/" + std::filesystem::path{name}.filename().string()] = one.files.at(name);
+        }
+    }
+    page("index.html", "Evidence", overview_page(input, exhibits) + data_markup(files));
+    return files;
+}
+
+std::string write_manifest(const PackFiles& files, const Provenance& provenance) {
+    nlohmann::ordered_json manifest{{"commit", provenance.commit},
+                                    {"date", provenance.date},
+                                    {"configuration", provenance.configuration},
+                                    {"tools", provenance.tools}};
+    auto& sums = manifest["sha256"] = nlohmann::ordered_json::object();
+    for (const auto& [name, bytes] : files) {
+        sums[name] = sha256(bytes);
+    }
+    return manifest.dump(2) + "\n";
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,97 @@
+// Where a build comes from: asked of git, dpkg and the compiler that made this program.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "host/assess/evidence/pack.hpp"
+#include "host/base/child_process.hpp"
+#include "host/base/reading.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// What a command of the shell prints, without the break at its end; what it complains of is left out.
+std::string said_by(const std::string& command) {
+    std::string text = output_of({"sh", "-c", "{ " + command + "; } 2>/dev/null || true"}).value_or("");
+    while (!text.empty() && text.back() == '\n') {
+        text.pop_back();
+    }
+    return text;
+}
+
+/// The path in single quotes, for a shell.
+std::string quoted(const std::filesystem::path& path) {
+    std::string text{"'"};
+    for (const char one : path.string()) {
+        text += one == '\'' ? "'\\''" : std::string(1, one);
+    }
+    return text + "'";
+}
+
+std::string date_of(const std::string& git) {
+    std::time_t seconds = 0;
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+        seconds = std::strtoll(epoch, nullptr, 10);
+    } else {
+        seconds = std::strtoll(said_by(git + " log -1 --format=%ct").c_str(), nullptr, 10);
+    }
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text.data();
+}
+
+/// The Debian packages that ./run installs, with the versions that are there.
+std::map<std::string, std::string> packages_of(const std::filesystem::path& root) {
+    const auto file = root / "run";
+    const std::string text = std::filesystem::exists(file) ? read_file(file) : "";
+    std::smatch list;
+    std::map<std::string, std::string> found;
+    if (!std::regex_search(text, list, std::regex{R"(packages=\(([^)]*)\))"})) {
+        return found;
+    }
+    std::string names = list[1].str();
+    for (char& one : names) {
+        one = one == '\n' ? ' ' : one;
+    }
+    std::istringstream lines{said_by(R"(dpkg-query -W -f='${Package} ${Version}\n' )" + names)};
+    for (std::string name, version; lines >> name >> version;) {
+        found[name] = version;
+    }
+    return found;
+}
+
+}  // namespace
+
+Provenance provenance_of(const std::filesystem::path& root) {
+    const std::string git = "git -C " + quoted(root);
+    Provenance made;
+    made.commit = said_by(git + " rev-parse HEAD");
+    if (!said_by(git + " status --porcelain --untracked-files=no").empty()) {
+        made.commit += "+";
+    }
+    made.date = date_of(git);
+#ifdef NDEBUG
+    made.configuration = "release";
+#else
+    made.configuration = "debug";
+#endif
+    made.tools["compiler"] = fmt::format("{} {}",
+#ifdef __clang__
+                                         "clang",
+#else
+                                         "g++",
+#endif
+                                         __VERSION__);
+    made.packages = packages_of(root);
+    return made;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/assess/evidence/pages.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+    return escaped(fmt::format("{}", fmt::join(words, ", ")));
+}
+
+/// Places in code without the folder that all of them are in.
+std::string places_of(const std::vector<std::string>& places) {
+    const std::string common = "src/firmware/";
+    std::string text;
+    for (const auto& place : places) {
+        const bool inside = place.rfind(common, 0) == 0;
+        text += fmt::format("<code>{}</code><br>", escaped(inside ? place.substr(common.size()) : place));
+    }
+    return text;
+}
+
+std::string tests_of(const std::string& id, const Evidence& evidence) {
+    std::string text;
+    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            text +=
+                fmt::format("<span class={}>{}</span>&nbsp;{} <small>{}</small><br>", verdict.passed ? "holds" : "open",
+                            verdict.passed ? "✓" : "✗", escaped(verdict.test), verdict.kind);
+        }
+    }
+    return text;
+}
+
+/// Alterations of its generated cells.
+std::string mutants_of(const std::string& id, const PackInput& input) {
+    if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
+        return "";
+    }
+    const MutationCount& count = input.mutation->items.at(id);
+    return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
+}
+
+std::vector<std::string> item_row(const AuditedItem& audited, const PackInput& input) {
+    const Item& item = *audited.item;
+    std::string decisions;
+    for (const auto& id : audited.decisions) {
+        decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
+    }
+    return {fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
+            fmt::format("{}<br><small>{}</small>", escaped(item.text), escaped(joined(origins(item)))),
+            decisions,
+            places_of(code_of(item.id, input.evidence)),
+            tests_of(item.id, input.evidence) + mutants_of(item.id, input),
+            html_state(audited.status())};
+}
+
+}  // namespace
+
+std::string audit_page(const PackInput& input) {
+    std::string text =
+        "<p>Every item of the register: what it says and where the manual says it, the decisions that touch it, the "
+        "code "
+        "that names it, the tests that claim it and how they ended in this build.</p>\n";
+    std::vector<std::vector<std::string>> rows;
+    std::string gaps;
+    for (const auto& audit : input.audits) {
+        for (const auto& gap : audit.gaps) {
+            gaps += fmt::format("<li>{}\n", escaped(gap));
+        }
+        for (const auto& item : audit.items) {
+            rows.push_back(item_row(item, input));
+        }
+    }
+    if (!gaps.empty()) {
+        text += fmt::format("<h2 class=open>Gaps</h2><ul>{}</ul>\n", gaps);
+    }
+    return text + html_table({{"Item", 12}, {"Says", 30}, {"Decisions", 9}, {"Code", 16}, {"Tests", 25}, {"State", 8}},
+                             rows, Search::yes);
+}
+
+/// What installers and operators must keep: it is not the firmware's to keep, so no test shows it.
+std::string conditions_table(const Manual& manual) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& section : manual.sections) {
+        for (const auto& condition : section.conditions) {
+            rows.push_back({escaped(section.ref), escaped(section.title), escaped(condition)});
+        }
+    }
+    return rows.empty() ? ""
+                        : "<h3>Conditions of use</h3>\n" +
+                              html_table({{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
+}
+
+std::string sections_page(const PackInput& input) {
+    std::string text = "<p>Each section of the manuals that asks for something, and what covers it.</p>\n";
+    for (const auto& audit : input.audits) {
+        const Manual* manual = input.content->manual(audit.part->info.manual);
+        if (manual == nullptr) {
+            continue;
+        }
+        text += fmt::format("<h2 id=\"{}\">{}</h2><p class=quiet>{}, {}, {}</p>\n", escaped(audit.part->name),
+                            escaped(manual->title), escaped(manual->publisher), escaped(manual->revision),
+                            escaped(manual->date));
+        std::vector<std::vector<std::string>> rows;
+        for (const auto& section : audit.sections) {
+            std::string covered;
+            for (const auto& id : section.covered_by) {
+                covered += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
+            }
+            rows.push_back({escaped(section.section->ref), escaped(section.section->title),
+                            covered.empty() ? html_state("open") : covered});
+        }
+        text += html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
+        text += conditions_table(*manual);
+    }
+    return text;
+}
+
+std::string decisions_page(const PackInput& input) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& audit : input.audits) {
+        for (const auto& decision : audit.part->decisions) {
+            std::string readings;
+            for (const auto& reading : decision.readings) {
+                readings += fmt::format("{} <small>{}</small><br>", escaped(reading.says), escaped(reading.source));
+            }
+            std::string affects;
+            for (const auto& id : decision.affects) {
+                affects += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
+            }
+            rows.push_back({fmt::format("<code id=\"{0}\">{0}</code>", decision.id), escaped(decision.text), readings,
+                            fmt::format("<b>{}</b><br>{}", escaped(decision.chosen), escaped(decision.because)),
+                            affects.empty() ? escaped(decision.none) : affects});
+        }
+    }
+    return fmt::format(
+               "<p>The manuals contradict themselves, each other and CiA's standards in {} places, or leave them open. "
+               "Each is decided here: by the standard, then by the manual's own consistency, then by the safer "
+               "failure.</p>\n",
+               rows.size()) +
+           html_table({{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
+                      rows, Search::yes);
+}
+
+std::string tests_page(const PackInput& input) {
+    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;  // cases, failed
+    std::vector<std::vector<std::string>> failed;
+    for (const auto& one : input.evidence.cases) {
+        auto& [cases, failures] = suites[one.suite];
+        ++cases;
+        failures += one.passed ? 0 : 1;
+        if (!one.passed) {
+            failed.push_back(
+                {escaped(one.suite + "." + one.name), fmt::format("<code>{}</code>", escaped(one.failure))});
+        }
+    }
+    std::string text = fmt::format("<p>{} test cases, {} failed.</p>\n", input.evidence.tests, input.evidence.failed);
+    if (!failed.empty()) {
+        text += "<h2 class=open>Failed</h2>" + html_table({{"Case"}, {"Message"}}, failed);
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [suite, counts] : suites) {
+        rows.push_back(
+            {escaped(suite), std::to_string(counts.first), html_state(counts.second == 0 ? "holds" : "open")});
+    }
+    return text + html_table({{"Suite"}, {"Cases"}, {"State"}}, rows, Search::yes);
+}
+
+std::string plots_page(const PackInput& input) {
+    std::string text = "<p>What the devices do, drawn from their own frames and outputs.</p><div class=grid>\n";
+    for (const auto& figure : input.figures) {
+        text +=
+            fmt::format("<figure><a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{0}\" loading=lazy></a></figure>\n",
+                        escaped(figure.first));
+    }
+    return text + "</div>\n";
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,246 @@
+#include "host/assess/fuzz/campaign.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "host/assess/fuzz/campaign_display.hpp"
+#include "host/assess/fuzz/campaign_files.hpp"
+#include "host/assess/fuzz/campaign_report.hpp"
+#include "host/report/markup.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int found_something = 1;
+constexpr int was_broken = 2;
+constexpr int was_interrupted = 130;
+constexpr double slice_minutes = 1.0;
+constexpr unsigned most_rounds = 8;
+
+struct Phase {
+    const char* name;
+    bool (*run)(const CampaignContext& context);
+};
+
+constexpr std::array<Phase, 5> phases{{{"fuzzing", fuzz_all},
+                                       {"sorting findings", sort_findings},
+                                       {"measuring coverage", measure_coverage},
+                                       {"minimising corpora", minimise_corpora},
+                                       {"second pass with valgrind", look_again_with_valgrind}}};
+
+void require_programs(const CampaignOptions& options, const std::vector<FuzzTarget>& targets) {
+    const auto need = [&](const std::string& build, const char* option, const char* preset) {
+        for (const FuzzTarget& target : targets) {
+            const auto program = std::filesystem::path{build} / (target.name + "_fuzz");
+            if (!std::filesystem::exists(program)) {
+                throw InputError{
+                    fmt::format("{} is missing; build it with `cmake --preset {} && cmake --build --preset {} --target "
+                                "fuzz_targets`, name another folder with --{}-build, or do without with --no-{}",
+                                program.string(), preset, preset, option,
+                                std::string{option} == "replay" ? "second-pass" : "coverage")};
+            }
+        }
+    };
+    if (options.second_pass) {
+        need(options.replay_build, "replay", "release");
+    }
+    if (options.coverage) {
+        need(options.coverage_build, "coverage", "fuzz-coverage");
+    }
+}
+
+/// Slices a target's time is cut into: about a minute each, and not more than some.
+unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
+    const double share = options.minutes * options.jobs / static_cast<double>(targets);
+    return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
+}
+
+CampaignState new_state(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
+                        const CampaignFiles& files) {
+    CampaignState state;
+    state.started = utc_now();
+    state.minutes = options.minutes;
+    state.seed = options.seed != 0
+                     ? options.seed
+                     : static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+    state.jobs = options.jobs;
+    state.rounds = rounds_for(options, targets.size());
+    state.phase = phases[0].name;
+    for (const FuzzTarget& target : targets) {
+        TargetRecord record;
+        record.name = target.name;
+        record.inputs_before = files_in(files.inputs(target.name)).size();
+        state.targets.push_back(record);
+    }
+    std::filesystem::remove_all(files.work());
+    std::filesystem::create_directories(files.work());
+    write_text(files.work() / "began", state.started + "\n");
+    return state;
+}
+
+bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targets) {
+    return state.targets.size() == targets.size() &&
+           std::equal(targets.begin(), targets.end(), state.targets.begin(),
+                      [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
+}
+
+/// The unfinished campaign of the same command, or a new one.
+CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
+                             const CampaignFiles& files, CampaignDisplay& display) {
+    const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
+    if (kept.is_object() && kept.value("phase", "done") != "done") {
+        CampaignState state;
+        try {
+            state = kept.get<CampaignState>();
+        } catch (const nlohmann::json::exception& error) {
+            throw InputError{fmt::format("{} is not of this version ({}); --restart begins anew",
+                                         files.state().string(), error.what())};
+        }
+        const bool same = state.minutes == options.minutes && has_targets(state, targets);
+        if (!same) {
+            throw InputError{
+                fmt::format("{} holds an unfinished campaign of {} minutes begun {}; give the same command "
+                            "to go on, or --restart to begin anew",
+                            files.work().string(), state.minutes, state.started)};
+        }
+        state.jobs = options.jobs;
+        state.remarks.push_back(fmt::format("stopped during “{}” and gone on with at {}", state.phase, utc_now()));
+        display.say(fmt::format("going on with the campaign of {}: {}", state.started, state.phase));
+        return state;
+    }
+    CampaignState state = new_state(options, targets, files);
+    display.say(fmt::format("{} target(s), {} minutes on {} job(s), seed {}", targets.size(), state.minutes, state.jobs,
+                            state.seed));
+    return state;
+}
+
+std::optional<Night> last_night(const CampaignFiles& files) {
+    const auto nights = read_json(files.history());
+    return nights.is_array() && !nights.empty() ? std::optional{nights.back().get<Night>()} : std::nullopt;
+}
+
+void write_report(const CampaignContext& context, const std::optional<Night>& last) {
+    const std::filesystem::path folder{context.options.out};
+    std::filesystem::create_directories(folder);
+    write_json(folder / "report.json", write_campaign_json(context.state, last));
+    write_json(folder / "exhibit.json", write_campaign_exhibit(context.state));
+    write_text(folder / "index.html", write_campaign_html(context.state, last));
+    context.display.say(fmt::format("report: {}", (folder / "index.html").string()));
+}
+
+bool is_wanted(const Phase& phase, const CampaignOptions& options) {
+    return (phase.run != measure_coverage || options.coverage) &&
+           (phase.run != look_again_with_valgrind || options.second_pass);
+}
+
+/// From the phase that the state names; false when interrupted.
+bool run_phases(const CampaignContext& context) {
+    const auto first = std::find_if(phases.begin(), phases.end(),
+                                    [&](const Phase& phase) { return context.state.phase == phase.name; });
+    for (auto phase = first; phase != phases.end(); ++phase) {
+        context.state.phase = phase->name;
+        context.save();
+        if (is_wanted(*phase, context.options)) {
+            context.display.say(phase->name);
+            const bool done = phase->run(context);
+            context.display.leave(context.state);
+            if (!done) {
+                context.save();
+                return false;
+            }
+        }
+    }
+    context.state.phase = "done";
+    return true;
+}
+
+void add_night(const CampaignContext& context) {
+    auto nights = read_json(context.files.history());
+    if (!nights.is_array()) {
+        nights = nlohmann::json::array();
+    }
+    nights.push_back(night_of(context.state));
+    write_json(context.files.history(), nights);
+    context.save();
+}
+
+/// The exit status, and why in words.
+int verdict(const CampaignState& state, bool finished, CampaignDisplay& display) {
+    if (!state.findings.empty()) {
+        display.say(fmt::format("{} finding(s)", state.findings.size()));
+        return found_something;
+    }
+    if (!finished) {
+        display.say("interrupted; the same command goes on");
+        return was_interrupted;
+    }
+    const bool broken = std::any_of(state.targets.begin(), state.targets.end(),
+                                    [](const TargetRecord& one) { return one.broken_slices > 0; });
+    display.say(fmt::format("no finding in {} executions{}", grouped(state.executions()),
+                            broken ? ", but not every target ran its time" : ""));
+    return broken ? was_broken : 0;
+}
+
+}  // namespace
+
+TargetRecord& CampaignContext::record(const std::string& target) const {
+    return *std::find_if(state.targets.begin(), state.targets.end(),
+                         [&](const TargetRecord& one) { return one.name == target; });
+}
+
+std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files) {
+    std::filesystem::create_directories(files.scratch());
+    std::map<std::string, std::string> all{{"TMPDIR", files.scratch().string()},
+                                           {"UBSAN_OPTIONS", "print_stacktrace=1"}};
+    if (const char* const symbolizer = "/usr/bin/llvm-symbolizer-19"; std::filesystem::exists(symbolizer)) {
+        all["ASAN_SYMBOLIZER_PATH"] = symbolizer;
+        all["UBSAN_SYMBOLIZER_PATH"] = symbolizer;
+    }
+    return all;
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder)) {
+        for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+            if (entry.is_regular_file()) {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    return std::filesystem::exists(file) ? read_file(file) : "";
+}
+
+int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
+    options.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+    const auto targets = find_fuzz_targets(options.build, options.fuzz, options.targets);
+    require_programs(options, targets);
+    const CampaignFiles files{options.corpus};
+    CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
+    CampaignState state = begin_or_go_on(options, targets, files, display);
+    const CampaignContext context{options, targets, files, state, display, interrupted};
+    const auto last = last_night(files);
+    const bool finished = run_phases(context);
+    if (finished) {
+        add_night(context);
+    }
+    write_report(context, last);
+    std::filesystem::remove_all(files.scratch());
+    return verdict(state, finished, display);
+}
+
+}  // namespace canproof::host

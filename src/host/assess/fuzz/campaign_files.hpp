@@ -1,0 +1,60 @@
+// What every part of a campaign works on.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host/assess/fuzz/campaign.hpp"
+#include "host/assess/fuzz/campaign_state.hpp"
+#include "host/assess/fuzz/fuzz_target.hpp"
+
+namespace canproof::host {
+
+class CampaignDisplay;
+
+/// Where things lie below the corpus folder.
+class CampaignFiles {
+  public:
+    explicit CampaignFiles(const std::filesystem::path& corpus) : corpus_{std::filesystem::absolute(corpus)} {}
+
+    std::filesystem::path inputs(const std::string& target) const { return corpus_ / target; }
+    std::filesystem::path findings() const { return corpus_ / "findings"; }
+    std::filesystem::path history() const { return corpus_ / "history.json"; }
+    std::filesystem::path work() const { return corpus_ / "campaign"; }
+    std::filesystem::path state() const { return work() / "state.json"; }
+    std::filesystem::path scratch() const { return work() / "tmp"; }
+    std::filesystem::path log(const std::string& name) const { return work() / "log" / (name + ".txt"); }
+    std::filesystem::path artifacts(const std::string& target) const { return work() / "artifacts" / target; }
+
+  private:
+    std::filesystem::path corpus_;
+};
+
+struct CampaignContext {
+    const CampaignOptions& options;
+    const std::vector<FuzzTarget>& targets;
+    const CampaignFiles& files;
+    CampaignState& state;
+    CampaignDisplay& display;
+    Interrupted interrupted;
+
+    TargetRecord& record(const std::string& target) const;
+    void save() const { write_json(files.state(), state); }
+};
+
+/// Sanitizers that name functions, and a scratch folder of our own.
+std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files);
+/// The regular files of a folder, in alphabetical order; none when there is no folder.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
+std::string read_text(const std::filesystem::path& file);
+
+/// Each of these does one phase, and returns false when it was interrupted; each may be repeated.
+bool fuzz_all(const CampaignContext& context);
+bool sort_findings(const CampaignContext& context);
+bool measure_coverage(const CampaignContext& context);
+bool minimise_corpora(const CampaignContext& context);
+bool look_again_with_valgrind(const CampaignContext& context);
+
+}  // namespace canproof::host

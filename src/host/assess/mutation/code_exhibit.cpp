@@ -1,0 +1,60 @@
+#include "host/assess/mutation/code_exhibit.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/base/csv_line.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string reason_of(const MutationOutcome& outcome) {
+    if (outcome.record != nullptr) {
+        return outcome.record->reason;
+    }
+    return outcome.claimed ? "open" : "open: in no test would it compute anything else";
+}
+
+std::string survivors_csv(const std::vector<MutationOutcome>& outcomes) {
+    std::string text = csv_line({"file", "place", "change", "reason"});
+    for (const MutationOutcome& outcome : outcomes) {
+        if (outcome.killed_by.empty()) {
+            text += csv_line({outcome.cell.item, outcome.cell.cell, outcome.cell.change, reason_of(outcome)});
+        }
+    }
+    return text;
+}
+
+std::string files_csv(const CountsByItem& counts) {
+    std::string text = csv_line({"file", "altered", "noticed", "with a reason"});
+    for (const auto& [file, count] : counts) {
+        text += csv_line(
+            {file, std::to_string(count.altered), std::to_string(count.noticed), std::to_string(count.justified)});
+    }
+    return text;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcome>& outcomes) {
+    const CountsByItem counts = count_by_item(outcomes);
+    const MutationCount all = total(counts);
+    const double share = 100.0 * static_cast<double>(all.noticed) / static_cast<double>(all.altered);
+    const nlohmann::ordered_json exhibit{
+        {"title", "Mutation of the firmware's operators and conditions"},
+        {"state", all.open() == 0 ? "holds" : "open"},
+        {"says", fmt::format("{} mutants of src/firmware, {:.1f} % noticed by a test; {} survive without a reason.",
+                             all.altered, share, all.open())},
+        {"figures",
+         {{"mutants", all.altered},
+          {"noticed by a test", all.noticed},
+          {"survive with a reason", all.justified},
+          {"survive without", all.open()}}}};
+    return {{"exhibit.json", exhibit.dump(1) + "\n"},
+            {"survivors.csv", survivors_csv(outcomes)},
+            {"files.csv", files_csv(counts)}};
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,148 @@
+#include "host/assess/mutation/code_mutation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+#include "host/assess/mutation/killer_log.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Of processor time, unmutated.
+constexpr double most_seconds = 1.5;
+/// Tests that take no longer together run before the others: most mutants need no more.
+constexpr double quick_seconds = 0.1;
+/// What the program told before its first test.
+const char* const startup = "startup";
+
+/// Tests, and how long a mutant may keep them: one that runs without end is killed soon.
+struct Stage {
+    std::string filter;
+    unsigned seconds{0U};
+};
+
+Stage stage(const std::string& filter, const std::map<std::string, double>& seconds) {
+    double all = 0.0;
+    std::istringstream names{filter};
+    for (std::string name; std::getline(names, name, ':');) {
+        const auto found = seconds.find(name);
+        all += found == seconds.end() ? 0.0 : found->second;
+    }
+    return {filter, 1U + static_cast<unsigned>(5.0 * all)};
+}
+
+/// What noticed the mutant: the first of these stages with a test that fails. Empty: it survives.
+std::string killer(TestServer& server, std::size_t mutant, const std::vector<Stage>& stages) {
+    std::string test;
+    for (auto one = stages.begin(); one != stages.end() && test.empty(); ++one) {
+        if (!one->filter.empty()) {
+            test = server.run(mutant, one->filter, one->seconds);
+        }
+    }
+    return test;
+}
+
+}  // namespace
+
+std::vector<ToldTest> read_told(const std::filesystem::path& file) {
+    std::ifstream in{file};
+    if (!in) {
+        throw InputError{fmt::format("there is no {}; build code_mutants with the preset `mutation`", file.string())};
+    }
+    std::vector<ToldTest> tests;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream words{line};
+        ToldTest test;
+        if (words >> test.name >> test.seconds) {
+            for (std::size_t mutant = 0; words >> mutant;) {
+                test.mutants.push_back(mutant);
+            }
+            tests.push_back(std::move(test));
+        }
+    }
+    check_read(in, file.string());
+    return tests;
+}
+
+std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count) {
+    std::vector<bool> starting(count);
+    for (auto test = tests.begin(); test != tests.end();) {
+        if (test->name != startup) {
+            ++test;
+            continue;
+        }
+        for (const std::size_t mutant : test->mutants) {
+            if (mutant < count) {
+                starting[mutant] = true;
+            }
+        }
+        test = tests.erase(test);
+    }
+    return starting;
+}
+
+std::vector<std::string> filters_by_mutant(const std::vector<ToldTest>& tests, std::size_t count, double budget) {
+    std::vector<const ToldTest*> ordered;
+    for (const ToldTest& test : tests) {
+        ordered.push_back(&test);
+    }
+    std::sort(ordered.begin(), ordered.end(), [](const ToldTest* a, const ToldTest* b) {
+        return std::tie(a->seconds, a->name) < std::tie(b->seconds, b->name);
+    });
+    std::vector<std::string> filters(count);
+    std::vector<double> spent(count);
+    for (const ToldTest* test : ordered) {
+        for (const std::size_t mutant : test->mutants) {
+            if (mutant < count && (filters[mutant].empty() || spent[mutant] + test->seconds <= budget)) {
+                filters[mutant] += (filters[mutant].empty() ? "" : ":") + test->name;
+                spent[mutant] += test->seconds;
+            }
+        }
+    }
+    return filters;
+}
+
+std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
+                                         std::size_t count, const std::function<void(std::size_t)>& progress) {
+    std::filesystem::create_directories(setup.folder);
+    const auto told = setup.folder / "told.tsv";
+    if (!run_unaltered(setup.program, setup.folder / "verdicts.xml", {"CANPROOF_TOLD=" + told.string()})) {
+        throw InputError{fmt::format("{} fails without any mutant; mend that first", setup.program.string())};
+    }
+    auto tests = read_told(told);
+    const std::vector<bool> starting = told_at_startup(tests, count);
+    std::map<std::string, double> seconds;
+    for (const ToldTest& test : tests) {
+        seconds[test.name] = test.seconds;
+    }
+    const auto quick = filters_by_mutant(tests, count, quick_seconds);
+    const auto most = filters_by_mutant(tests, count, most_seconds);
+    KillerLog log{setup.folder / "killers.tsv"};
+    return judge_all(
+        mutants, {setup.program}, setup.jobs,
+        [&](const AlteredCell& mutant, const Servers& servers) {
+            const std::size_t number = mutant.number;
+            MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr};
+            if (!most.at(number).empty()) {
+                outcome.killed_by = killer(
+                    *servers.front(), number,
+                    {stage(log.filter(mutant), seconds), stage(quick[number], seconds), stage(most[number], seconds)});
+            }
+            if (outcome.killed_by.empty() && starting.at(number) &&
+                fails_when_started_altered(setup.program, number, "*")) {
+                outcome.killed_by = "a test of a program started with it";
+            }
+            log.note(outcome);
+            return outcome;
+        },
+        progress);
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,136 @@
+#include "host/assess/mutation/mutation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <random>
+#include <thread>
+#include <tuple>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// One program with the filters of its tests.
+struct Program {
+    std::filesystem::path path;
+    std::map<std::string, std::string> filters;
+
+    const std::string* filter(const std::string& item) const {
+        const auto found = filters.find(item);
+        return found == filters.end() ? nullptr : &found->second;
+    }
+};
+
+Program prepare(const std::filesystem::path& path, const std::filesystem::path& verdicts) {
+    const auto folder = verdicts / path.filename();
+    std::filesystem::create_directories(folder);
+    if (!run_unaltered(path, folder / "verdicts.xml")) {
+        throw InputError{fmt::format("{} fails without any alteration; mend that first", path.string())};
+    }
+    return {path, filters_by_item(read_verdict_files(folder))};
+}
+
+MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& programs, const Servers& servers) {
+    MutationOutcome outcome{cell, "", false, nullptr};
+    for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
+        if (const std::string* filter = programs[i].filter(cell.item)) {
+            outcome.claimed = true;
+            outcome.killed_by = servers[i]->run(cell.number, *filter);
+        }
+    }
+    // What a program computed from the cell when it started shows only when it starts again.
+    for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
+        const std::string* filter = programs[i].filter(cell.item);
+        if (filter != nullptr && fails_when_started_altered(programs[i].path, cell.number, *filter)) {
+            outcome.killed_by = "a test of a program started with it";
+        }
+    }
+    return outcome;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> filters_by_item(const Evidence& evidence) {
+    std::map<std::string, std::string> filters;
+    for (const auto& [id, verdicts] : evidence.verdicts) {
+        auto ordered = verdicts;
+        std::sort(ordered.begin(), ordered.end(), [](const Verdict& a, const Verdict& b) {
+            return std::tie(a.seconds, a.test) < std::tie(b.seconds, b.test);
+        });
+        std::string& filter = filters[id];
+        for (const Verdict& verdict : ordered) {
+            filter += (filter.empty() ? "" : ":") + verdict.test;
+        }
+    }
+    return filters;
+}
+
+std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::size_t count, std::uint64_t seed) {
+    std::vector<AlteredCell> rest = cells;
+    std::mt19937_64 random{seed};
+    for (std::size_t i = 0; i < std::min(count, rest.size()); ++i) {
+        // A modulo's slight preference does not matter here; std::uniform_int_distribution differs between libraries.
+        std::swap(rest[i], rest[i + static_cast<std::size_t>(random() % (rest.size() - i))]);
+    }
+    rest.resize(std::min(count, rest.size()));
+    std::sort(rest.begin(), rest.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+    return rest;
+}
+
+std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
+                                       const std::vector<std::filesystem::path>& programs, unsigned jobs,
+                                       const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,
+                                       const std::function<void(std::size_t)>& progress) {
+    std::vector<MutationOutcome> outcomes(cells.size());
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> done{0};
+    std::mutex telling;
+    std::string trouble;
+    const auto work = [&] {
+        try {
+            Servers servers;
+            for (const auto& program : programs) {
+                servers.push_back(std::make_unique<TestServer>(program));
+            }
+            for (std::size_t at = next++; at < cells.size(); at = next++) {
+                outcomes[at] = judge(cells[at], servers);
+                const std::scoped_lock lock{telling};
+                progress(++done);
+            }
+        } catch (const std::exception& error) {
+            const std::scoped_lock lock{telling};
+            trouble = error.what();
+        }
+    };
+    std::vector<std::thread> workers;
+    for (unsigned i = 0; i < std::max(1U, jobs); ++i) {
+        workers.emplace_back(work);
+    }
+    for (auto& worker : workers) {
+        worker.join();
+    }
+    if (!trouble.empty()) {
+        throw InputError{trouble};
+    }
+    return outcomes;
+}
+
+std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
+                                          const std::function<void(std::size_t)>& progress) {
+    std::vector<Program> programs{prepare(setup.tests, setup.verdicts)};
+    std::vector<std::filesystem::path> paths{setup.tests};
+    if (!setup.properties.empty()) {
+        programs.push_back(prepare(setup.properties, setup.verdicts));
+        paths.push_back(setup.properties);
+    }
+    return judge_all(
+        cells, paths, setup.jobs,
+        [&](const AlteredCell& cell, const Servers& servers) { return judge(cell, programs, servers); }, progress);
+}
+
+}  // namespace canproof::host

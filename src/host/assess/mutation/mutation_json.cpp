@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/assess/mutation/mutation.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+MutationCount& MutationCount::operator+=(const MutationCount& more) {
+    altered += more.altered;
+    noticed += more.noticed;
+    justified += more.justified;
+    return *this;
+}
+
+CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes) {
+    CountsByItem counts;
+    for (const MutationOutcome& outcome : outcomes) {
+        counts[outcome.cell.item] += {1, outcome.killed_by.empty() ? 0U : 1U, outcome.record == nullptr ? 0U : 1U};
+    }
+    return counts;
+}
+
+MutationCount total(const CountsByItem& counts) {
+    MutationCount all;
+    for (const auto& [item, count] : counts) {
+        all += count;
+    }
+    return all;
+}
+
+std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
+    using Json = nlohmann::ordered_json;
+    const CountsByItem counts = count_by_item(outcomes);
+    const MutationCount all = total(counts);
+    Json survivors = Json::array();
+    for (const MutationOutcome& outcome : outcomes) {
+        if (outcome.killed_by.empty()) {
+            survivors.push_back({{"item", outcome.cell.item},
+                                 {"cell", outcome.cell.cell},
+                                 {"change", outcome.cell.change},
+                                 {"claimed", outcome.claimed},
+                                 {"reason", outcome.record == nullptr ? "" : outcome.record->reason}});
+        }
+    }
+    Json items = Json::object();
+    for (const auto& [id, count] : counts) {
+        items[id] = {{"altered", count.altered}, {"noticed", count.noticed}, {"justified", count.justified}};
+    }
+    return Json{{"altered", all.altered},
+                {"noticed", all.noticed},
+                {"justified", all.justified},
+                {"items", items},
+                {"survivors", survivors}}
+               .dump(1) +
+           "\n";
+}
+
+CountsByItem read_mutation_json(const std::filesystem::path& file) {
+    CountsByItem counts;
+    std::ifstream in{file};
+    if (!in) {
+        return counts;
+    }
+    try {
+        const auto document = nlohmann::json::parse(in);
+        for (const auto& [id, count] : document.at("items").items()) {
+            counts[id] = {count.at("altered").get<std::size_t>(), count.at("noticed").get<std::size_t>(),
+                          count.at("justified").get<std::size_t>()};
+        }
+    } catch (const nlohmann::json::exception&) {
+        throw InputError{fmt::format("{} is not what `canproof mutate` writes; run it again", file.string())};
+    }
+    return counts;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,69 @@
+#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/trace/toml_records.hpp"
+
+namespace canproof::host {
+
+std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file) {
+    std::vector<SurvivorRecord> records;
+    if (!std::filesystem::exists(file)) {
+        return records;
+    }
+    read_toml_records(file, [&records](TomlItem& whole) {
+        for (auto& item : whole.items("survivor")) {
+            records.push_back(
+                {item.text("item"), item.text("cell"), item.text("change"), item.text("reason"), item.place().line});
+            item.finish();
+        }
+    });
+    return records;
+}
+
+bool matches(const std::string& pattern, const std::string& text) {
+    // Position after the last star, and where its match began: on a mismatch the star takes one more character.
+    std::size_t p = 0;
+    std::size_t t = 0;
+    std::size_t star = std::string::npos;
+    std::size_t from = 0;
+    while (t < text.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = ++p;
+            from = t;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
+            ++p;
+            ++t;
+        } else if (star != std::string::npos) {
+            p = star;
+            t = ++from;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') {
+        ++p;
+    }
+    return p == pattern.size();
+}
+
+std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
+                                           const std::vector<SurvivorRecord>& records) {
+    std::vector<bool> used(records.size());
+    for (MutationOutcome& outcome : outcomes) {
+        for (std::size_t i = 0; i < records.size() && outcome.open(); ++i) {
+            const SurvivorRecord& record = records[i];
+            if (matches(record.item, outcome.cell.item) && matches(record.cell, outcome.cell.cell) &&
+                matches(record.change, outcome.cell.change)) {
+                outcome.record = &record;
+                used[i] = true;
+            }
+        }
+    }
+    std::vector<const SurvivorRecord*> idle;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (!used[i]) {
+            idle.push_back(&records[i]);
+        }
+    }
+    return idle;
+}
+
+}  // namespace canproof::host

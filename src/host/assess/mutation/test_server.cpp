@@ -1,0 +1,84 @@
+#include "host/assess/mutation/test_server.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "host/base/child_process.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+std::vector<std::string> tab_separated(const std::string& line) {
+    std::vector<std::string> parts(1);
+    for (const char c : line) {
+        if (c == '\t') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
+    const auto ends = make_pipe();
+    const pid_t process = start_process({program.string(), "--cells"}, {}, {-1, ends[1]});
+    close(ends[1]);
+    std::FILE* from = fdopen(ends[0], "r");
+    std::vector<AlteredCell> cells;
+    for (std::string line; read_line(from, line);) {
+        const auto parts = tab_separated(line);
+        if (parts.size() == 4) {
+            cells.push_back({cells.size(), parts[1], parts[2], parts[3]});
+        }
+    }
+    std::fclose(from);
+    if (wait_for_process(process) != 0 || cells.empty()) {
+        throw InputError{fmt::format("{} lists no cells; build it with the preset `mutation`", program.string())};
+    }
+    return cells;
+}
+
+TestServer::TestServer(const std::filesystem::path& program) {
+    const auto in = make_pipe();
+    const auto out = make_pipe();
+    process_ = start_process({program.string(), "--serve"}, {}, {in[0], out[1]});
+    close(in[0]);
+    close(out[1]);
+    to_ = fdopen(in[1], "w");
+    from_ = fdopen(out[0], "r");
+}
+
+TestServer::~TestServer() {
+    std::fclose(to_);
+    std::fclose(from_);
+    wait_for_process(process_);
+}
+
+std::string TestServer::run(std::size_t number, const std::string& filter, unsigned seconds) {
+    std::fprintf(to_, "%zu\t%u\t%s\n", number, seconds, filter.c_str());
+    std::fflush(to_);
+    std::string line;
+    while (read_line(from_, line)) {
+        const auto parts = tab_separated(line);
+        if (parts.size() >= 2 && parts[0] == fmt::format("{}", number)) {
+            return parts[1] == "survived" ? "" : parts.size() > 2 ? parts[2] : "died";
+        }
+    }
+    throw InputError{
+        fmt::format("the test program ended at alteration {}; run it with CANPROOF_ALTER={}", number, number)};
+}
+
+bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter) {
+    const pid_t process = start_process({program.string(), "--gtest_fail_fast", "--gtest_filter=" + filter},
+                                        {fmt::format("CANPROOF_ALTER={}", number)}, {});
+    return wait_for_process(process) != 0;
+}
+
+bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
+                   const std::vector<std::string>& more_environment) {
+    return wait_for_process(
+               start_process({program.string(), "--gtest_output=xml:" + verdicts.string()}, more_environment, {})) == 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,212 @@
+#include "host/assess/trace/audit.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "host/assess/trace/review.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Kinds of passed runs that claim an id, and whether one of them failed.
+std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
+    std::set<std::string> passed;
+    bool failed = false;
+    const auto found = evidence.verdicts.find(id);
+    if (found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            failed = failed || !verdict.passed;
+            if (verdict.passed) {
+                passed.insert(verdict.kind);
+            }
+        }
+    }
+    return {passed, failed};
+}
+
+using DecisionsByItem = std::map<std::string, std::vector<std::string>>;
+
+DecisionsByItem decisions_by_item(const Register& content) {
+    DecisionsByItem all;
+    for (const auto& part : content.parts) {
+        for (const auto& decision : part.decisions) {
+            for (const auto& id : decision.affects) {
+                all[id].push_back(decision.id);
+            }
+        }
+    }
+    return all;
+}
+
+/// Data is code by itself: an object is a row of the dictionary, a signal a member of the device's inputs or outputs.
+bool needs_code(const AuditedItem& audited) {
+    if (audited.word == "object" || audited.word == "signal") {
+        return false;
+    }
+    return std::any_of(audited.demanded.begin(), audited.demanded.end(),
+                       [](const std::string& kind) { return kind != "inspection" && kind != "analysis"; });
+}
+
+class PartAuditor {
+  public:
+    PartAuditor(const Register& content, const Part& part, const Evidence& evidence, const DecisionsByItem& decisions,
+                const ReviewState& reviews)
+        : content_{content}, part_{part}, evidence_{evidence}, decisions_{decisions}, reviews_{reviews} {
+        for (const auto& requirement : part.requirements) {
+            requirements_[requirement.id] = &requirement;
+        }
+    }
+
+    PartAudit run(const SectionIndex& sections) {
+        audit_.part = &part_;
+        content_.for_each_item(part_, [&](const Item& item, const char* word) { audit_item(item, word); });
+        if (const Manual* manual = content_.manual(part_.info.manual)) {
+            audit_sections(*manual, sections);
+        }
+        return std::move(audit_);
+    }
+
+  private:
+    void audit_item(const Item& item, const char* word) {
+        AuditedItem audited;
+        audited.item = &item;
+        audited.word = word;
+        audited.demanded = {"test"};
+        if (const auto requirement = requirements_.find(item.id); requirement != requirements_.end()) {
+            if (!requirement->second->retired.empty()) {
+                return;
+            }
+            audited.demanded = requirement->second->verify;
+            audited.kind = requirement->second->kind;
+        }
+        const auto [passed, failed] = results_for(item.id, evidence_);
+        audited.failed = failed;
+        for (const auto& kind : audited.demanded) {
+            if (passed.count(kind) == 0) {
+                audited.missing.push_back(kind);
+            }
+        }
+        if (const auto found = decisions_.find(item.id); found != decisions_.end()) {
+            audited.decisions = found->second;
+        }
+        audited.without_code = needs_code(audited) && code_of(item.id, evidence_).empty();
+        audited.suspect = reviews_.suspicion(item.id, audited.decisions);
+        tell(audited);
+        audit_.items.push_back(audited);
+    }
+
+    void tell(const AuditedItem& audited) {
+        const std::string& id = audited.item->id;
+        if (audited.failed) {
+            audit_.gaps.push_back(fmt::format("{}: a test that claims it has failed", id));
+        } else if (!audited.missing.empty()) {
+            audit_.gaps.push_back(fmt::format("{}: no passed {}", id, fmt::join(audited.missing, ", no passed ")));
+        }
+        if (audited.without_code) {
+            audit_.gaps.push_back(fmt::format("{}: no code implements it", id));
+        }
+        if (!audited.suspect.empty()) {
+            audit_.suspects.push_back(fmt::format("{}: {}", id, audited.suspect));
+        }
+    }
+
+    void audit_sections(const Manual& manual, const SectionIndex& index) {
+        for (const auto& section : manual.sections) {
+            if (!section.normative) {
+                continue;
+            }
+            audit_.sections.push_back({&section, index.items_of(manual.key, section)});
+            if (audit_.sections.back().covered_by.empty()) {
+                audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, and nothing has it as its source", manual.key,
+                                                  section.ref, section.title));
+            }
+        }
+    }
+
+    const Register& content_;
+    const Part& part_;
+    const Evidence& evidence_;
+    const DecisionsByItem& decisions_;
+    const ReviewState& reviews_;
+    std::map<std::string, const Requirement*> requirements_;
+    PartAudit audit_;
+};
+
+bool tests_the_firmware(const std::string& file) {
+    static const std::vector<std::string> folders{"tests/conformance/", "tests/devices/", "tests/firmware/",
+                                                  "properties/", "fuzz/"};
+    return file.rfind("properties/host/", 0) != 0 &&
+           std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return file.rfind(folder, 0) == 0; });
+}
+
+}  // namespace
+
+std::string AuditedItem::status() const {
+    return failed ? "failed" : open() ? "open" : suspect.empty() ? "shown" : "suspect";
+}
+
+PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence) {
+    return PartAuditor{content, part, evidence, decisions_by_item(content), ReviewState{content}}.run(
+        SectionIndex{content});
+}
+
+std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence) {
+    const DecisionsByItem decisions = decisions_by_item(content);
+    const ReviewState reviews{content};
+    const SectionIndex sections{content};
+    std::vector<PartAudit> all;
+    for (const auto& part : content.parts) {
+        all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+    }
+    return all;
+}
+
+std::vector<std::string> orphans(const Evidence& evidence) {
+    std::vector<std::string> all;
+    for (const auto& file : evidence.untraced) {
+        all.push_back(fmt::format("{}: no requirement has this code, nor anything that includes it", file));
+    }
+    for (const auto& run : evidence.runs) {
+        if (!run.claims && tests_the_firmware(run.file)) {
+            all.push_back(fmt::format("{} ({}): claims no requirement", run.name, run.file));
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> code_of(const std::string& id, const Evidence& evidence) {
+    std::vector<std::string> code;
+    for (const auto* places : {&evidence.implemented, &evidence.used}) {
+        if (const auto found = places->find(id); found != places->end()) {
+            code.insert(code.end(), found->second.begin(), found->second.end());
+        }
+    }
+    return code;
+}
+
+bool passes(const AuditedItem& item, const AuditFilter& filter) {
+    const auto from_section = [&](const std::string& source) {
+        const std::string& wanted = filter.section;
+        const auto colon = source.find(':');
+        // One source may name several places: "AX130751:1.3 Table 7".
+        for (auto at = colon; at != std::string::npos; at = source.find(' ', at + 1)) {
+            const std::string place = source.substr(0, colon + 1) + source.substr(at + 1);
+            const char next = place.size() > wanted.size() ? place[wanted.size()] : ' ';
+            if (place.rfind(wanted, 0) == 0 && (next == ' ' || next == '.' || wanted.back() == ':')) {
+                return true;
+            }
+        }
+        return false;
+    };
+    const auto& sources = item.item->sources;
+    return (filter.section.empty() || std::any_of(sources.begin(), sources.end(), from_section)) &&
+           (filter.kind.empty() || filter.kind == item.kind || filter.kind == item.word) &&
+           (filter.status.empty() || filter.status == item.status());
+}
+
+}  // namespace canproof::host

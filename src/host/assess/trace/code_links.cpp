@@ -1,0 +1,197 @@
+#include "host/assess/trace/code_links.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <deque>
+#include <fstream>
+#include <set>
+
+#include "host/base/reading.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> sources_below(const fs::path& folder) {
+    std::vector<fs::path> all;
+    if (fs::is_directory(folder)) {
+        for (const auto& file : fs::recursive_directory_iterator(folder)) {
+            const auto ending = file.path().extension();
+            if (file.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) {
+                all.push_back(file.path());
+            }
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// `firmware/blocks/ramp` for src/firmware/blocks/ramp.hpp and ramp.cpp.
+std::string unit_of(std::string file) {
+    return file.substr(0, file.rfind('.'));
+}
+
+std::vector<std::string> includes_of(const fs::path& file) {
+    static const std::string word = "#include \"";
+    static const std::string written = "#include \\\"";  // by the compiler of the register, as a string
+    std::vector<std::string> all;
+    std::ifstream in{file};
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind(word, 0) == 0) {
+            all.push_back(line.substr(word.size(), line.rfind('"') - word.size()));
+        }
+        for (auto at = line.find(written); at != std::string::npos; at = line.find(written, at)) {
+            at += written.size();
+            all.push_back(line.substr(at, line.find('\\', at) - at));
+        }
+    }
+    check_read(in, file.string());
+    return all;
+}
+
+/// Which part and item a generated name stands for.
+using Names = std::map<std::string, std::string>;
+
+Names generated_names(const Part& part) {
+    Names names;
+    for (const auto& table : part.tables) {
+        names["t_" + snake_case(table.id)] = table.id;
+    }
+    for (const auto& constant : part.constants) {
+        names[constant.name] = constant.id;
+    }
+    for (const auto& enumeration : part.enumerations) {
+        names[enumeration.name] = enumeration.id;
+    }
+    for (const auto& signal : part.signals) {
+        std::string name = signal.name;
+        if (const auto at = name.find("{n}"); at != std::string::npos) {
+            name.erase(at, 3);
+        }
+        names[name] = signal.id;
+    }
+    return names;
+}
+
+bool is_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Calls visit(name) for each identifier of a line before its comment.
+template <typename Visit>
+void for_each_name(const std::string& line, const Visit& visit) {
+    const std::size_t end = std::min(line.find("//"), line.size());
+    for (std::size_t at = 0; at < end;) {
+        if (!is_name(line[at])) {
+            ++at;
+            continue;
+        }
+        std::size_t last = at;
+        while (last < end && is_name(line[last])) {
+            ++last;
+        }
+        visit(line.substr(at, last - at));
+        at = last;
+    }
+}
+
+/// `o2340_…` is a field of object 2340h.
+std::string object_of(const std::string& name, const Part& part) {
+    if (name.size() < 6 || name[0] != 'o' || name[5] != '_') {
+        return "";
+    }
+    const std::string index = name.substr(1, 4);
+    for (const auto& object : part.objects) {
+        if (fmt::format("{:04x}", object.index) == index) {
+            return object.id;
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<std::string> untraced_files(const fs::path& source, const Evidence& evidence) {
+    std::map<std::string, std::set<std::string>> included;  // unit → units
+    std::set<std::string> firmware;
+    for (const auto& file : sources_below(source)) {
+        const std::string name = file.lexically_relative(source).generic_string();
+        if (name.rfind("firmware/", 0) == 0) {
+            firmware.insert(name);
+        }
+        for (const auto& other : includes_of(file)) {
+            included[unit_of(name)].insert(unit_of(other));
+        }
+    }
+    std::set<std::string> traced;
+    std::deque<std::string> open;
+    for (const auto& [id, places] : evidence.implemented) {
+        for (const auto& place : places) {
+            open.push_back(unit_of(place.substr(4, place.rfind(':') - 4)));  // without src/
+        }
+    }
+    for (const auto& [unit, others] : included) {
+        if (unit.rfind("host/speccompiler/write_", 0) == 0) {
+            open.insert(open.end(), others.begin(), others.end());  // what generated code includes
+        }
+    }
+    while (!open.empty()) {
+        const std::string unit = open.front();
+        open.pop_front();
+        if (traced.insert(unit).second) {
+            open.insert(open.end(), included[unit].begin(), included[unit].end());
+        }
+    }
+    std::vector<std::string> untraced;
+    for (const auto& name : firmware) {
+        if (traced.count(unit_of(name)) == 0) {
+            untraced.push_back("src/" + name);
+        }
+    }
+    return untraced;
+}
+
+std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& root, const Register& content) {
+    std::map<std::string, Names> names;
+    for (const auto& part : content.parts) {
+        names[part.cpp_name()] = generated_names(part);
+    }
+    std::map<std::string, std::vector<std::string>> uses;
+    for (const auto& file : sources_below(root / "src")) {
+        const std::string name = file.lexically_relative(root).generic_string();
+        std::ifstream in{file};
+        std::vector<std::string> lines;
+        std::string all;
+        for (std::string line; std::getline(in, line);) {
+            all += line + "\n";
+            lines.push_back(line);
+        }
+        check_read(in, file.string());
+        for (const auto& part : content.parts) {
+            // Only code that names the part can mean its names.
+            if (all.find("generated::" + part.cpp_name()) == std::string::npos &&
+                all.find("generated/" + part.cpp_name()) == std::string::npos &&
+                name.find(part.cpp_name()) == std::string::npos) {
+                continue;
+            }
+            std::set<std::string> seen;
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                for_each_name(lines[i], [&](const std::string& word) {
+                    const auto found = names[part.cpp_name()].find(word);
+                    const std::string id =
+                        found == names[part.cpp_name()].end() ? object_of(word, part) : found->second;
+                    if (!id.empty() && seen.insert(id).second) {
+                        uses[id].push_back(fmt::format("{}:{}", name, i + 1));
+                    }
+                });
+            }
+        }
+    }
+    return uses;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,135 @@
+#include "host/assess/trace/evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <pugixml.hpp>
+
+#include "host/assess/trace/code_links.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string id_of(std::string cpp_name) {
+    std::replace(cpp_name.begin(), cpp_name.end(), '_', '-');
+    return cpp_name;
+}
+
+/// `../../tests/x.cpp`, as the build names it, to `tests/x.cpp`.
+std::string from_project(std::string file) {
+    for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
+        const auto at = file.find(folder);
+        if (at != std::string::npos && (at == 0 || file[at - 1] == '/')) {
+            return file.substr(at);
+        }
+    }
+    return file;
+}
+
+void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
+    pugi::xml_document document;
+    if (!document.load_file(file.c_str())) {
+        throw InputError{fmt::format("{} is no XML; run the tests again", file.string())};
+    }
+    const auto cases = document.select_nodes("//testcase");
+    for (const auto& node : cases) {
+        const pugi::xml_node one = node.node();
+        const bool ran = std::string{one.attribute("status").value()} == "run";
+        const bool passed = ran && !one.child("failure");
+        ++evidence.tests;
+        evidence.failed += passed ? 0 : 1;
+        evidence.cases.push_back({one.attribute("classname").value(), one.attribute("name").value(), passed,
+                                  one.child("failure").attribute("message").value()});
+        const std::string name =
+            fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
+        const std::string source = from_project(one.attribute("file").value());
+        bool claims = false;
+        for (const auto& claim : one.child("properties").children("property")) {
+            evidence.verdicts[claim.attribute("name").value()].push_back(
+                {name, claim.attribute("value").value(), passed, one.attribute("time").as_double(), source});
+            claims = true;
+        }
+        evidence.runs.push_back({name, source, passed, claims});
+    }
+}
+
+/// The ids named by implements<req::…> in a line, comments apart.
+void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
+    static const std::string link = "implements<req::";
+    const auto comment = line.find("//");
+    for (auto at = line.find(link); at < comment; at = line.find(link, at)) {
+        at += link.size();
+        const auto end = line.find('>', at);
+        if (end != std::string::npos) {
+            evidence.implemented[id_of(line.substr(at, end - at))].push_back(place);
+        }
+    }
+}
+
+void scan_source(const std::filesystem::path& root, const std::filesystem::path& file, Evidence& evidence) {
+    std::ifstream in{file};
+    std::string line;
+    const std::string name = file.lexically_relative(root).generic_string();
+    for (int number = 1; std::getline(in, line); ++number) {
+        scan_line(line, fmt::format("{}:{}", name, number), evidence);
+    }
+    check_read(in, name);
+}
+
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder,
+                                               const std::set<std::string>& endings) {
+    std::vector<std::filesystem::path> all;
+    if (std::filesystem::is_directory(folder)) {
+        for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
+            if (file.is_regular_file() && endings.count(file.path().extension().string()) != 0) {
+                all.push_back(file.path());
+            }
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+}  // namespace
+
+Evidence read_verdict_files(const std::filesystem::path& verdicts) {
+    Evidence evidence;
+    for (const auto& file : files_below(verdicts, {".xml"})) {
+        read_verdicts(file, evidence);
+    }
+    return evidence;
+}
+
+std::filesystem::path newest_verdicts(const std::filesystem::path& root) {
+    std::filesystem::path newest = root / "build" / "release" / "verdicts";
+    std::filesystem::file_time_type time = std::filesystem::file_time_type::min();
+    for (const char* preset : {"release", "debug", "coverage"}) {
+        const auto folder = root / "build" / preset / "verdicts";
+        const auto file = folder / "tests.xml";
+        if (std::filesystem::exists(file) && std::filesystem::last_write_time(file) > time) {
+            newest = folder;
+            time = std::filesystem::last_write_time(file);
+        }
+    }
+    return newest;
+}
+
+Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
+                          const Register& content) {
+    Evidence evidence = read_verdict_files(verdicts);
+    if (evidence.tests == 0) {
+        throw InputError{fmt::format(
+            "no test results in {}; run ./run or ctest first, or name a folder with --verdicts", verdicts.string())};
+    }
+    for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
+        scan_source(root, file, evidence);
+    }
+    evidence.used = generated_uses(root, content);
+    evidence.untraced = untraced_files(root / "src", evidence);
+    return evidence;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,96 @@
+#include "host/base/child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "host/sim/bus/candump.hpp"
+
+extern char** environ;
+
+namespace canproof::host {
+
+namespace {
+
+/// What posix_spawn wants: pointers, the last of them null.
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+    std::vector<char*> all;
+    for (const auto& word : words) {
+        all.push_back(const_cast<char*>(word.c_str()));
+    }
+    all.push_back(nullptr);
+    return all;
+}
+
+}  // namespace
+
+pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
+                    Streams streams) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    if (streams.in >= 0) {
+        posix_spawn_file_actions_adddup2(&actions, streams.in, STDIN_FILENO);
+    } else {
+        posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    }
+    if (streams.out >= 0) {
+        posix_spawn_file_actions_adddup2(&actions, streams.out, STDOUT_FILENO);
+    } else {
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    }
+    std::vector<std::string> environment = more_environment;
+    for (char** one = environ; *one != nullptr; ++one) {
+        environment.emplace_back(*one);
+    }
+    pid_t process = -1;
+    const int wrong = posix_spawnp(&process, words.front().c_str(), &actions, nullptr, pointers(words).data(),
+                                   pointers(environment).data());
+    posix_spawn_file_actions_destroy(&actions);
+    if (wrong != 0) {
+        throw InputError{fmt::format("cannot run {}; build or install it", words.front())};
+    }
+    return process;
+}
+
+int wait_for_process(pid_t process) {
+    int status = 0;
+    waitpid(process, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::array<int, 2> make_pipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+        throw InputError{"no pipe to be had; close other programs"};
+    }
+    return ends;
+}
+
+bool read_line(std::FILE* from, std::string& line) {
+    line.clear();
+    for (int c = std::fgetc(from); c != EOF; c = std::fgetc(from)) {
+        if (c == '\n') {
+            return true;
+        }
+        line += static_cast<char>(c);
+    }
+    return !line.empty();
+}
+
+std::optional<std::string> output_of(const std::vector<std::string>& words) {
+    const auto ends = make_pipe();
+    const pid_t process = start_process(words, {}, {-1, ends[1]});
+    close(ends[1]);
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (ssize_t count = 0; (count = read(ends[0], piece.data(), piece.size())) > 0;) {
+        text.append(piece.data(), static_cast<std::size_t>(count));
+    }
+    close(ends[0]);
+    return wait_for_process(process) == 0 ? std::optional{text} : std::nullopt;
+}
+
+}  // namespace canproof::host

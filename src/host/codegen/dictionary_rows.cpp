@@ -1,0 +1,199 @@
+#include "host/codegen/dictionary_rows.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+namespace canproof::host {
+
+namespace {
+
+std::uint8_t rights_of(const Entry& entry, bool constant) {
+    std::uint8_t bits = 0;
+    const auto grant = [&bits](bool granted, std::uint8_t right) {
+        bits = granted ? static_cast<std::uint8_t>(bits | right) : bits;
+    };
+    grant(entry.access != "wo", rights::read);
+    grant(entry.access == "rw" || entry.access == "wo", rights::write);
+    grant(entry.mapping == "rpdo" || entry.mapping == "both", rights::rpdo);
+    grant(entry.mapping == "tpdo" || entry.mapping == "both", rights::tpdo);
+    grant(entry.stored, rights::stored);
+    grant(entry.node_id, rights::node_id);
+    grant(constant, rights::constant);
+    return bits;
+}
+
+std::uint32_t limit_bits(const std::string& type, const Value& value) {
+    if (type == "REAL32") {
+        const auto* real = std::get_if<double>(&value);
+        const auto narrow =
+            static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &narrow, sizeof bits);
+        return bits;
+    }
+    if (const auto* truth = std::get_if<bool>(&value)) {
+        return *truth ? 1U : 0U;
+    }
+    // As wide as the type: -1 of an INTEGER16 is FFFFh.
+    const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
+    const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
+    return static_cast<std::uint32_t>(bits & mask);
+}
+
+canproof::Limit limit_of(const Entry& entry, const Limit& one) {
+    if (one.kind == Limit::Kind::number) {
+        return {LimitKind::value, limit_bits(entry.type, one.number), 0};
+    }
+    if (one.kind == Limit::Kind::object) {
+        const unsigned sub = one.subindex < 0 ? same_subindex : static_cast<unsigned>(one.subindex);
+        return {LimitKind::entry, (unsigned{one.index} << 8U) | sub, static_cast<std::int32_t>(one.add)};
+    }
+    return {LimitKind::none, 0U, 0};
+}
+
+/// Position of the entry's allowed values in the shared list, `first << 16 | count`.
+std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, Limits limits) {
+    std::vector<std::uint32_t> bits;
+    for (const auto& value : entry.range.values) {
+        bits.push_back(limit_bits(entry.type, value));
+    }
+    const auto found = limits == Limits::shared ? std::search(allowed.begin(), allowed.end(), bits.begin(), bits.end())
+                                                : allowed.end();
+    const auto first = static_cast<std::size_t>(found - allowed.begin());
+    if (found == allowed.end()) {
+        allowed.insert(allowed.end(), bits.begin(), bits.end());
+    }
+    return static_cast<std::uint32_t>((first << 16U) | bits.size());
+}
+
+bool same(const canproof::Limit& a, const canproof::Limit& b) {
+    return a.kind == b.kind && a.bits == b.bits && a.add == b.add;
+}
+
+/// Number of the limit row of an entry, each row written once however often it is used.
+std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows, Limits limits) {
+    if (entry.range.empty()) {
+        return no_limit;
+    }
+    LimitRow row{limit_of(entry, entry.range.minimum), limit_of(entry, entry.range.maximum)};
+    if (entry.range.zero) {
+        row.minimum.kind = LimitKind::value_or_zero;
+    }
+    if (!entry.range.values.empty()) {
+        row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed, limits), 0}, {LimitKind::none, 0U, 0}};
+    }
+    const auto found = std::find_if(rows.limits.begin(), rows.limits.end(), [&](const LimitRow& one) {
+        return limits == Limits::shared && same(one.minimum, row.minimum) && same(one.maximum, row.maximum);
+    });
+    const auto at = static_cast<std::uint16_t>(found - rows.limits.begin());
+    if (found == rows.limits.end()) {
+        rows.limits.push_back(row);
+    }
+    return at;
+}
+
+Service service_of(const Entry& entry) {
+    const auto& words = service_words();
+    const auto found = std::find(words.begin(), words.end(), entry.service);
+    return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
+}
+
+/// The objects in slots by this factor, and the length of the longest search.
+std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<ObjectRow>& objects, std::size_t count,
+                                                              std::uint32_t factor) {
+    std::vector<std::uint16_t> slots(count, no_object);
+    std::size_t longest = 0;
+    for (std::size_t at = 0; at < objects.size(); ++at) {
+        std::size_t slot = object_slot(objects[at].index, factor, count);
+        std::size_t steps = 1;
+        while (slots[slot] != no_object) {
+            slot = (slot + 1) % count;
+            ++steps;
+        }
+        slots[slot] = static_cast<std::uint16_t>(at);
+        longest = std::max(longest, steps);
+    }
+    return {slots, longest};
+}
+
+/// Slots for at least twice as many objects, by the factor of a few hundred whose longest search is the shortest.
+void find_slots(DictionaryRows& rows) {
+    std::size_t count = 2;
+    while (count < 2 * rows.objects.size()) {
+        count *= 2;
+    }
+    std::size_t best = rows.objects.size() + 1;
+    std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads neighbours
+    for (int attempt = 0; attempt < 300; ++attempt) {
+        auto [slots, longest] = fill_slots(rows.objects, count, factor);
+        if (longest < best) {
+            best = longest;
+            rows.slots = std::move(slots);
+            rows.slot_factor = factor;
+        }
+        factor = factor * 1664525U + 1013904223U;
+    }
+}
+
+}  // namespace
+
+DataType data_type(const std::string& cia_type) {
+    static const std::map<std::string, DataType> types{{"BOOLEAN", DataType::boolean},
+                                                       {"INTEGER8", DataType::integer8},
+                                                       {"INTEGER16", DataType::integer16},
+                                                       {"INTEGER32", DataType::integer32},
+                                                       {"INTEGER64", DataType::integer64},
+                                                       {"UNSIGNED8", DataType::unsigned8},
+                                                       {"UNSIGNED16", DataType::unsigned16},
+                                                       {"UNSIGNED32", DataType::unsigned32},
+                                                       {"UNSIGNED64", DataType::unsigned64},
+                                                       {"REAL32", DataType::real32},
+                                                       {"REAL64", DataType::real64},
+                                                       {"VISIBLE_STRING", DataType::visible_string},
+                                                       {"OCTET_STRING", DataType::octet_string},
+                                                       {"DOMAIN", DataType::domain}};
+    return types.at(cia_type);
+}
+
+const std::vector<std::string>& service_words() {
+    static const std::vector<std::string> words{"none", "sync",  "emcy", "heartbeat",       "guarding",
+                                                "pdo",  "store", "nmt",  "error_behaviour", "program",
+                                                "lss",  "device"};
+    return words;
+}
+
+DictionaryTables DictionaryRows::tables() const {
+    return DictionaryTables{table_view(objects),
+                            table_view(entries),
+                            table_view(limits),
+                            table_view(allowed),
+                            table_view(layout.constants),
+                            table_view(layout.image),
+                            layout.fingerprint,
+                            table_view(slots),
+                            slot_factor};
+}
+
+DictionaryRows make_rows(const Part& part, Limits limits) {
+    DictionaryRows rows;
+    rows.layout = make_layout(part);
+    for (std::size_t o = 0; o < part.objects.size(); ++o) {
+        const Object& object = part.objects[o];
+        rows.objects.push_back(ObjectRow{object.index, static_cast<std::uint16_t>(rows.entries.size()),
+                                         static_cast<std::uint8_t>(object.entries.size()),
+                                         static_cast<ObjectKind>(object.kind)});
+        for (std::size_t e = 0; e < object.entries.size(); ++e) {
+            const Entry& entry = object.entries[e];
+            const Placement& place = rows.layout.placements[o][e];
+            rows.entries.push_back(EntryRow{place.offset, place.size, limit_row_for(entry, rows, limits),
+                                            entry.subindex, data_type(entry.type), rights_of(entry, place.constant),
+                                            service_of(entry)});
+        }
+    }
+    find_slots(rows);
+    return rows;
+}
+
+}  // namespace canproof::host

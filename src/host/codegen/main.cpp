@@ -1,0 +1,34 @@
+// speccompiler --spec DIR --out DIR: checks the register and writes the C++ tables. Run by the build.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "host/codegen/writers.hpp"
+
+int main(int argc, char** argv) {
+    using namespace canproof::host;
+    CLI::App app{"Compiles the register in spec/ to C++ tables"};
+    std::string spec;
+    std::string out;
+    app.add_option("--spec", spec, "folder of the register")->required()->check(CLI::ExistingDirectory);
+    app.add_option("--out", out, "folder to write to")->required();
+    bool changeable = false;
+    app.add_flag("--changeable", changeable, "cells that a running program can alter, and the list of alterations");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        const SpecFiles files = read_spec_files(spec);
+        const LoadResult loaded = load_register(files);
+        for (const auto& fault : loaded.faults) {
+            std::cerr << fault.text() << '\n';
+        }
+        if (!loaded.faults.empty()) {
+            std::cerr << loaded.faults.size() + loaded.faults.left_out()
+                      << " fault(s) in the register; nothing written\n";
+            return 1;
+        }
+        write_all(loaded.content, files, out, changeable ? Cells::changeable : Cells::constant);
+    } catch (const std::exception& error) {
+        std::cerr << "speccompiler: " << error.what() << '\n';
+        return 2;
+    }
+    return 0;
+}

@@ -1,0 +1,44 @@
+#include <fstream>
+#include <sstream>
+
+#include "host/base/replace_file.hpp"
+#include "host/codegen/writers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A file that keeps its text keeps its time stamp: nothing is compiled again for nothing.
+void write_if_changed(const std::filesystem::path& path, const std::string& text) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream old;
+    old << in.rdbuf();
+    if (in.is_open() && old.str() == text) {
+        return;
+    }
+    std::filesystem::create_directories(path.parent_path());
+    replace_file(path, text);
+}
+
+}  // namespace
+
+void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out, Cells cells) {
+    write_if_changed(out / "embedded_spec.cpp", write_embedded(files));
+    if (cells == Cells::changeable) {
+        write_if_changed(out / "alterations.cpp", write_alterations(content));
+    }
+    for (const auto& part : content.parts) {
+        const auto folder = out / part.cpp_name();
+        write_if_changed(folder / "requirements.hpp", write_requirements(content, part));
+        write_if_changed(folder / "constants.hpp", write_constants(part, cells));
+        write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
+        write_if_changed(folder / "tables.hpp", write_tables(content, part, cells));
+        if (part.is_device()) {
+            write_if_changed(folder / "objects.hpp", write_objects(part, cells));
+            write_if_changed(folder / "signals.hpp", write_signals(part));
+            write_if_changed(folder / (part.name + ".eds"), write_eds(content, part));
+        }
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/codegen/writers.hpp"
+#include "host/register/toml_item.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Compilers limit the length of a string literal; the pieces are joined at run time.
+constexpr std::size_t longest_piece = 8000;
+
+/// End of the piece that begins at `at`: after a line end, so that no character is cut in two.
+std::size_t piece_end(const std::string& body, std::size_t at) {
+    if (body.size() - at <= longest_piece) {
+        return body.size();
+    }
+    const auto line_end = body.rfind('\n', at + longest_piece - 1);
+    if (line_end != std::string::npos && line_end >= at) {
+        return line_end + 1;
+    }
+    std::size_t end = at + longest_piece;
+    while (end > at && (static_cast<unsigned char>(body[end]) & 0xC0U) == 0x80U) {
+        --end;  // the middle of a UTF-8 character
+    }
+    return end;
+}
+
+/// Why something was decided and who read it: the audit and its pages take that from spec/ itself, and it is half the
+/// register.
+bool is_background(const std::string& path, const std::string& body) {
+    const toml::table root = toml::parse(body, path);
+    return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {
+        return item.first == "decision" || item.first == "review";
+    });
+}
+
+}  // namespace
+
+std::string write_embedded(const SpecFiles& files) {
+    std::string text =
+        "// Written by canproof's speccompiler: the register's own files, for a program without a folder beside it; "
+        "decisions and reviews are left out.\n"
+        "#include \"host/register/embedded_spec.hpp\"\n\nnamespace canproof::host {\n\n"
+        "const SpecFiles& embedded_spec() {\n    static const SpecFiles files{\n";
+    for (const auto& [path, body] : files) {
+        if (is_background(path, body)) {
+            continue;
+        }
+        text += fmt::format("        {{\"{}\", std::string{{}}", path);
+        for (std::size_t at = 0; at < body.size();) {
+            const std::size_t end = piece_end(body, at);
+            text += fmt::format(" +\n            std::string{{R\"~~~~({})~~~~\"}}", body.substr(at, end - at));
+            at = end;
+        }
+        text += "},\n";
+    }
+    return text + "    };\n    return files;\n}\n\n}  // namespace canproof::host\n";
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "host/codegen/writers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string id_type(const Item& item, const std::string& word) {
+    std::string name = item.id;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return fmt::format(
+        "struct {} {{ static constexpr bool in_force = true; static constexpr const char* id = \"{}\"; }};  // {} in "
+        "{}\n",
+        name, item.id, word, item.place.file);
+}
+
+}  // namespace
+
+std::string write_requirements(const Register& content, const Part& part) {
+    std::string text =
+        "// Written by canproof's speccompiler from spec/: every id of this part in force as a type, for implements<> "
+        "and\n"
+        "// verifies<>. Retired ids are not here.\n#pragma once\n\nnamespace canproof::req {\n\n";
+    std::set<std::string> retired;
+    for (const Requirement& requirement : part.requirements) {
+        if (!requirement.retired.empty()) {
+            retired.insert(requirement.id);
+        }
+    }
+    content.for_each_item(part, [&](const Item& item, const char* word) {
+        if (retired.count(item.id) == 0) {
+            text += id_type(item, word);
+        }
+    });
+    for (const Decision& decision : part.decisions) {
+        text += id_type(decision, "decision");
+    }
+    return text + "\n}  // namespace canproof::req\n";
+}
+
+}  // namespace canproof::host

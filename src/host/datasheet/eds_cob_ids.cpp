@@ -1,0 +1,68 @@
+#include "host/datasheet/eds_cob_ids.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::int64_t does_not_exist = 0x80000000;
+constexpr std::int64_t identifier = 0x1FFFFFFF;
+
+struct CobId {
+    std::int64_t base;
+    bool node_id;
+};
+
+/// The four PDOs of one direction that have a place in the pre-defined connection set, by their first object.
+CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
+    constexpr unsigned predefined = 4;
+    const unsigned number = index - first;
+    return number < predefined ? CobId{base + std::int64_t{0x100} * number, true} : CobId{does_not_exist, false};
+}
+
+/// CiA 301, 7.3.5 and 7.5.2
+std::optional<CobId> usual(unsigned index, unsigned subindex) {
+    if (index == 0x1005 && subindex == 0) {
+        return CobId{0x80, false};
+    }
+    if (index == 0x100E && subindex == 0) {
+        return CobId{0x700, true};
+    }
+    if (index == 0x1014 && subindex == 0) {
+        return CobId{0x80, true};
+    }
+    if (index >= 0x1400 && index <= 0x15FF && subindex == 1) {
+        return of_pdo(index, 0x1400, 0x200);
+    }
+    if (index >= 0x1800 && index <= 0x19FF && subindex == 1) {
+        return of_pdo(index, 0x1800, 0x180);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void mend_cob_ids(Part& part, const EdsTelling& tell) {
+    for (Object& object : part.objects) {
+        for (Entry& entry : object.entries) {
+            const auto right = usual(object.index, entry.subindex);
+            const auto* value = std::get_if<std::int64_t>(&entry.value);
+            const bool is_zero = entry.type == "UNSIGNED32" && value != nullptr && !entry.node_id &&
+                                 (*value & (identifier | does_not_exist)) == 0;
+            if (!right || !is_zero) {
+                continue;
+            }
+            entry.value = right->base;
+            entry.node_id = right->node_id;
+            tell.note(
+                entry.default_place.line,
+                fmt::format("COB-ID of {:04X}h:{} is 0, which is that of NMT commands", object.index, entry.subindex),
+                fmt::format("{}0x{:X} is assumed", right->node_id ? "$NODEID+" : "", right->base));
+        }
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,12 @@
+// COB-IDs that a data sheet leaves at 0, which is the identifier of NMT commands.
+#pragma once
+
+#include "host/datasheet/ini.hpp"
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// Puts those of CiA 301's pre-defined connection set there, each with a note; PDOs beyond it do not exist.
+void mend_cob_ids(Part& part, const EdsTelling& tell);
+
+}  // namespace canproof::host

@@ -1,0 +1,262 @@
+#include "host/datasheet/eds_entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/datasheet/eds_numbers.hpp"
+#include "host/register/literals.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Room of a string that can be written, when its default is shorter.
+constexpr std::size_t string_room = 64;
+constexpr std::size_t longest_string = 4096;
+
+struct TypeRow {
+    unsigned number;
+    const char* word;
+    std::size_t octets;  ///< of a type that is carried as octets; 0: it has a word of its own
+};
+
+/// CiA 301, Table 44. Types that no service calculates with are carried as what they are on the bus: octets.
+constexpr std::array<TypeRow, 25> type_rows{{{0x01, "BOOLEAN", 0},
+                                             {0x02, "INTEGER8", 0},
+                                             {0x03, "INTEGER16", 0},
+                                             {0x04, "INTEGER32", 0},
+                                             {0x05, "UNSIGNED8", 0},
+                                             {0x06, "UNSIGNED16", 0},
+                                             {0x07, "UNSIGNED32", 0},
+                                             {0x08, "REAL32", 0},
+                                             {0x09, "VISIBLE_STRING", 0},
+                                             {0x0A, "OCTET_STRING", 0},
+                                             {0x0B, "OCTET_STRING", string_room},
+                                             {0x0C, "OCTET_STRING", 6},
+                                             {0x0D, "OCTET_STRING", 6},
+                                             {0x0F, "DOMAIN", 0},
+                                             {0x10, "OCTET_STRING", 3},
+                                             {0x11, "REAL64", 0},
+                                             {0x12, "OCTET_STRING", 5},
+                                             {0x13, "OCTET_STRING", 6},
+                                             {0x14, "OCTET_STRING", 7},
+                                             {0x15, "INTEGER64", 0},
+                                             {0x16, "OCTET_STRING", 3},
+                                             {0x18, "OCTET_STRING", 5},
+                                             {0x19, "OCTET_STRING", 6},
+                                             {0x1A, "OCTET_STRING", 7},
+                                             {0x1B, "UNSIGNED64", 0}}};
+
+const TypeRow* type_row(unsigned number) {
+    const auto found =
+        std::find_if(type_rows.begin(), type_rows.end(), [number](const TypeRow& row) { return row.number == number; });
+    return found == type_rows.end() ? nullptr : &*found;
+}
+
+Place place_of(const EdsTelling& tell, unsigned line) {
+    return {tell.file, line};
+}
+
+/// Of an entry without a number of a type: its word, or what its sub-index and its value say.
+std::string assumed_type(const IniSection& section, const std::string& word, bool is_counter) {
+    const auto named =
+        std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
+    if (named != type_rows.end()) {
+        return word;
+    }
+    if (is_counter) {
+        return "UNSIGNED8";
+    }
+    const IniValue* value = section.filled("DefaultValue");
+    if (value == nullptr) {
+        return "UNSIGNED32";
+    }
+    const auto term = split_node_id(value->text);
+    const auto number = term ? eds_value(term->rest, "INTEGER64") : std::nullopt;
+    const bool negative = number && std::get<std::int64_t>(*number) < 0;
+    return !number ? "VISIBLE_STRING" : negative ? "INTEGER32" : "UNSIGNED32";
+}
+
+void read_type(Entry& entry, const IniSection& section, bool is_counter, const EdsTelling& tell) {
+    const IniValue* object_type = section.filled("ObjectType");
+    const IniValue* given = section.filled("DataType");
+    if (given == nullptr && object_type != nullptr && eds_unsigned(object_type->text) == std::uint64_t{2}) {
+        entry.type = "DOMAIN";
+        return;
+    }
+    const auto number = given == nullptr ? std::nullopt : eds_unsigned(given->text);
+    if (!number) {
+        entry.type = assumed_type(section, given == nullptr ? "" : given->text, is_counter);
+        tell.note(given == nullptr ? section.line : given->line,
+                  given == nullptr ? fmt::format("[{}] has no DataType", section.name)
+                                   : fmt::format("DataType {} is no number", given->text),
+                  fmt::format("{} is assumed", entry.type));
+        return;
+    }
+    const TypeRow* row = *number <= 0xFFFFU ? type_row(static_cast<unsigned>(*number)) : nullptr;
+    entry.type = row == nullptr ? "OCTET_STRING" : row->word;
+    entry.length = row == nullptr ? string_room : row->octets;
+    if (entry.length != 0) {
+        tell.note(given->line, fmt::format("DataType {} is carried as {} octets", given->text, entry.length),
+                  "its bytes are not interpreted");
+    }
+}
+
+/// CiA 306: rwr and rww are read and written by SDO, and carried by a transmit or receive PDO only.
+void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell) {
+    const IniValue* given = section.filled("AccessType");
+    const std::string word = given == nullptr ? "" : lower_case(given->text);
+    if (word.empty() && entry.type == "DOMAIN") {
+        entry.access = "rw";  // CiA 306 lets a DOMAIN go without
+        return;
+    }
+    for (const char* known : {"ro", "wo", "rw", "rwr", "rww", "const"}) {
+        if (word == known) {
+            entry.access = word.substr(0, word == "const" ? 5 : 2);
+        }
+    }
+    if (entry.access.empty()) {
+        entry.access = "rw";
+        tell.note(given == nullptr ? section.line : given->line,
+                  given == nullptr ? fmt::format("[{}] has no AccessType", section.name)
+                                   : fmt::format("AccessType {} is unknown", given->text),
+                  "rw is assumed");
+    }
+    const IniValue* mapping = section.filled("PDOMapping");
+    const auto mapped = mapping == nullptr ? std::optional<std::uint64_t>{0} : eds_unsigned(mapping->text);
+    if (!mapped || *mapped > 1U) {
+        tell.note(mapping->line, fmt::format("PDOMapping {} is neither 0 nor 1", mapping->text),
+                  fmt::format("{} is assumed", mapped ? 1 : 0));
+    }
+    if (mapped.value_or(0U) != 0U) {
+        const bool both = entry.access == "rw" && word != "rwr" && word != "rww";
+        entry.mapping = both ? "both" : word == "wo" || word == "rww" ? "rpdo" : "tpdo";
+    }
+}
+
+Limit read_limit(const Entry& entry, const IniSection& section, const char* key, const EdsTelling& tell) {
+    Limit limit;
+    const IniValue* given = section.filled(key);
+    if (given == nullptr) {
+        return limit;
+    }
+    const bool kept = type_size(entry.type) > 0 && type_size(entry.type) <= 4;
+    const auto value = kept ? eds_value(given->text, entry.type) : std::nullopt;
+    if (!kept) {
+        tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
+                  "every value of the type is taken");
+    } else if (!value) {
+        tell.note(given->line, fmt::format("{} {} is no value of {}", key, given->text, entry.type),
+                  "the type alone limits the value");
+    } else {
+        limit.kind = Limit::Kind::number;
+        limit.number = *value;
+        limit.place = place_of(tell, given->line);
+    }
+    return limit;
+}
+
+void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell) {
+    Range& range = entry.range;
+    range.minimum = read_limit(entry, section, "LowLimit", tell);
+    range.maximum = read_limit(entry, section, "HighLimit", tell);
+    range.place = place_of(tell, section.line);
+    const auto low = number_of(range.minimum.number);
+    const auto high = number_of(range.maximum.number);
+    if (low && high && *low > *high) {
+        tell.note(range.minimum.place.line,
+                  fmt::format("LowLimit {} lies above HighLimit {}", to_text(range.minimum.number),
+                              to_text(range.maximum.number)),
+                  "the type alone limits the value");
+        range.minimum = Limit{};
+        range.maximum = Limit{};
+        return;
+    }
+    const auto value = entry.node_id ? std::nullopt : number_of(entry.value);
+    if (value && ((low && *value < *low) || (high && *value > *high))) {
+        tell.note(entry.default_place.line, fmt::format("value {} lies outside its limits", to_text(entry.value)),
+                  "the device starts with it; a write of it is refused");
+    }
+}
+
+void set_empty_value(Entry& entry) {
+    if (is_string_type(entry.type)) {
+        entry.value = std::string{};
+    } else if (entry.type == "BOOLEAN") {
+        entry.value = false;
+    } else if (is_real_type(entry.type)) {
+        entry.value = 0.0;
+    } else if (entry.type != "DOMAIN") {
+        entry.value = std::int64_t{0};
+    }
+}
+
+void set_string(Entry& entry, const IniValue& given, const EdsTelling& tell) {
+    std::string text = given.text;
+    if (entry.type == "OCTET_STRING") {
+        text = eds_octets(given.text).value_or(given.text);
+    }
+    if (text.size() > longest_string) {
+        tell.note(given.line, fmt::format("text has {} characters", text.size()),
+                  fmt::format("the first {} are taken", longest_string));
+        text.resize(longest_string);
+    }
+    entry.value = text;
+}
+
+void set_length(Entry& entry) {
+    if (!is_string_type(entry.type)) {
+        return;
+    }
+    const std::size_t used = std::get<std::string>(entry.value).size();
+    const bool written = entry.access == "rw" || entry.access == "wo";
+    const std::size_t room = entry.length != 0 ? entry.length : written ? string_room : 1U;
+    entry.length = std::max(used, room);
+}
+
+}  // namespace
+
+void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) {
+    entry.default_place = place_of(tell, given.line);
+    if (entry.type == "DOMAIN") {
+        return;
+    }
+    if (is_string_type(entry.type)) {
+        set_string(entry, given, tell);
+        return;
+    }
+    const auto term = split_node_id(given.text);
+    const auto value = term ? eds_value(term->rest, entry.type) : std::nullopt;
+    const bool integer = integer_limits(entry.type).has_value() && entry.type != "BOOLEAN";
+    if (!value || (term->has_node_id && !integer)) {
+        tell.note(given.line, fmt::format("value {} is none of {}", given.text, entry.type),
+                  fmt::format("{} is assumed", to_text(entry.value)));
+        return;
+    }
+    entry.value = *value;
+    entry.node_id = term->has_node_id;
+}
+
+Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, bool is_counter, const EdsTelling& tell) {
+    Entry entry;
+    entry.subindex = subindex;
+    entry.place = place_of(tell, section.line);
+    entry.default_place = entry.place;
+    const IniValue* name = section.filled("ParameterName");
+    entry.name = name == nullptr ? section.name : name->text;
+    read_type(entry, section, is_counter, tell);
+    read_access(entry, section, tell);
+    set_empty_value(entry);
+    const IniValue* configured = section.filled("ParameterValue");
+    const IniValue* value = configured != nullptr ? configured : section.filled("DefaultValue");
+    if (value != nullptr) {
+        set_eds_value(entry, *value, tell);
+    }
+    read_limits(entry, section, tell);
+    set_length(entry);
+    return entry;
+}
+
+}  // namespace canproof::host

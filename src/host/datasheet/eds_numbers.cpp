@@ -1,0 +1,159 @@
+#include "host/datasheet/eds_numbers.hpp"
+
+#include <cfloat>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "host/datasheet/ini.hpp"
+#include "host/register/literals.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr const char* node_id_word = "$nodeid";
+
+std::string without_blanks(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c != ' ' && c != '\t') {
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::optional<unsigned> digit_of(char c, unsigned base) {
+    const unsigned digit = c >= '0' && c <= '9'   ? static_cast<unsigned>(c - '0')
+                           : c >= 'a' && c <= 'f' ? static_cast<unsigned>(c - 'a') + 10U
+                                                  : 16U;
+    return digit < base ? std::optional{digit} : std::nullopt;
+}
+
+bool is_hexadecimal(const std::string& text) {
+    return text.rfind("0x", 0) == 0;
+}
+
+/// 10u, 0x10UL: how C spells the type of a number says nothing here.
+std::string without_suffix(const std::string& lower) {
+    const auto last = lower.find_last_not_of("ul");
+    return last == std::string::npos ? lower : lower.substr(0, last + 1);
+}
+
+std::optional<Value> real_value(const std::string& text, const std::string& type) {
+    if (is_hexadecimal(text)) {
+        const auto bits = eds_unsigned(text);
+        if (!bits || (type == "REAL32" && *bits > UINT32_MAX)) {
+            return std::nullopt;
+        }
+        double value = 0.0;
+        if (type == "REAL32") {
+            const auto narrow_bits = static_cast<std::uint32_t>(*bits);
+            float narrow = 0.0F;
+            std::memcpy(&narrow, &narrow_bits, sizeof narrow);
+            value = double{narrow};
+        } else {
+            std::memcpy(&value, &*bits, sizeof value);
+        }
+        return std::isfinite(value) ? std::optional<Value>{value} : std::nullopt;
+    }
+    const std::string number = text.size() > 1 && text.back() == 'f' ? text.substr(0, text.size() - 1) : text;  // 1.5f
+    const bool plain = !number.empty() && number.find_first_not_of("0123456789.+-e") == std::string::npos;
+    char* end = nullptr;
+    const double value = plain ? std::strtod(number.c_str(), &end) : 0.0;
+    if (!plain || *end != '\0' || !std::isfinite(value) || (type == "REAL32" && std::abs(value) > double{FLT_MAX})) {
+        return std::nullopt;
+    }
+    return Value{value};
+}
+
+std::optional<Value> integer_value(const std::string& text, const std::string& type) {
+    const bool negative = !text.empty() && text.front() == '-';
+    const auto magnitude = eds_unsigned(negative ? text.substr(1) : text);
+    if (!magnitude) {
+        return std::nullopt;
+    }
+    if (type == "UNSIGNED64") {  // the register keeps its bits in a signed number
+        return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
+    }
+    const auto limits = integer_limits(type);
+    const std::size_t bits = 8U * type_size(type);
+    const bool pattern = !negative && is_hexadecimal(text) && limits && limits->first < 0;
+    if (pattern && *magnitude > static_cast<std::uint64_t>(limits->second) &&
+        (bits == 64U || (*magnitude >> bits) == 0U)) {
+        const std::uint64_t sign_extended = bits == 64U ? *magnitude : *magnitude | (~std::uint64_t{0} << bits);
+        return Value{static_cast<std::int64_t>(sign_extended)};
+    }
+    constexpr auto highest = static_cast<std::uint64_t>(INT64_MAX);
+    if (*magnitude > highest) {
+        const bool lowest = negative && *magnitude == highest + 1U && type == "INTEGER64";
+        return lowest ? std::optional<Value>{std::int64_t{INT64_MIN}} : std::nullopt;
+    }
+    const auto value = static_cast<std::int64_t>(*magnitude) * (negative ? -1 : 1);
+    return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> eds_unsigned(const std::string& text) {
+    const std::string lower = without_suffix(lower_case(text));
+    const bool octal = lower.size() > 1 && lower.front() == '0' && !is_hexadecimal(lower);
+    const unsigned base = is_hexadecimal(lower) ? 16U : octal ? 8U : 10U;
+    const std::string digits = is_hexadecimal(lower) ? lower.substr(2) : lower;
+    std::uint64_t value = 0;
+    for (const char c : digits) {
+        const auto digit = digit_of(c, base);
+        if (!digit || value > (UINT64_MAX - *digit) / base) {
+            return std::nullopt;
+        }
+        value = value * base + *digit;
+    }
+    return digits.empty() ? std::nullopt : std::optional{value};
+}
+
+std::optional<NodeIdTerm> split_node_id(const std::string& text) {
+    const std::string sum = lower_case(without_blanks(text));
+    const std::string word = node_id_word;
+    if (sum.find('$') == std::string::npos) {
+        return NodeIdTerm{text, false};
+    }
+    if (sum == word) {
+        return NodeIdTerm{"0", true};
+    }
+    if (sum.rfind(word + "+", 0) == 0) {
+        return NodeIdTerm{sum.substr(word.size() + 1), true};
+    }
+    const std::string tail = "+" + word;
+    if (sum.size() > tail.size() && sum.compare(sum.size() - tail.size(), tail.size(), tail) == 0) {
+        return NodeIdTerm{sum.substr(0, sum.size() - tail.size()), true};
+    }
+    return std::nullopt;
+}
+
+std::optional<Value> eds_value(const std::string& text, const std::string& type) {
+    const std::string number = lower_case(without_blanks(text));
+    if (type == "BOOLEAN") {
+        const auto truth = number == "true"    ? std::optional<std::uint64_t>{1}
+                           : number == "false" ? std::optional<std::uint64_t>{0}
+                                               : eds_unsigned(number);
+        return truth && *truth <= 1U ? std::optional<Value>{*truth == 1U} : std::nullopt;
+    }
+    return is_real_type(type) ? real_value(number, type) : integer_value(number, type);
+}
+
+std::optional<std::string> eds_octets(const std::string& text) {
+    const std::string digits = lower_case(without_blanks(text));
+    std::string out;
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+        const auto high = digit_of(digits[i], 16U);
+        const auto low = digit_of(digits[i + 1], 16U);
+        if (!high || !low) {
+            return std::nullopt;
+        }
+        out += static_cast<char>(static_cast<unsigned char>((*high << 4U) | *low));
+    }
+    return digits.size() % 2 == 0 ? std::optional{out} : std::nullopt;
+}
+
+}  // namespace canproof::host

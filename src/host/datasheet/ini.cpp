@@ -1,0 +1,148 @@
+#include "host/datasheet/ini.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace canproof::host {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+    const char* const blanks = " \t\r\v\f";
+    const auto first = text.find_first_not_of(blanks);
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool has_control(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](char c) {
+        const auto u = static_cast<unsigned char>(c);
+        return u < 0x20U && c != '\t';
+    });
+}
+
+class IniReader {
+  public:
+    explicit IniReader(const EdsTelling& tell) : tell_{tell} {}
+
+    void read_line(const std::string& raw) {
+        ++line_;
+        if (raw.size() > longest_ini_line) {
+            strange(fmt::format("line has more than {} characters", longest_ini_line));
+            return;
+        }
+        const std::string text = trimmed(raw);
+        if (text.empty() || text.front() == ';' || text.front() == '#') {
+            return;
+        }
+        if (has_control(text)) {
+            strange("line holds control characters");
+        } else if (text.front() == '[') {
+            open_section(text);
+        } else {
+            add_value(text);
+        }
+    }
+    bool is_strange() const { return strange_ > most_strange_lines; }
+    IniFile take() { return std::move(file_); }
+
+  private:
+    void strange(std::string what) {
+        ++strange_;
+        tell_.note(line_, std::move(what), "it is passed over");
+    }
+
+    void open_section(const std::string& text) {
+        const auto close = text.find(']');
+        const std::string name = close == std::string::npos ? "" : trimmed(text.substr(1, close - 1));
+        if (name.empty()) {
+            ++strange_;
+            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)),
+                       "it is passed over with its lines");
+            section_ = nullptr;
+            skips_ = true;
+            return;
+        }
+        const std::string rest = trimmed(text.substr(close + 1));
+        if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
+            tell_.note(line_, fmt::format("`{}` stands behind the section", rest.substr(0, 40)), "it is passed over");
+        }
+        const auto [place, is_new] = file_.sections.emplace(lower_case(name), IniSection{name, line_, {}});
+        if (!is_new) {
+            tell_.note(line_, fmt::format("section [{}] stands already in line {}", name, place->second.line),
+                       "the two are taken as one");
+        }
+        skips_ = false;
+        section_ = &place->second;
+    }
+
+    void add_value(const std::string& text) {
+        const auto equals = text.find('=');
+        const std::string key = trimmed(text.substr(0, equals));
+        if (skips_) {
+            return;  // told with the section
+        }
+        if (equals == std::string::npos || key.empty()) {
+            strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
+        } else if (section_ == nullptr) {
+            strange(fmt::format("{} stands before the first section", key));
+        } else {
+            const auto [place, is_new] =
+                section_->values.emplace(lower_case(key), IniValue{trimmed(text.substr(equals + 1)), line_});
+            if (!is_new) {
+                tell_.note(line_, fmt::format("{} stands already in line {}", key, place->second.line),
+                           "the first counts");
+            }
+        }
+    }
+
+    const EdsTelling& tell_;
+    IniFile file_;
+    IniSection* section_{nullptr};
+    bool skips_{false};  ///< below what is no section
+    std::size_t strange_{0};
+    unsigned line_{0};
+};
+
+}  // namespace
+
+std::string lower_case(const std::string& text) {
+    std::string out = text;
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return out;
+}
+
+const IniValue* IniSection::find(const std::string& key) const {
+    const auto found = values.find(lower_case(key));
+    return found == values.end() ? nullptr : &found->second;
+}
+
+const IniValue* IniSection::filled(const std::string& key) const {
+    const IniValue* found = find(key);
+    return found == nullptr || found->text.empty() ? nullptr : found;
+}
+
+const IniSection* IniFile::find(const std::string& name) const {
+    const auto found = sections.find(lower_case(name));
+    return found == sections.end() ? nullptr : &found->second;
+}
+
+IniFile read_ini(const std::string& text, const EdsTelling& tell) {
+    IniReader reader{tell};
+    const bool marked = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
+    for (std::size_t at = marked ? 3 : 0; at < text.size() && !reader.is_strange();) {
+        const auto end = std::min(text.find('\n', at), text.size());
+        reader.read_line(text.substr(at, end - at));
+        at = end + 1;
+    }
+    if (reader.is_strange()) {
+        tell.fault(1, fmt::format("more than {} lines are neither [Section] nor Key=Value", most_strange_lines),
+                   "name an EDS, DCF or XDD file");
+        return {};
+    }
+    return reader.take();
+}
+
+}  // namespace canproof::host

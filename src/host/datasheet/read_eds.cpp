@@ -1,0 +1,383 @@
+#include "host/datasheet/read_eds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "host/datasheet/eds_cob_ids.hpp"
+#include "host/datasheet/eds_entry.hpp"
+#include "host/datasheet/eds_numbers.hpp"
+#include "host/datasheet/eds_services.hpp"
+#include "host/datasheet/read_xdd.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::uint16_t first_object = 0x1000;  // below lie data types, which are no objects of a device
+constexpr unsigned highest_subindex = 0xFE;
+/// What the rows of a dictionary can count: 16 bits for entries and for bytes of values.
+constexpr std::size_t most_entries = 0xFFFF;
+constexpr std::size_t most_bytes = 0xFFFF;
+
+std::string index_text(std::uint16_t index) {
+    return fmt::format("{:04X}", index);
+}
+
+class EdsReader {
+  public:
+    EdsReader(const std::string& text, const std::string& name)
+        : file_{name},
+          tell_{file_, result_.faults, result_.notes},
+          ini_{is_xml(text) ? read_xdd(text, tell_) : read_ini(text, tell_)} {}
+
+    EdsResult read() {
+        Part& part = result_.part;
+        part.name = std::filesystem::path{file_}.stem().string();
+        part.prefix = "EDS";
+        part.has_device_file = true;
+        if (!result_.faults.empty()) {
+            return std::move(result_);
+        }
+        read_device_info();
+        find_sub_sections();
+        for (const char* list : {"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"}) {
+            read_list(list);
+        }
+        read_unlisted();
+        std::sort(part.objects.begin(), part.objects.end(),
+                  [](const Object& a, const Object& b) { return a.index < b.index; });
+        check_whole();
+        read_commissioning();
+        mend_cob_ids(part, tell_);
+        assign_services(part);
+        for (Faults* all : {&result_.faults, &result_.notes}) {
+            std::sort(all->begin(), all->end(), [](const Fault& a, const Fault& b) {
+                return std::tie(a.place.line, a.what) < std::tie(b.place.line, b.what);
+            });
+        }
+        return std::move(result_);
+    }
+
+  private:
+    std::string text_of(const IniSection* section, const char* key) const {
+        const IniValue* value = section == nullptr ? nullptr : section->filled(key);
+        return value == nullptr ? "" : value->text;
+    }
+
+    bool flag_of(const IniSection* section, const char* key) const {
+        const IniValue* value = section == nullptr ? nullptr : section->filled(key);
+        const auto number = value == nullptr ? std::optional<std::uint64_t>{0} : eds_unsigned(value->text);
+        if (!number || *number > 1U) {
+            tell_.note(value->line, fmt::format("{} {} is neither 0 nor 1", key, value->text),
+                       fmt::format("{} is assumed", number ? 1 : 0));
+        }
+        return number.value_or(0U) != 0U;
+    }
+
+    void read_device_info() {
+        constexpr std::array<int, 8> rates{10, 20, 50, 125, 250, 500, 800, 1000};
+        const IniSection* section = ini_.find("DeviceInfo");
+        if (section == nullptr) {
+            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS are taken as not given");
+        }
+        DeviceInfo& info = result_.part.info;
+        info.title = text_of(section, "ProductName");
+        info.vendor = text_of(section, "VendorName");
+        const std::string order = text_of(section, "OrderCode");
+        if (!order.empty()) {
+            info.part_numbers = {order};
+        }
+        for (const int rate : rates) {
+            if (flag_of(section, fmt::format("BaudRate_{}", rate).c_str())) {
+                info.bit_rates.push_back(std::int64_t{rate} * 1000);
+            }
+        }
+        info.lss = flag_of(section, "LSS_Supported");
+        info.block_sdo = true;
+        info.node_id = 1;
+        constexpr std::int64_t usual = 125000;
+        const bool offers_usual = std::count(info.bit_rates.begin(), info.bit_rates.end(), usual) > 0;
+        info.bit_rate = info.bit_rates.empty() || offers_usual ? usual : info.bit_rates.front();
+    }
+
+    /// A DCF says which node it configures; CiA 306 spells the section with one m.
+    void read_commissioning() {
+        for (const char* name : {"DeviceComissioning", "DeviceCommissioning"}) {
+            const IniSection* section = ini_.find(name);
+            if (section == nullptr) {
+                continue;
+            }
+            DeviceInfo& info = result_.part.info;
+            info.node_id =
+                static_cast<int>(number_in(*section, "NodeID", 1, 127, static_cast<std::uint64_t>(info.node_id)));
+            info.bit_rate = static_cast<std::int64_t>(number_in(*section, "BaudRate", 10, 1000,
+                                                                static_cast<std::uint64_t>(info.bit_rate / 1000))) *
+                            1000;
+        }
+    }
+
+    std::uint64_t number_in(const IniSection& section, const char* key, std::uint64_t low, std::uint64_t high,
+                            std::uint64_t otherwise) const {
+        const IniValue* value = section.filled(key);
+        if (value == nullptr) {
+            return otherwise;
+        }
+        const auto number = eds_unsigned(value->text);
+        if (!number || *number < low || *number > high) {
+            tell_.note(value->line, fmt::format("{} {} is no number from {} to {}", key, value->text, low, high),
+                       fmt::format("{} is assumed", otherwise));
+            return otherwise;
+        }
+        return *number;
+    }
+
+    /// [1018sub1] and the like, by index and sub-index.
+    void find_sub_sections() {
+        for (const auto& [name, section] : ini_.sections) {
+            const auto sub = name.find("sub");
+            if (sub == std::string::npos || sub == 0) {
+                continue;
+            }
+            const auto index = eds_unsigned("0x" + name.substr(0, sub));
+            const auto number = eds_unsigned("0x" + name.substr(sub + 3));
+            if (index && number && *index <= 0xFFFFU && name.substr(0, sub).size() <= 4 &&
+                *number <= highest_subindex) {
+                const IniSection*& first =
+                    subs_[static_cast<std::uint16_t>(*index)][static_cast<std::uint8_t>(*number)];
+                if (first == nullptr) {
+                    first = &section;
+                    continue;
+                }
+                const IniSection& later = first->line < section.line ? section : *first;
+                first = first->line < section.line ? first : &section;
+                tell_.note(later.line, fmt::format("[{}] describes the same entry as [{}]", later.name, first->name),
+                           "the first counts");
+            }
+        }
+    }
+
+    void read_list(const char* name) {
+        const IniSection* list = ini_.find(name);
+        if (list == nullptr) {
+            return;
+        }
+        std::size_t listed = 0;
+        std::uint64_t said = 0;
+        for (const auto& [key, value] : list->values) {
+            if (key == "supportedobjects") {
+                said = eds_unsigned(value.text).value_or(UINT64_MAX);
+                continue;
+            }
+            ++listed;
+            const auto index = eds_unsigned(value.text);
+            if (!index || *index > 0xFFFFU || *index == 0) {
+                tell_.note(value.line, fmt::format("{} is no index", value.text), "it is passed over");
+            } else if (*index >= first_object) {
+                read_object(static_cast<std::uint16_t>(*index), value.line);
+            }
+        }
+        if (said != listed) {
+            tell_.note(list->line,
+                       fmt::format("[{}] lists {} object(s), not as many as SupportedObjects says", name, listed),
+                       "those that are listed are taken");
+        }
+    }
+
+    void read_object(std::uint16_t index, unsigned listed_in) {
+        const IniSection* section = ini_.find(index_text(index));
+        if (section == nullptr) {
+            tell_.note(listed_in, fmt::format("object {:04X}h is listed but not described", index),
+                       "it does not exist");
+            return;
+        }
+        if (entries_ > most_entries) {
+            return;  // told in check_whole()
+        }
+        if (!seen_.emplace(index, listed_in).second) {
+            tell_.note(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
+                       "it exists once");
+            return;
+        }
+        Object object;
+        object.index = index;
+        object.id = fmt::format("EDS-OD-{:04X}", index);
+        object.place = Place{file_, section->line};
+        object.name = text_of(section, "ParameterName");
+        if (object.name.empty()) {
+            object.name = fmt::format("Object {:04X}h", index);
+            tell_.note(section->line, fmt::format("[{}] has no ParameterName", section->name),
+                       "it is called by its index");
+        }
+        read_entries(object, *section);
+        entries_ += object.entries.size();
+        if (entries_ <= most_entries && !object.entries.empty()) {
+            result_.part.objects.push_back(std::move(object));
+        }
+    }
+
+    /// What the lists forget exists all the same.
+    void read_unlisted() {
+        for (const auto& [name, section] : ini_.sections) {
+            const auto index = name.size() == 4 ? eds_unsigned("0x" + name) : std::nullopt;
+            if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
+                tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
+                           "the object exists");
+                read_object(static_cast<std::uint16_t>(*index), section.line);
+            }
+        }
+    }
+
+    /// CiA 306 takes an object without ObjectType for a VAR.
+    std::uint64_t object_type(const Object& object, const IniSection& section, bool has_subs) const {
+        const IniValue* given = section.filled("ObjectType");
+        const auto code = given == nullptr ? std::optional<std::uint64_t>{7} : eds_unsigned(given->text);
+        const bool has_type = section.filled("DataType") != nullptr;
+        const bool single = code == std::uint64_t{2} || code == std::uint64_t{7};
+        const bool several = code == std::uint64_t{8} || code == std::uint64_t{9};
+        const bool none = code == std::uint64_t{0} || code == std::uint64_t{5} || code == std::uint64_t{6};
+        if (none || (several && (has_subs || section.filled("CompactSubObj") != nullptr)) ||
+            (single && (has_type || !has_subs))) {
+            return *code;
+        }
+        const std::string what = single    ? fmt::format("[{}] is a single value without DataType", section.name)
+                                 : several ? fmt::format("[{}] has no sub-objects", section.name)
+                                           : fmt::format("ObjectType {} is unknown", given->text);
+        tell_.note(given == nullptr ? section.line : given->line, what,
+                   has_subs   ? "a RECORD of its sub-objects is assumed"
+                   : has_type ? "a VAR is assumed"
+                              : fmt::format("object {:04X}h does not exist", object.index));
+        return has_subs ? 9U : has_type ? 7U : 0U;
+    }
+
+    void read_entries(Object& object, const IniSection& section) {
+        const bool has_subs = subs_.count(object.index) != 0;
+        const std::uint64_t code = object_type(object, section, has_subs);
+        if (code == 2 || code == 7) {
+            object.kind = Object::Kind::var;
+            object.entries.push_back(read_eds_entry(section, 0, false, tell_));
+            object.entries.front().name = object.name;
+            if (has_subs) {
+                tell_.note(section.line, fmt::format("[{}] is a single value but has sub-objects", section.name),
+                           "they are passed over");
+            }
+        } else if (code == 8 || code == 9) {
+            object.kind = code == 8 ? Object::Kind::array : Object::Kind::record;
+            const std::uint64_t compact = number_in(section, "CompactSubObj", 0, highest_subindex, 0);
+            if (compact != 0) {
+                add_compact(object, section, static_cast<unsigned>(compact));
+            }
+            if (has_subs) {
+                add_subs(object);
+            }
+            complete(object, section);
+        }
+    }
+
+    /// CompactSubObj: entries 1 to N are as the object itself says; names and values may stand in sections of their
+    /// own.
+    void add_compact(Object& object, const IniSection& section, unsigned count) {
+        const IniSection* names = ini_.find(index_text(object.index) + "Name");
+        const IniSection* values = ini_.find(index_text(object.index) + "Value");
+        const Entry pattern = read_eds_entry(section, 1, false, tell_);
+        for (unsigned sub = 1; sub <= count; ++sub) {
+            Entry entry = pattern;
+            entry.subindex = static_cast<std::uint8_t>(sub);
+            const IniValue* name = names == nullptr ? nullptr : names->filled(std::to_string(sub));
+            entry.name = name != nullptr ? name->text : fmt::format("{}{}", object.name, sub);
+            const IniValue* value = values == nullptr ? nullptr : values->filled(std::to_string(sub));
+            if (value != nullptr) {
+                set_eds_value(entry, *value, tell_);
+            }
+            object.entries.push_back(std::move(entry));
+        }
+    }
+
+    void add_subs(Object& object) {
+        for (const auto& [sub, section] : subs_[object.index]) {
+            Entry entry = read_eds_entry(*section, sub, sub == 0, tell_);
+            const auto same = std::find_if(object.entries.begin(), object.entries.end(),
+                                           [s = sub](const Entry& one) { return one.subindex == s; });
+            if (same == object.entries.end()) {
+                object.entries.push_back(std::move(entry));
+            } else {
+                *same = std::move(entry);  // described on its own: more exact than CompactSubObj
+            }
+        }
+    }
+
+    void complete(Object& object, const IniSection& section) {
+        std::sort(object.entries.begin(), object.entries.end(),
+                  [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; });
+        if (object.entries.empty()) {
+            tell_.note(section.line, fmt::format("[{}] has no sub-objects", section.name),
+                       fmt::format("object {:04X}h does not exist", object.index));
+            return;
+        }
+        if (object.entries.front().subindex != 0) {
+            Entry zero;
+            zero.name = "Highest sub-index supported";
+            zero.type = "UNSIGNED8";
+            zero.access = "ro";
+            zero.value = std::int64_t{object.entries.back().subindex};
+            zero.place = object.place;
+            zero.default_place = object.place;
+            object.entries.insert(object.entries.begin(), zero);
+        }
+        const IniValue* said = section.filled("SubNumber");
+        if (said != nullptr && eds_unsigned(said->text) != object.entries.size() &&
+            section.filled("CompactSubObj") == nullptr) {
+            tell_.note(
+                said->line,
+                fmt::format("SubNumber {} is not the number of sub-objects, {}", said->text, object.entries.size()),
+                "those that are described are taken");
+        }
+    }
+
+    void check_whole() {
+        Part& part = result_.part;
+        if (entries_ > most_entries) {
+            tell_.fault(1, fmt::format("the file describes {} entries", entries_),
+                        fmt::format("at most {} can be run", most_entries));
+        }
+        if (part.objects.empty() && result_.faults.empty()) {
+            tell_.fault(1, "the file describes no objects", "name an EDS, DCF or XDD file");
+        }
+        std::size_t bytes = 0;
+        for (const Object& object : part.objects) {
+            for (const Entry& entry : object.entries) {
+                bytes += is_string_type(entry.type) ? entry.length : type_size(entry.type);
+            }
+        }
+        if (bytes > most_bytes) {
+            tell_.fault(1, fmt::format("the values take {} bytes", bytes),
+                        fmt::format("at most {} can be run", most_bytes));
+        }
+        for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
+            if (seen_.count(static_cast<std::uint16_t>(index)) == 0) {
+                tell_.note(1, fmt::format("object {:04X}h, which every device has, is not described", index),
+                           "the device runs without it");
+            }
+        }
+    }
+
+    EdsResult result_;
+    std::string file_;
+    EdsTelling tell_;
+    IniFile ini_;
+    std::map<std::uint16_t, std::map<std::uint8_t, const IniSection*>> subs_;
+    std::map<std::uint16_t, unsigned> seen_;  ///< index → line that lists it
+    std::size_t entries_{0};
+};
+
+}  // namespace
+
+EdsResult read_eds(const std::string& text, const std::string& name) {
+    return EdsReader{text, name}.read();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/register/checker.hpp"
+#include "host/register/literals.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t most_mapping_entries = 64;  // CiA 301, 7.5.2.36: a PDO has at most 64 bits to map one by one
+constexpr std::size_t image_limit = 0xFFFF;       // EntryRow::offset has 16 bits
+
+std::string name(const Object& object, const Entry& entry) {
+    return fmt::format("{:04X}h:{}", object.index, entry.subindex);
+}
+
+bool can_write(const Entry& entry) {
+    return entry.access == "rw" || entry.access == "wo";
+}
+
+void check_subindices(const Object& object, Faults& faults) {
+    for (std::size_t i = 1; i < object.entries.size(); ++i) {
+        if (object.entries[i].subindex == object.entries[i - 1].subindex) {
+            faults.push_back({object.entries[i].place, fmt::format("{} stands twice", name(object, object.entries[i])),
+                              "give each entry its own sub-index"});
+        }
+    }
+    const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
+    if (mapping && object.entries.size() > most_mapping_entries + 1) {
+        faults.push_back({object.place,
+                          fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
+                          "a PDO carries at most 64"});
+    }
+}
+
+/// Objects of CiA 301, 7.5.2, whose object code the standard fixes.
+struct FixedKind {
+    unsigned first;
+    unsigned last;
+    Object::Kind kind;
+};
+constexpr std::array<FixedKind, 11> fixed_kinds{{{0x1003, 0x1003, Object::Kind::array},
+                                                 {0x1010, 0x1011, Object::Kind::array},
+                                                 {0x1016, 0x1016, Object::Kind::array},
+                                                 {0x1018, 0x1018, Object::Kind::record},
+                                                 {0x1020, 0x1020, Object::Kind::array},
+                                                 {0x1028, 0x1029, Object::Kind::array},
+                                                 {0x1200, 0x12FF, Object::Kind::record},
+                                                 {0x1400, 0x15FF, Object::Kind::record},
+                                                 {0x1600, 0x17FF, Object::Kind::record},
+                                                 {0x1800, 0x19FF, Object::Kind::record},
+                                                 {0x1A00, 0x1BFF, Object::Kind::record}}};
+
+void check_kind(const Object& object, Faults& faults) {
+    for (const FixedKind& row : fixed_kinds) {
+        if (object.index >= row.first && object.index <= row.last && object.kind != row.kind) {
+            const bool array = row.kind == Object::Kind::array;
+            faults.push_back({object.place,
+                              fmt::format("{:04X}h is {} in CiA 301", object.index, array ? "an ARRAY" : "a RECORD"),
+                              fmt::format("add kind = \"{}\"", array ? "array" : "record")});
+        }
+    }
+}
+
+void check_use(const Object& object, const Entry& entry, Faults& faults) {
+    const auto fault = [&](const std::string& what, const std::string& mend) {
+        faults.push_back({entry.place, fmt::format("{} {}", name(object, entry), what), mend});
+    };
+    const bool sized = type_size(entry.type) > 0;
+    if (entry.type == "REAL64") {
+        fault("is a REAL64, which no service here carries", "use REAL32");
+    }
+    if (entry.length > 0 && !is_string_type(entry.type)) {
+        fault(fmt::format("has a length, but {} has its own", entry.type), "remove length");
+    }
+    if (entry.mapping != "none" && !sized) {
+        fault(fmt::format("of type {} cannot be mapped", entry.type), "set mapping = \"none\"");
+    }
+    if ((entry.mapping == "rpdo" || entry.mapping == "both") && !can_write(entry)) {
+        fault(fmt::format("is {} and cannot be received", entry.access), "set mapping = \"tpdo\" or access = \"rw\"");
+    }
+    if ((entry.mapping == "tpdo" || entry.mapping == "both") && entry.access == "wo") {
+        fault("is wo and cannot be transmitted", "set mapping = \"rpdo\" or access = \"rw\"");
+    }
+    if (entry.stored && !can_write(entry)) {
+        fault(fmt::format("is {} and cannot be stored", entry.access), "remove stored");
+    }
+    if (entry.live && entry.access == "const") {
+        fault("is const and live", "set access = \"ro\", or remove live");
+    }
+}
+
+void check_string(const std::string& where, const Entry& entry, Faults& faults) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    if (text == nullptr) {
+        faults.push_back(
+            {entry.default_place, fmt::format("{} has no text as default", where), "give default = \"…\""});
+    } else if (text->size() > entry.length) {
+        faults.push_back({entry.default_place,
+                          fmt::format("{} default has {} bytes, its length is {}", where, text->size(), entry.length),
+                          "shorten it or raise length"});
+    }
+}
+
+void check_default(const Object& object, const Entry& entry, Faults& faults) {
+    const std::string where = name(object, entry);
+    const bool given = !std::holds_alternative<std::monostate>(entry.value);
+    if (entry.type == "DOMAIN") {
+        if (given) {
+            faults.push_back(
+                {entry.default_place, fmt::format("{} is a DOMAIN with a default", where), "remove default"});
+        }
+    } else if (is_string_type(entry.type)) {
+        check_string(where, entry, faults);
+    } else if (!given) {
+        faults.push_back({entry.default_place, fmt::format("{} has no default", where),
+                          fmt::format("give one: {}", type_words(entry.type))});
+    } else if (!fits_type(entry.value, entry.type)) {
+        faults.push_back({entry.default_place,
+                          fmt::format("{} default {} is no {}", where, to_text(entry.value), entry.type),
+                          fmt::format("use {}", type_words(entry.type))});
+    }
+}
+
+void check_image_size(const Part& part, Faults& faults) {
+    std::size_t bytes = 0;
+    for (const Object& object : part.objects) {
+        for (const Entry& entry : object.entries) {
+            bytes += std::max(type_size(entry.type), entry.length);
+        }
+        if (bytes > image_limit) {
+            faults.push_back(
+                {object.place,
+                 fmt::format("with {:04X}h the dictionary of {} holds {} bytes", object.index, part.name, bytes),
+                 "shorten arrays or strings: an image has at most 65535"});
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+void check_objects(const Part& part, Faults& faults) {
+    for (const Object& object : part.objects) {
+        check_subindices(object, faults);
+        check_kind(object, faults);
+        for (const Entry& entry : object.entries) {
+            if (is_known_type(entry.type)) {
+                check_use(object, entry, faults);
+                check_default(object, entry, faults);
+            }
+        }
+    }
+    check_image_size(part, faults);
+    check_limits(part, faults);
+}
+
+}  // namespace canproof::host

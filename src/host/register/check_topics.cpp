@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "host/register/checker.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// An item that answers a topic.
+struct Given {
+    const Item* item;
+    const Answer* answer;
+};
+
+/// How one folder, a device or the shared part, answers a topic.
+struct Stand {
+    const Part* part;
+    std::vector<Given> items;  ///< never empty
+
+    const std::string& choice() const { return items.front().answer->choice; }
+    const Item& first() const { return *items.front().item; }
+    bool differs() const {
+        return says([](const Answer& answer) { return !answer.differs.empty(); });
+    }
+    bool overrides() const {
+        return says([](const Answer& answer) { return !answer.overrides.empty(); });
+    }
+    template <typename Test>
+    bool says(const Test& test) const {
+        return std::any_of(items.begin(), items.end(), [&](const Given& given) { return test(*given.answer); });
+    }
+};
+
+using Stands = std::vector<Stand>;
+
+bool same_maker(const Stand& one, const Stand& other) {
+    return one.part != other.part && one.part->is_device() && other.part->is_device() &&
+           one.part->info.vendor == other.part->info.vendor;
+}
+
+/// `CO-HB-002 (spec/canopen/error_control.toml:30) chooses first-message`
+std::string choice_of(const Stand& stand) {
+    const Place& place = stand.items.front().answer->place;
+    return fmt::format("{} ({}:{}) chooses {}", stand.first().id, place.file, place.line, stand.choice());
+}
+
+/// What [services] of device.toml says under the name of a topic; nothing for a name that it does not have.
+std::optional<std::string> service_of(const DeviceInfo& info, const std::string& topic) {
+    const std::map<std::string, std::string> services{{"services.lss", info.lss ? "true" : "false"},
+                                                      {"services.block_sdo", info.block_sdo ? "true" : "false"},
+                                                      {"services.limit_abort", info.limit_abort},
+                                                      {"services.error_list", info.error_list}};
+    const auto found = services.find(topic);
+    return found == services.end() ? std::nullopt : std::optional{found->second};
+}
+
+class TopicCheck {
+  public:
+    TopicCheck(const Register& content, Faults& faults) : faults_{faults} {
+        for (const Part& part : content.parts) {
+            whole_ = whole_ || (part.is_device() && !part.decisions.empty());
+            for (const Requirement& requirement : part.requirements) {
+                if (requirement.retired.empty()) {
+                    take(part, requirement, requirement.answer);
+                }
+            }
+            for (const Decision& decision : part.decisions) {
+                take(part, decision, decision.answer);
+            }
+        }
+    }
+
+    void run() {
+        for (const auto& [topic, stands] : topics_) {
+            const bool service = topic.rfind("services.", 0) == 0;
+            for (const Stand& stand : stands) {
+                check_within(topic, stand);
+                if (service) {
+                    check_service(topic, stand);
+                }
+            }
+            if (whole_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
+                fault(stands.front(), fmt::format("topic {} has this one answer", topic),
+                      "spell it as other items do, or remove `topic` and `choice`");
+            }
+            compare(topic, stands);
+            if (whole_) {
+                for (const Stand& stand : stands) {
+                    check_needed(stand, stands);
+                }
+            }
+        }
+    }
+
+  private:
+    void take(const Part& part, const Item& item, const Answer& answer) {
+        if (answer.topic.empty() || answer.choice.empty()) {
+            return;  // no topic, or told by the reader
+        }
+        Stands& stands = topics_[answer.topic];
+        if (stands.empty() || stands.back().part != &part) {
+            stands.push_back({&part, {}});
+        }
+        stands.back().items.push_back({&item, &answer});
+    }
+
+    void fault(const Stand& stand, const std::string& what, const std::string& mend) {
+        faults_.push_back({stand.items.front().answer->place, what, mend});
+    }
+
+    /// One folder gives one answer: nothing explains two.
+    void check_within(const std::string& topic, const Stand& stand) {
+        for (const Given& given : stand.items) {
+            if (given.answer->choice != stand.choice()) {
+                faults_.push_back({given.answer->place,
+                                   fmt::format("{} chooses {} for topic {}, but {}", given.item->id,
+                                               given.answer->choice, topic, choice_of(stand)),
+                                   "decide once, and correct the other item"});
+            }
+        }
+    }
+
+    void check_service(const std::string& topic, const Stand& stand) {
+        if (!stand.part->is_device()) {
+            fault(stand, fmt::format("{} is shared and has no {}", stand.first().id, topic),
+                  "leave this topic to the devices");
+            return;
+        }
+        const auto service = service_of(stand.part->info, topic);
+        if (!service) {
+            fault(stand, fmt::format("device.toml has no {}", topic),
+                  "use services.lss, services.block_sdo, services.limit_abort or services.error_list");
+        } else if (*service != stand.choice()) {
+            fault(stand,
+                  fmt::format("{} chooses {} for topic {}, but device.toml has {}", stand.first().id, stand.choice(),
+                              topic, *service),
+                  "correct the item or device.toml");
+        }
+    }
+
+    void compare(const std::string& topic, const Stands& stands) {
+        for (const Stand& stand : stands) {
+            const std::string own =
+                fmt::format("{} chooses {} for topic {}, but", stand.first().id, stand.choice(), topic);
+            for (const Stand& other : stands) {
+                if (&other == &stand) {
+                    break;  // each pair once, at the later one
+                }
+                if (other.choice() == stand.choice()) {
+                    continue;
+                }
+                if (!other.part->is_device() && !stand.overrides()) {
+                    fault(stand, fmt::format("{} the shared {}", own, choice_of(other)),
+                          "decide alike, or say why not in `overrides = …`");
+                } else if (same_maker(stand, other) && !explained(stand, other, stands)) {
+                    fault(stand, fmt::format("{} {} for the same maker", own, choice_of(other)),
+                          "decide alike, or let one of the two say why not in `differs = …`");
+                }
+            }
+        }
+    }
+
+    /// One of the two says why, or answers as the shared item, which the other overrides with a reason.
+    static bool explained(const Stand& one, const Stand& other, const Stands& stands) {
+        const Stand& shared = stands.front();
+        const bool has_shared = !shared.part->is_device();
+        return one.differs() || other.differs() ||
+               (has_shared && one.choice() == shared.choice() && other.overrides()) ||
+               (has_shared && other.choice() == shared.choice() && one.overrides());
+    }
+
+    /// A reason that outlived its difference.
+    void check_needed(const Stand& stand, const Stands& stands) {
+        const auto against = [&](const auto& matters) {
+            return std::any_of(stands.begin(), stands.end(),
+                               [&](const Stand& other) { return other.choice() != stand.choice() && matters(other); });
+        };
+        const bool maker = against([&](const Stand& other) { return same_maker(stand, other); });
+        const bool shared = against([](const Stand& other) { return !other.part->is_device(); });
+        for (const Given& given : stand.items) {
+            if (!given.answer->differs.empty() && !maker) {
+                faults_.push_back({given.answer->place,
+                                   fmt::format("{} says why it differs, but no device of the same maker chooses "
+                                               "otherwise",
+                                               given.item->id),
+                                   "remove `differs`"});
+            }
+            if (!given.answer->overrides.empty() && !shared) {
+                faults_.push_back(
+                    {given.answer->place,
+                     fmt::format("{} says why it overrides, but no shared item chooses otherwise", given.item->id),
+                     "remove `overrides`"});
+            }
+        }
+    }
+
+    Faults& faults_;
+    std::map<std::string, Stands> topics_;
+    /// The program has the register built in without the decisions of devices: what they answer is not missing there.
+    bool whole_{false};
+};
+
+}  // namespace
+
+void check_topics(const Register& content, Faults& faults) {
+    TopicCheck{content, faults}.run();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,158 @@
+#include "host/register/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include "host/codegen/writers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Collects what counts, each field ended by a byte that no text holds.
+class Print {
+  public:
+    Print& add(const std::string& text) {
+        hash_ = fnv1a(one_line(text) + '\x1F', hash_);
+        return *this;
+    }
+    Print& add(const Value& value) {
+        // The alternative counts too: the text "1" is not the number 1.
+        return add(fmt::format("{}:{}", value.index(), to_text(value)));
+    }
+    Print& add(std::int64_t number) { return add(std::to_string(number)); }
+    Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
+    /// A derived item has its reason in place of a section.
+    Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
+    /// A review expires with the word of an answer: the check of topics compares by it.
+    Print& add_answer(const Answer& answer) {
+        return answer.topic.empty() ? *this
+                                    : add(answer.topic).add(answer.choice).add(answer.differs).add(answer.overrides);
+    }
+    std::string text() const { return fmt::format("{:08x}", hash_); }
+
+  private:
+    std::uint32_t hash_{fnv1a("")};
+};
+
+void add_limit(Print& print, const Limit& limit) {
+    print.add(static_cast<std::int64_t>(limit.kind)).add(limit.number).add(std::int64_t{limit.index});
+    print.add(std::int64_t{limit.subindex}).add(limit.add);
+}
+
+void add_entry(Print& print, const Entry& entry) {
+    print.add(std::int64_t{entry.subindex}).add(entry.name).add(entry.type).add(entry.access).add(entry.value);
+    print.add(entry.mapping).add(entry.service).add(static_cast<std::int64_t>(entry.length));
+    print.add(fmt::format("{}{}{}{}", entry.node_id, entry.stored, entry.factory, entry.live));
+    add_limit(print, entry.range.minimum);
+    add_limit(print, entry.range.maximum);
+    for (const Value& value : entry.range.values) {
+        print.add(value);
+    }
+    if (entry.range.zero) {
+        print.add(std::string{"or zero"});
+    }
+}
+
+void add_column(Print& print, const Column& column) {
+    print.add(column.name).add(column.enumeration).add(column.type).add(column.unit);
+    print.add(column.minimum.value_or(0)).add(column.maximum.value_or(0));
+    for (const auto& word : column.words) {
+        print.add(word);
+    }
+}
+
+void add_row(Print& print, const Table::Row& row) {
+    for (const Cell& cell : row.cells) {
+        print.add(static_cast<std::int64_t>(cell.parts.size()));
+        for (const Cell::Part& part : cell.parts) {
+            print.add(part.first).add(part.last);
+        }
+    }
+}
+
+}  // namespace
+
+std::string fingerprint(const Requirement& requirement) {
+    return Print{}.add(requirement.text).add_origin(requirement).add_answer(requirement.answer).text();
+}
+
+std::string fingerprint(const Object& object) {
+    Print print;
+    print.add(std::int64_t{object.index}).add(object.name).add(static_cast<std::int64_t>(object.kind));
+    print.add(object.text).add(object.unit);
+    for (const Entry& entry : object.entries) {
+        add_entry(print, entry);
+    }
+    return print.add_origin(object).text();
+}
+
+std::string fingerprint(const Table& table) {
+    Print print;
+    for (const auto* columns : {&table.inputs, &table.outputs}) {
+        print.add(static_cast<std::int64_t>(columns->size()));
+        for (const Column& column : *columns) {
+            add_column(print, column);
+        }
+    }
+    for (const Table::Row& row : table.rows) {
+        add_row(print, row);
+    }
+    return print.add_origin(table).text();
+}
+
+std::string fingerprint(const Enumeration& enumeration) {
+    Print print;
+    print.add(enumeration.name);
+    for (const auto& [word, number] : enumeration.values) {
+        print.add(word).add(number);
+    }
+    return print.add_origin(enumeration).text();
+}
+
+std::string fingerprint(const Constant& constant) {
+    return Print{}
+        .add(constant.name)
+        .add(constant.type)
+        .add(constant.unit)
+        .add(constant.value)
+        .add_origin(constant)
+        .text();
+}
+
+std::string fingerprint(const Signal& signal) {
+    Print print;
+    print.add(signal.name).add(std::int64_t{signal.count}).add(std::int64_t{signal.input ? 1 : 0});
+    print.add(signal.type).add(signal.unit).add(signal.minimum).add(signal.maximum).add(signal.value).add(signal.text);
+    return print.add_origin(signal).text();
+}
+
+std::string fingerprint(const Decision& decision) {
+    Print print;
+    print.add(decision.text).add(decision.chosen).add(decision.because).add(decision.none);
+    for (const auto& reading : decision.readings) {
+        print.add(reading.says).add(reading.source);
+    }
+    for (const auto& id : decision.affects) {
+        print.add(id);
+    }
+    return print.add_answer(decision.answer).text();
+}
+
+std::map<std::string, std::string> fingerprints(const Part& part) {
+    std::map<std::string, std::string> prints;
+    const auto add_all = [&](const auto& items) {
+        for (const auto& item : items) {
+            prints[item.id] = fingerprint(item);
+        }
+    };
+    add_all(part.requirements);
+    add_all(part.objects);
+    add_all(part.tables);
+    add_all(part.enumerations);
+    add_all(part.constants);
+    add_all(part.signals);
+    add_all(part.decisions);
+    return prints;
+}
+
+}  // namespace canproof::host

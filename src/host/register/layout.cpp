@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host/codegen/dictionary_rows.hpp"
+#include "host/codegen/writers.hpp"
+
+namespace canproof::host {
+
+std::uint32_t fnv1a(const std::string& text, std::uint32_t start) {
+    std::uint32_t hash = start;
+    for (const char c : text) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;
+    }
+    return hash;
+}
+
+namespace {
+
+std::uint64_t bits_of(const Entry& entry) {
+    if (entry.type == "REAL32" || entry.type == "REAL64") {
+        const auto* real = std::get_if<double>(&entry.value);
+        const double wide = real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(entry.value));
+        if (entry.type == "REAL64") {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &wide, sizeof bits);
+            return bits;
+        }
+        const auto narrow = static_cast<float>(wide);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &narrow, sizeof bits);
+        return bits;
+    }
+    if (const auto* truth = std::get_if<bool>(&entry.value)) {
+        return *truth ? 1U : 0U;
+    }
+    const auto* whole = std::get_if<std::int64_t>(&entry.value);
+    return whole == nullptr ? 0U : static_cast<std::uint64_t>(*whole);
+}
+
+/// Only what never changes may lie in flash.
+bool is_constant(const Entry& entry) {
+    if (entry.factory || entry.node_id || entry.mapping != "none") {
+        return false;
+    }
+    return entry.access == "const" || (entry.access == "ro" && !entry.live && entry.service == "none");
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
+    if (is_string_type(entry.type)) {
+        std::string text = std::get<std::string>(entry.value);
+        text.resize(size, '\0');
+        return {text.begin(), text.end()};
+    }
+    std::vector<std::uint8_t> bytes;
+    const std::uint64_t bits = bits_of(entry);
+    for (std::size_t i = 0; i < size; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
+    }
+    return bytes;
+}
+
+Layout make_layout(const Part& part) {
+    Layout layout;
+    std::uint32_t print = fnv1a("");
+    for (const Object& object : part.objects) {
+        std::vector<Placement> placed;
+        for (const Entry& entry : object.entries) {
+            Placement place;
+            place.constant = is_constant(entry);
+            place.size = static_cast<std::uint16_t>(is_string_type(entry.type) ? entry.length : type_size(entry.type));
+            auto& pool = place.constant ? layout.constants : layout.image;
+            place.offset = static_cast<std::uint16_t>(pool.size());
+            const auto bytes = value_bytes(entry, place.size);
+            pool.insert(pool.end(), bytes.begin(), bytes.end());
+            if (entry.stored) {
+                print = fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.offset),
+                              print);
+            }
+            placed.push_back(place);
+        }
+        layout.placements.push_back(placed);
+    }
+    layout.fingerprint = print;
+    return layout;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "host/register/checker.hpp"
+#include "host/register/reader.hpp"
+
+namespace canproof::host {
+
+LoadResult load_register(const SpecFiles& files) {
+    LoadResult result;
+    result.content = read_register(files, result.faults);
+    check_references(result.content, result.faults);
+    check_topics(result.content, result.faults);
+    for (Part& part : result.content.parts) {
+        check_tables(result.content, part, result.faults);
+        check_literals(part, result.faults);
+        resolve_ranges(result.content, part, result.faults);
+        resolve_lengths(part);
+        check_objects(part, result.faults);
+    }
+    std::sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
+        return std::tie(a.place.file, a.place.line, a.what, a.mend) <
+               std::tie(b.place.file, b.place.line, b.what, b.mend);
+    });
+    // The elements of an array share their place: what is wrong with one is told once.
+    const auto same = [](const Fault& a, const Fault& b) {
+        return a.place.file == b.place.file && a.place.line == b.place.line && a.what == b.what;
+    };
+    result.faults.erase(std::unique(result.faults.begin(), result.faults.end(), same), result.faults.end());
+    return result;
+}
+
+std::optional<Register> read_sound_register(const SpecFiles& files) {
+    Faults faults;
+    Register content = read_register(files, faults);
+    for (Part& part : content.parts) {
+        resolve_ranges(content, part, faults);
+        resolve_lengths(part);
+    }
+    return faults.empty() ? std::optional{std::move(content)} : std::nullopt;
+}
+
+LoadResult load_register(const std::filesystem::path& spec) {
+    return load_register(read_spec_files(spec));
+}
+
+}  // namespace canproof::host

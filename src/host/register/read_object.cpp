@@ -1,0 +1,384 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "host/codegen/dictionary_rows.hpp"
+#include "host/register/reader.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const std::vector<std::string> access_words{"ro", "wo", "rw", "const"};
+const std::vector<std::string> mapping_words{"none", "rpdo", "tpdo", "both"};
+const std::string node_id_mark = "$NODEID+";
+
+std::string numbered(std::string text, std::int64_t n) {
+    const auto at = text.find("{n}");
+    if (at != std::string::npos) {
+        text.replace(at, 3, std::to_string(n));
+    }
+    return text;
+}
+
+/// `"4020"` or `"4020:1"`, hexadecimal.
+bool parse_reference(const std::string& text, Limit& limit) {
+    const auto colon = text.find(':');
+    const std::string index = text.substr(0, colon);
+    const std::string sub = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const auto is_hex = [](const std::string& s) {
+        return !s.empty() && s.size() <= 4 && s.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    };
+    if (!is_hex(index) || (!sub.empty() && !is_hex(sub)) || (colon != std::string::npos && sub.empty())) {
+        return false;
+    }
+    limit.kind = Limit::Kind::object;
+    limit.index = static_cast<std::uint16_t>(std::stoul(index, nullptr, 16));
+    limit.subindex = sub.empty() ? -1 : std::stoi(sub, nullptr, 16);
+    return true;
+}
+
+Limit read_limit(TomlItem& range, const std::string& key) {
+    Limit limit;
+    const toml::node* node = range.node(key);
+    if (node == nullptr) {
+        return limit;
+    }
+    limit.place = range.place(key);
+    if (node->is_number()) {
+        limit.kind = Limit::Kind::number;
+        limit.number = literal(*node);
+        return limit;
+    }
+    std::string reference;
+    if (const auto table = node->as_table()) {
+        TomlItem item{*table, range.file(), range.faults()};
+        reference = item.text("object");
+        limit.add = item.integer_or("add", 0, INT32_MIN, INT32_MAX);
+        item.finish();
+    } else if (const auto text = node->as_string()) {
+        reference = text->get();
+    }
+    if (!parse_reference(reference, limit)) {
+        range.fault(range.place(key), fmt::format("limit {} is neither a number nor an object", key),
+                    "write a number, \"4020\", \"4020:1\" or { object = \"4020\", add = -100 }");
+    }
+    return limit;
+}
+
+/// What the table `range = { … }` of an item says.
+Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
+    Range range;
+    TomlItem* const table = &table_item;
+    range.place = place;
+    range.minimum = read_limit(*table, "min");
+    range.maximum = read_limit(*table, "max");
+    range.table = table->text_or("table", "");
+    range.zero = table->boolean_or("zero", false);
+    if (const auto* list = table->node("values")) {
+        if (const auto array = list->as_array()) {
+            for (const auto& one : *array) {
+                range.values.push_back(literal(one));
+            }
+        }
+        if (range.values.empty()) {
+            table->fault(table->place("values"), "values allows nothing", "list the values that may be written");
+        }
+    }
+    if (table->table().empty()) {
+        item.fault(item.place("range"), "range says nothing", "give min, max, values or table, or leave range out");
+    }
+    table->finish();
+    return range;
+}
+
+Range read_range(TomlItem& item) {
+    const toml::node* node = item.node("range");
+    if (node != nullptr && node->is_array() && item.has("array")) {
+        return Range{};  // one an element: read_elements()
+    }
+    auto table = item.item("range");
+    return table ? read_range(item, *table, item.place("range")) : Range{};
+}
+
+void set_default(Entry& entry, const toml::node& node) {
+    // A list where one value belongs is told as what it is, with the default.
+    const bool list = !node.is_value() && !is_string_type(entry.type);
+    const Value value = list ? Value{std::string{"[list]"}} : literal(node);
+    const auto* text = std::get_if<std::string>(&value);
+    if (text != nullptr && !is_string_type(entry.type) && text->rfind(node_id_mark, 0) == 0) {
+        try {
+            entry.value = static_cast<std::int64_t>(std::stoll(text->substr(node_id_mark.size()), nullptr, 0));
+            entry.node_id = true;
+            return;
+        } catch (const std::exception&) {
+            // falls through: the check of the default's type tells it
+        }
+    }
+    entry.value = value;
+}
+
+/// What an [[object]] and an [[object.entry]] have in common.
+Entry read_entry_fields(TomlItem& item) {
+    Entry entry;
+    entry.place = item.place();
+    entry.default_place = item.place("default");
+    entry.type = item.text("type");
+    if (!entry.type.empty() && !is_known_type(entry.type)) {
+        item.fault(item.place("type"), fmt::format("type {} is unknown", entry.type),
+                   "use a CiA 301 type in capitals, such as UNSIGNED16, REAL32 or VISIBLE_STRING");
+    }
+    entry.access = item.word("access", access_words, "");
+    entry.range = read_range(item);
+    entry.mapping = item.word("mapping", mapping_words, "none");
+    entry.stored = item.boolean_or("stored", entry.access == "rw");
+    entry.service = item.word("service", service_words(), "none");
+    entry.factory = item.boolean_or("factory", false);
+    entry.live = item.boolean_or("live", false);
+    entry.length = static_cast<std::size_t>(item.integer_or("length", 0, 1, 250));
+    return entry;
+}
+
+Entry sub_zero(const Place& place, std::size_t highest) {
+    Entry entry;
+    entry.name = "Highest sub-index";
+    entry.type = "UNSIGNED8";
+    entry.access = "const";
+    entry.value = static_cast<std::int64_t>(highest);
+    entry.place = place;
+    entry.default_place = place;
+    return entry;
+}
+
+Place place_of(const TomlItem& item, const toml::node& node) {
+    return {item.file(), static_cast<unsigned>(node.source().begin.line)};
+}
+
+const toml::node* default_for(const toml::node* node, std::int64_t n) {
+    const auto table = node == nullptr ? nullptr : node->as_table();
+    if (table == nullptr) {
+        return node;
+    }
+    // A member without a value is told by check_family_default(); it borrows another's, so that it is told once.
+    const toml::node* own = table->get(std::to_string(n));
+    return own != nullptr || table->empty() ? own : &table->begin()->second;
+}
+
+/// `element`: one name for all, {n} its number, or a list with one an element.
+std::vector<std::string> read_element_names(TomlItem& item, const std::string& object, std::size_t count) {
+    const toml::node* node = item.node("element");
+    if (node == nullptr || !node->is_array()) {
+        return std::vector<std::string>(count, item.text_or("element", object + " {n}"));
+    }
+    std::vector<std::string> names = item.texts("element", true);
+    if (names.size() != count) {
+        item.fault(item.place("element"), fmt::format("element lists {} names for {} elements", names.size(), count),
+                   "give one name for all or one an element");
+        names.resize(count, object);
+    }
+    return names;
+}
+
+/// `range`: one for all elements, or a list with one an element.
+std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std::size_t count) {
+    std::vector<Range> ranges(count, pattern.range);
+    const toml::node* node = item.node("range");
+    const auto list = node == nullptr ? nullptr : node->as_array();
+    if (list == nullptr) {
+        return ranges;
+    }
+    if (list->size() != count) {
+        item.fault(item.place("range"), fmt::format("range lists {} ranges for {} elements", list->size(), count),
+                   "give one range for all or one an element");
+    }
+    for (std::size_t i = 0; i < std::min(count, list->size()); ++i) {
+        const toml::node& one = *list->get(i);
+        if (const auto table = one.as_table()) {
+            TomlItem range{*table, item.file(), item.faults()};
+            ranges[i] = read_range(item, range, place_of(item, one));
+        } else {
+            item.fault(place_of(item, one), fmt::format("range of element {} is no table", i + 1),
+                       "write { min = …, max = … }");
+        }
+    }
+    return ranges;
+}
+
+void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t count) {
+    const Entry pattern = read_entry_fields(item);
+    const std::vector<std::string> elements = read_element_names(item, object.name, count);
+    const std::vector<Range> ranges = read_element_ranges(item, pattern, count);
+    const toml::node* defaults = default_for(item.node("default"), n);
+    const auto list = defaults == nullptr ? nullptr : defaults->as_array();
+    if (list != nullptr && list->size() != count) {
+        item.fault(item.place("default"), fmt::format("default lists {} values for {} elements", list->size(), count),
+                   "give one value for all or one an element");
+    }
+    for (std::size_t sub = 1; sub <= count; ++sub) {
+        Entry entry = pattern;
+        entry.subindex = static_cast<std::uint8_t>(sub);
+        entry.name = numbered(elements[sub - 1], static_cast<std::int64_t>(sub));
+        entry.range = ranges[sub - 1];
+        if (list != nullptr) {
+            const toml::node* one = list->get(std::min(sub, list->size()) - 1);
+            if (one != nullptr) {
+                set_default(entry, *one);
+                entry.default_place = place_of(item, *one);
+            }
+        } else if (defaults != nullptr) {
+            set_default(entry, *defaults);
+        }
+        object.entries.push_back(entry);
+    }
+}
+
+void read_var(TomlItem& item, Object& object, std::int64_t n) {
+    Entry entry = read_entry_fields(item);
+    entry.name = object.name;
+    if (const auto* node = default_for(item.node("default"), n)) {
+        set_default(entry, *node);
+        entry.default_place = place_of(item, *node);
+    }
+    object.entries.push_back(entry);
+}
+
+/// One object of a family, which are numbered from `first` to `last`.
+struct Member {
+    std::int64_t n;
+    std::int64_t first;
+    std::int64_t last;
+};
+
+/// `default = { 1 = 0, 2 = 5 }` must name each member of the family, and no other.
+void check_family_default(TomlItem& item, const Member& member) {
+    const toml::node* node = item.node("default");
+    const auto table = node == nullptr ? nullptr : node->as_table();
+    if (table == nullptr) {
+        return;
+    }
+    for (std::int64_t n = member.first; n <= member.last; ++n) {
+        if (!table->contains(std::to_string(n))) {
+            item.fault(item.place("default"), fmt::format("default gives no value for member {}", n),
+                       fmt::format("add `{} = …`", n));
+        }
+    }
+    for (const auto& [key, value] : *table) {
+        const std::string word{key.str()};
+        const bool number =
+            !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == std::string::npos;
+        if (!number || std::stoll(word) < member.first || std::stoll(word) > member.last) {
+            item.fault(place_of(item, value), fmt::format("default names member {}, which the family lacks", word),
+                       fmt::format("use members {} to {}", member.first, member.last));
+        }
+    }
+}
+
+void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
+    for (TomlItem& sub : item.items("entry")) {
+        Entry entry = read_entry_fields(sub);
+        entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
+        if (object.alike && entry.subindex != 0) {
+            sub.fault(sub.place("sub"), fmt::format("an array lists entry {}", entry.subindex),
+                      "list entry 0 only, or list all entries without `array`");
+        }
+        entry.name = numbered(sub.text("name"), member.n);
+        check_family_default(sub, member);
+        if (const auto* node = default_for(sub.node("default"), member.n)) {
+            set_default(entry, *node);
+            entry.default_place = place_of(sub, *node);
+        }
+        sub.finish();
+        object.entries.push_back(entry);
+    }
+}
+
+void add_sub_zero(Object& object) {
+    const auto zero = [](const Entry& e) { return e.subindex == 0; };
+    if (std::none_of(object.entries.begin(), object.entries.end(), zero)) {
+        std::size_t highest = 0;
+        for (const auto& entry : object.entries) {
+            highest = std::max<std::size_t>(highest, entry.subindex);
+        }
+        object.entries.push_back(sub_zero(object.place, highest));
+    }
+    std::sort(object.entries.begin(), object.entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.subindex, a.place.line) < std::tie(b.subindex, b.place.line);
+    });
+}
+
+/// Reads `kind`, which names the object code of CiA 301 where the way of writing the entries does not give it.
+Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
+    const std::string word = item.text_or("kind", usual == Object::Kind::array ? "array" : "record");
+    if (word != "array" && word != "record") {
+        item.fault(item.place("kind"), fmt::format("kind \"{}\" is unknown", word), "write \"array\" or \"record\"");
+    }
+    return word == "array" ? Object::Kind::array : Object::Kind::record;
+}
+
+Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, const Member& member) {
+    Object object;
+    read_common(item, object, false);
+    object.id_place = item.place("index");
+    object.index = static_cast<std::uint16_t>(index);
+    object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
+    object.name = numbered(item.text("name"), member.n);
+    object.unit = item.text_or("unit", "");
+    const auto count = static_cast<std::size_t>(item.integer_or("array", 0, 1, 254));
+    if (count > 0) {
+        object.alike = true;
+        object.kind = read_kind(item, Object::Kind::array);
+        read_elements(item, object, member.n, count);
+        read_listed_entries(item, object, member);
+        add_sub_zero(object);
+    } else if (item.has("entry")) {
+        object.kind = read_kind(item, Object::Kind::record);
+        read_listed_entries(item, object, member);
+        add_sub_zero(object);
+    } else {
+        object.kind = Object::Kind::var;
+        read_var(item, object, member.n);
+    }
+    return object;
+}
+
+}  // namespace
+
+std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
+    std::int64_t first = 1;
+    std::int64_t last = 1;
+    std::int64_t step = 0;
+    if (auto repeat = item.item("repeat")) {
+        first = repeat->integer("first", 0, 255);
+        last = repeat->integer("last", first, 255);
+        step = repeat->integer("step", 1, 0x1000);
+        repeat->finish();
+    }
+    const std::size_t before_index = item.faults().size();
+    const std::int64_t base = item.integer("index", 0x1000, 0xFFFF);
+    const bool has_index = item.faults().size() == before_index;
+    if (base + (last - first) * step > 0xFFFF) {
+        item.fault(item.place("repeat"), fmt::format("family reaches index {:X}h", base + (last - first) * step),
+                   "lower last or step: an index ends at FFFFh");
+        last = first;
+    }
+    check_family_default(item, Member{first, first, last});
+    std::vector<Object> all;
+    // Each member of a family would tell the same faults again: only the first one's are kept.
+    const std::size_t faults_before = item.faults().size();
+    std::size_t faults_after = faults_before;
+    for (std::int64_t n = first; n <= last; ++n) {
+        all.push_back(read_one(item, prefix, base + (n - first) * step, Member{n, first, last}));
+        if (n == first) {
+            faults_after = item.faults().size();
+        }
+    }
+    item.faults().erase(item.faults().begin() + static_cast<std::ptrdiff_t>(faults_after), item.faults().end());
+    item.finish();
+    if (!has_index) {
+        all.clear();  // told above; a made-up index would only raise false alarms
+    }
+    return all;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,367 @@
+#include "host/register/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "host/register/toml_depth.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const std::vector<std::string> kinds{"functional", "range", "timing", "protocol", "fault", "physical", "storage"};
+const std::vector<std::string> verifications{"test", "property", "fuzz", "analysis", "target", "inspection"};
+
+Manual read_manual(TomlItem& item) {
+    Manual manual;
+    manual.place = item.place();
+    manual.key = item.text("key");
+    manual.title = item.text("title");
+    manual.publisher = item.text("publisher");
+    manual.revision = item.text("revision");
+    manual.date = item.text("date");
+    for (TomlItem& one : item.items("section")) {
+        Section section;
+        section.place = one.place();
+        section.ref = one.text("ref");
+        section.title = one.text("title");
+        const std::string disposition = one.word("disposition", {"normative", "informative", "condition-of-use"}, "");
+        section.normative = disposition == "normative";
+        section.reason = one.text_or("reason", "");
+        section.objects = one.texts("objects", false);
+        section.conditions = one.texts("conditions", false);
+        if (disposition == "condition-of-use" && section.conditions.empty()) {
+            one.fault(fmt::format("section {} gives no condition of use", section.ref),
+                      "add `conditions = [\"…\"]`, or give it another disposition");
+        } else if (disposition == "informative" && section.reason.empty()) {
+            one.fault(fmt::format("informative section {} gives no reason", section.ref),
+                      "add `reason = …` or call it normative");
+        }
+        one.finish();
+        manual.sections.push_back(section);
+    }
+    item.finish();
+    return manual;
+}
+
+void read_device(TomlItem& item, Part& part) {
+    DeviceInfo& info = part.info;
+    info.place = item.place();
+    const std::string name = item.text("name");
+    if (name != part.name) {
+        item.fault(item.place("name"), fmt::format("name {} is not the folder's", name),
+                   fmt::format("write {}", part.name));
+    }
+    info.title = item.text("title");
+    info.vendor = item.text("vendor");
+    part.prefix = item.text("prefix");
+    info.manual = item.text("manual");
+    info.manual_place = item.place("manual");
+    info.part_numbers = item.texts("part_numbers", true);
+    info.variants = item.texts("variants", false);
+    info.node_id = static_cast<int>(item.integer("node_id", 1, 127));
+    info.node_id_note = item.text_or("node_id_note", "");
+    info.bit_rate = item.integer("bit_rate", 1000, 1000000);
+    info.bit_rates = item.integers("bit_rates");
+    info.sources = item.texts("source", true);
+    info.source_place = item.place("source");
+    if (auto services = item.item("services")) {
+        info.lss = services->boolean_or("lss", false);
+        info.block_sdo = services->boolean_or("block_sdo", false);
+        info.limit_abort = services->word("limit_abort", {"range", "high_low"}, "high_low");
+        info.error_list = services->word("error_list", {"history", "active"}, "history");
+        services->finish();
+    }
+    item.finish();
+}
+
+/// Words of small letters and digits, joined by the characters of `joints`: no-block-transfer.
+bool is_joined_words(const std::string& text, const std::string& joints) {
+    bool within = false;
+    for (const char c : text) {
+        const bool known = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (!known && (!within || joints.find(c) == std::string::npos)) {
+            return false;
+        }
+        within = known;
+    }
+    return within;
+}
+
+Answer read_answer(TomlItem& item) {
+    Answer answer;
+    answer.topic = item.has("topic") ? item.text("topic") : "";
+    answer.place = item.place("topic");
+    answer.choice = item.has("topic") ? item.text("choice") : item.text_or("choice", "");
+    answer.differs = item.text_or("differs", "");
+    answer.overrides = item.text_or("overrides", "");
+    for (const char* key : {"choice", "differs", "overrides"}) {
+        if (item.has(key) && !item.has("topic")) {
+            item.fault(item.place(key), fmt::format("{} without a topic", key), "add `topic = …` or remove it");
+        }
+    }
+    if (!answer.topic.empty() && !is_joined_words(answer.topic, "-._")) {
+        item.fault(answer.place, fmt::format("topic {} is malformed", answer.topic),
+                   "use small letters and digits, such as heartbeat.consumer-range");
+        answer.topic.clear();
+    }
+    if (!answer.choice.empty() && !is_joined_words(answer.choice, "-_")) {
+        item.fault(item.place("choice"), fmt::format("choice {} is malformed", answer.choice),
+                   "use small letters and digits, such as refused-above-127");
+        answer.choice.clear();
+    }
+    return answer;
+}
+
+Requirement read_requirement(TomlItem& item) {
+    Requirement requirement;
+    read_common(item, requirement, true);
+    read_id(item, requirement);
+    requirement.kind = item.word("kind", kinds, "");
+    requirement.verify = item.texts("verify", true);
+    requirement.retired = item.text_or("retired", "");
+    requirement.answer = read_answer(item);
+    for (const auto& word : requirement.verify) {
+        if (std::find(verifications.begin(), verifications.end(), word) == verifications.end()) {
+            item.fault(item.place("verify"), fmt::format("verify = \"{}\" is unknown", word),
+                       "use test, property, fuzz, analysis, target or inspection");
+        }
+    }
+    item.finish();
+    return requirement;
+}
+
+Enumeration read_enumeration(TomlItem& item) {
+    Enumeration enumeration;
+    read_common(item, enumeration, false);
+    read_id(item, enumeration);
+    enumeration.name = item.text("name");
+    const toml::node* values = item.node("values");
+    if (const auto list = values == nullptr ? nullptr : values->as_array()) {
+        for (const auto& one : *list) {
+            const auto number = static_cast<std::int64_t>(enumeration.values.size());
+            enumeration.values.emplace_back(to_text(literal(one)), number);
+        }
+    } else if (const auto table = values == nullptr ? nullptr : values->as_table()) {
+        for (const auto& [word, number] : *table) {
+            if (const auto* given = number.as_integer()) {
+                enumeration.values.emplace_back(std::string{word.str()}, given->get());
+            } else {
+                item.fault(item.place("values"), fmt::format("{} has no number", word.str()), "write `word = number`");
+            }
+        }
+    }
+    if (enumeration.values.empty()) {
+        item.fault("enumeration without values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
+    }
+    item.finish();
+    return enumeration;
+}
+
+Constant read_constant(TomlItem& item) {
+    Constant constant;
+    read_common(item, constant, false);
+    read_id(item, constant);
+    constant.name = item.text("name");
+    constant.type = item.text("type");
+    constant.unit = item.text_or("unit", "");
+    constant.value = item.value("value");
+    constant.value_place = item.place("value");
+    constant.compiled_in = item.boolean_or("compiled_in", false);
+    item.finish();
+    return constant;
+}
+
+Signal read_signal(TomlItem& item) {
+    Signal signal;
+    read_common(item, signal, true);
+    read_id(item, signal);
+    signal.name = item.text("name");
+    signal.count = static_cast<int>(item.integer_or("count", 1, 1, 64));
+    signal.input = item.word("direction", {"input", "output"}, "") == "input";
+    signal.type = item.text("type");
+    signal.unit = item.text_or("unit", "");
+    signal.minimum = item.number("min");
+    signal.maximum = item.number("max");
+    signal.value = item.value("default");
+    signal.default_place = item.place("default");
+    if (signal.count > 1 && signal.name.find("{n}") == std::string::npos) {
+        item.fault(fmt::format("signal {} has a count but no {{n}} in its name", signal.name),
+                   "write name = \"aout{n}\"");
+    }
+    item.finish();
+    return signal;
+}
+
+Decision read_decision(TomlItem& item) {
+    Decision decision;
+    decision.place = item.place();
+    read_id(item, decision);
+    decision.text = item.text("question");
+    for (TomlItem& one : item.items("readings")) {
+        Decision::Reading reading;
+        reading.place = one.place();
+        reading.says = one.text("says");
+        reading.source = one.text("source");
+        decision.readings.push_back(reading);
+        one.finish();
+    }
+    decision.chosen = item.text("chosen");
+    decision.because = item.text("because");
+    decision.affects = item.texts("affects", false);
+    decision.affects_place = item.place("affects");
+    decision.none = item.text_or("none", "");
+    decision.severity = item.word("severity", {"high", "medium", "low"}, "");
+    decision.ref = item.text_or("ref", "");
+    decision.answer = read_answer(item);
+    if (decision.readings.size() < 2) {
+        item.fault(fmt::format("{} has {} reading(s)", decision.id, decision.readings.size()),
+                   "a decision chooses between at least two readings, each with a source");
+    }
+    item.finish();
+    return decision;
+}
+
+/// One [[review]]: who read which items when.
+void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
+    const std::string date = item.text("date");
+    const std::string by = item.text("by");
+    if (auto items = item.item("items")) {
+        for (const auto& [key, print] : items->table()) {
+            const std::string id{key.str()};
+            const Place place = items->place(id);
+            if (!reviews.emplace(id, Review{to_text(literal(print)), date, by, place}).second) {
+                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
+            }
+        }
+    } else {
+        item.fault("review without items", "write [review.items] with `ID = \"fingerprint\"` lines");
+    }
+    item.finish();
+}
+
+void read_items(TomlItem& file, Part& part) {
+    for (TomlItem& item : file.items("requirement"))
+        part.requirements.push_back(read_requirement(item));
+    for (TomlItem& item : file.items("object")) {
+        for (Object& object : read_objects(item, part.prefix))
+            part.objects.push_back(std::move(object));
+    }
+    for (TomlItem& item : file.items("table"))
+        part.tables.push_back(read_table(item));
+    for (TomlItem& item : file.items("enumeration"))
+        part.enumerations.push_back(read_enumeration(item));
+    for (TomlItem& item : file.items("constant"))
+        part.constants.push_back(read_constant(item));
+    for (TomlItem& item : file.items("signal"))
+        part.signals.push_back(read_signal(item));
+    for (TomlItem& item : file.items("decision"))
+        part.decisions.push_back(read_decision(item));
+    for (TomlItem& item : file.items("review"))
+        read_review(item, part.reviews);
+    file.finish();
+}
+
+Part& part_named(Register& content, const std::string& name) {
+    for (Part& part : content.parts) {
+        if (part.name == name) {
+            return part;
+        }
+    }
+    content.parts.push_back({});
+    content.parts.back().name = name;
+    if (name == "canopen") {
+        content.parts.back().prefix = "CO";
+    }
+    return content.parts.back();
+}
+
+/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` → canopen, else nothing.
+std::string part_of(const std::string& path) {
+    const std::string devices = "spec/devices/";
+    if (path.rfind("spec/canopen/", 0) == 0) {
+        return "canopen";
+    }
+    if (path.rfind(devices, 0) != 0) {
+        return {};
+    }
+    return path.substr(devices.size(), path.find('/', devices.size()) - devices.size());
+}
+
+void read_part_file(const std::string& path, const toml::table& root, Register& content, Faults& faults) {
+    TomlItem item{root, path, faults};
+    const std::string part = part_of(path);
+    if (path.rfind("spec/manuals/", 0) == 0) {
+        content.manuals.push_back(read_manual(item));
+    } else if (part.empty()) {
+        faults.push_back({{path, 1}, "file in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+    } else if (path == "spec/devices/" + part + "/device.toml") {
+        read_device(item, part_named(content, part));
+    } else {
+        // A review changes nothing that is written from the register.
+        if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
+            part_named(content, part).files.push_back(path);
+        }
+        read_items(item, part_named(content, part));
+    }
+}
+
+}  // namespace
+
+void read_id(TomlItem& item, Item& into) {
+    into.id = item.text("id");
+    into.id_place = item.place("id");
+}
+
+void read_common(TomlItem& item, Item& into, bool text_required) {
+    into.place = item.place();
+    into.text = text_required ? item.text("text") : item.text_or("text", "");
+    const bool derived = item.boolean_or("derived", false);
+    if (derived) {
+        into.derived = item.text("reason");
+    }
+    into.sources = item.texts("source", !derived);
+    into.source_place = item.place(item.has("source") ? "source" : "derived");
+}
+
+Register read_register(const SpecFiles& files, Faults& faults) {
+    Register content;
+    part_named(content, "canopen");
+    // device.toml comes first: it gives the prefix from which object ids follow.
+    for (const bool device_files : {true, false}) {
+        for (const auto& [path, text] : files) {
+            const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";
+            if (is_device != device_files) {
+                continue;
+            }
+            if (is_device) {
+                part_named(content, part_of(path)).has_device_file = true;
+            }
+            if (const auto line = too_deep_in(text)) {
+                faults.push_back({{path, *line},
+                                  fmt::format("keys or values go more than {} levels deep", deepest_toml),
+                                  "write shorter keys and fewer brackets"});
+                continue;
+            }
+            try {
+                read_part_file(path, toml::parse(text, path), content, faults);
+            } catch (const toml::parse_error& error) {
+                faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
+                                  fmt::format("not TOML: {}", error.description()),
+                                  "correct the syntax"});
+            }
+        }
+    }
+    for (Part& part : content.parts) {
+        std::sort(part.objects.begin(), part.objects.end(), [](const Object& a, const Object& b) {
+            return std::tie(a.index, a.place.file, a.place.line) < std::tie(b.index, b.place.file, b.place.line);
+        });
+    }
+    std::sort(content.parts.begin() + 1, content.parts.end(),
+              [](const Part& a, const Part& b) { return a.name < b.name; });
+    return content;
+}
+
+}  // namespace canproof::host

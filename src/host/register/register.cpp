@@ -1,0 +1,179 @@
+#include "host/register/register.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+
+namespace canproof::host {
+
+std::string Fault::text() const {
+    constexpr std::size_t longest = 1000;  // a name may have a million characters
+    return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
+                       what.size() > longest ? "…" : "", mend);
+}
+
+std::vector<std::string> origins(const Item& item) {
+    std::vector<std::string> all = item.sources;
+    if (!item.derived.empty()) {
+        all.push_back("derived: " + item.derived);
+    }
+    return all;
+}
+
+std::string to_text(const Value& value) {
+    struct Printer {
+        std::string operator()(std::monostate) const { return ""; }
+        std::string operator()(bool b) const { return b ? "true" : "false"; }
+        std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
+        std::string operator()(double d) const { return fmt::format("{}", d); }
+        std::string operator()(const std::string& s) const { return s; }
+    };
+    return std::visit(Printer{}, value);
+}
+
+std::vector<std::string> Signal::names() const {
+    std::vector<std::string> all;
+    for (int n = 1; n <= count; ++n) {
+        std::string one = name;
+        const auto at = one.find("{n}");
+        if (at != std::string::npos) {
+            one.replace(at, 3, std::to_string(n));
+        }
+        all.push_back(one);
+    }
+    return all;
+}
+
+std::string Part::cpp_name() const {
+    return snake_case(name);
+}
+
+const Part* Register::part(const std::string& name) const {
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
+    return found == parts.end() ? nullptr : &*found;
+}
+
+const Manual* Register::manual(const std::string& key) const {
+    const auto found = std::find_if(manuals.begin(), manuals.end(), [&](const Manual& m) { return m.key == key; });
+    return found == manuals.end() ? nullptr : &*found;
+}
+
+const Enumeration* Register::enumeration(const Part& in, const std::string& id) const {
+    for (const Part* place : {&in, part("canopen")}) {
+        if (place == nullptr) {
+            continue;
+        }
+        for (const auto& one : place->enumerations) {
+            if (one.id == id) {
+                return &one;
+            }
+        }
+    }
+    return nullptr;
+}
+
+SpecFiles read_spec_files(const std::filesystem::path& spec) {
+    SpecFiles files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
+        if (file.is_directory() || file.path().extension() != ".toml") {
+            continue;
+        }
+        files["spec/" + file.path().lexically_relative(spec).generic_string()] =
+            read_file(file.path(), longest_toml_file);
+    }
+    if (files.empty()) {
+        throw InputError{
+            fmt::format("{} holds no .toml file; name the folder of a register, such as spec", spec.string())};
+    }
+    return files;
+}
+
+namespace {
+
+struct TypeFacts {
+    const char* word;
+    std::size_t size;
+    std::int64_t minimum;
+    std::int64_t maximum;
+};
+
+constexpr std::int64_t none = 0;
+constexpr std::array<TypeFacts, 14> types{{{"BOOLEAN", 1, 0, 1},
+                                           {"INTEGER8", 1, INT8_MIN, INT8_MAX},
+                                           {"INTEGER16", 2, INT16_MIN, INT16_MAX},
+                                           {"INTEGER32", 4, INT32_MIN, INT32_MAX},
+                                           {"INTEGER64", 8, INT64_MIN, INT64_MAX},
+                                           {"UNSIGNED8", 1, 0, UINT8_MAX},
+                                           {"UNSIGNED16", 2, 0, UINT16_MAX},
+                                           {"UNSIGNED32", 4, 0, UINT32_MAX},
+                                           {"UNSIGNED64", 8, 0, INT64_MAX},
+                                           {"REAL32", 4, none, none},
+                                           {"REAL64", 8, none, none},
+                                           {"VISIBLE_STRING", 0, none, none},
+                                           {"OCTET_STRING", 0, none, none},
+                                           {"DOMAIN", 0, none, none}}};
+
+const TypeFacts* facts(const std::string& type) {
+    const auto found = std::find_if(types.begin(), types.end(), [&](const TypeFacts& f) { return type == f.word; });
+    return found == types.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::size_t type_size(const std::string& type) {
+    return facts(type) == nullptr ? 0 : facts(type)->size;
+}
+
+bool is_known_type(const std::string& type) {
+    return facts(type) != nullptr;
+}
+
+bool is_string_type(const std::string& type) {
+    return type == "VISIBLE_STRING" || type == "OCTET_STRING";
+}
+
+std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type) {
+    const TypeFacts* found = facts(type);
+    if (found == nullptr || found->maximum == none) {
+        return std::nullopt;
+    }
+    return std::pair{found->minimum, found->maximum};
+}
+
+std::string snake_case(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const auto u = static_cast<unsigned char>(c);
+        if (std::isalnum(u) != 0) {
+            out += static_cast<char>(std::tolower(u));
+        } else if (!out.empty() && out.back() != '_') {
+            out += '_';
+        }
+    }
+    while (!out.empty() && out.back() == '_') {
+        out.pop_back();
+    }
+    return out;
+}
+
+std::string pascal_case(const std::string& text) {
+    std::string out;
+    bool upper = true;
+    for (const char c : snake_case(text)) {
+        if (c == '_') {
+            upper = true;
+        } else {
+            out += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+            upper = false;
+        }
+    }
+    return out;
+}
+
+}  // namespace canproof::host

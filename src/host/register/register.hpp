@@ -1,0 +1,300 @@
+// The register in memory: what spec/ says, families and arrays written out. Grammar: spec/README.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/register/fault.hpp"
+
+namespace canproof::host {
+
+/// A literal of the register; monostate where none is given.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+std::string to_text(const Value& value);
+
+/// What every item of the register has.
+struct Item {
+    std::string id;
+    std::string text;
+    std::vector<std::string> sources;
+    std::string derived;  ///< why the item stands without a manual's sentence; empty: a source says it
+    Place place;
+    Place id_place;      ///< of `id`, or of an object's `index`
+    Place source_place;  ///< of `source`, or of `derived`
+};
+/// The sources, and `derived: …` with the reason where the item is derived.
+std::vector<std::string> origins(const Item& item);
+
+struct Section {
+    std::string ref;
+    std::string title;
+    bool normative{false};
+    std::string reason;
+    std::vector<std::string> objects;
+    std::vector<std::string> conditions;  ///< of use: what installer and operator must keep, each a sentence
+    Place place;
+};
+
+struct Manual {
+    std::string key;
+    std::string title;
+    std::string publisher;
+    std::string revision;
+    std::string date;
+    std::vector<Section> sections;
+    Place place;
+};
+
+/// What an item answers to a question that other items answer too. Without a topic it is compared with nothing.
+struct Answer {
+    std::string topic;      ///< the question: heartbeat.consumer-range
+    std::string choice;     ///< the answer, one word
+    std::string differs;    ///< why another device of the same maker answers otherwise
+    std::string overrides;  ///< why a shared item answers otherwise
+    Place place;            ///< of `topic`
+};
+
+struct Requirement : Item {
+    std::string kind;
+    std::vector<std::string> verify;
+    std::string retired;
+    Answer answer;
+};
+
+/// One end of a range.
+struct Limit {
+    enum class Kind { none, number, object } kind{Kind::none};
+    Value number;
+    std::uint16_t index{0};
+    int subindex{-1};  ///< -1: the sub-index of the entry itself
+    std::int64_t add{0};
+    Place place;
+};
+
+struct Range {
+    Limit minimum;
+    Limit maximum;
+    std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
+    std::string table;
+    bool zero{false};  ///< 0 is allowed below the minimum
+    Place place;
+    bool empty() const {
+        return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&
+               table.empty();
+    }
+};
+
+struct Entry {
+    std::uint8_t subindex{0};
+    std::string name;
+    std::string type;  ///< CiA word: UNSIGNED16 …
+    std::string access;
+    Value value;  ///< default; the base when node_id
+    bool node_id{false};
+    Range range;
+    std::string mapping{"none"};
+    bool stored{false};
+    std::string service{"none"};
+    std::size_t length{0};  ///< bytes of a string
+    bool factory{false};
+    bool live{false};
+    Place place;
+    Place default_place;  ///< of `default`, or of its element in a list; `place` where there is none
+};
+
+struct Object : Item {
+    std::uint16_t index{0};
+    std::string name;
+    enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
+    bool alike{false};  ///< `array = N` wrote its entries: one type, one field of the firmware
+    std::string unit;
+    std::vector<Entry> entries;
+};
+
+struct Column {
+    std::string name;
+    std::string enumeration;
+    std::string type;  ///< of an output; empty: inferred
+    std::string unit;
+    std::optional<std::int64_t> minimum;
+    std::optional<std::int64_t> maximum;
+    std::vector<std::string> words;  ///< domain of a column of words
+    Place place;
+    enum class Kind { words, integers, booleans, reals } kind{Kind::words};
+};
+
+/// What stands in one field of a row: alternatives, each a literal or an inclusive range; none at all means "any".
+struct Cell {
+    struct Part {
+        Value first;
+        Value last;
+    };
+    std::vector<Part> parts;
+    bool any() const { return parts.empty(); }
+};
+
+struct Table : Item {
+    std::vector<Column> inputs;
+    std::vector<Column> outputs;
+    struct Row {
+        std::vector<Cell> cells;
+        Place place;
+    };
+    std::vector<Row> rows;
+    bool complete{true};  ///< false when a row could not be read: gaps are not looked for
+};
+
+struct Enumeration : Item {
+    std::string name;
+    std::vector<std::pair<std::string, std::int64_t>> values;
+};
+
+struct Constant : Item {
+    std::string name;
+    std::string type;
+    std::string unit;
+    Value value;
+    bool compiled_in{false};  ///< the firmware needs it while it is compiled, as the size of an array is
+    Place value_place;
+};
+
+struct Signal : Item {
+    std::string name;  ///< may hold {n}
+    int count{1};
+    bool input{false};
+    std::string type;
+    std::string unit;
+    std::optional<double> minimum;
+    std::optional<double> maximum;
+    Value value;
+    Place default_place;
+    /// Names of the single signals: aout1, aout2 …
+    std::vector<std::string> names() const;
+};
+
+struct Decision : Item {
+    struct Reading {
+        std::string says;
+        std::string source;
+        Place place;
+    };
+    std::vector<Reading> readings;
+    std::string chosen;
+    std::string because;
+    std::vector<std::string> affects;
+    Place affects_place;
+    std::string none;
+    std::string severity;
+    std::string ref;
+    Answer answer;
+};
+
+/// Someone has read an item together with its code and tests.
+struct Review {
+    std::string fingerprint;  ///< of the item as it was then
+    std::string date;         ///< 2026-11-21
+    std::string by;
+    Place place;
+};
+
+/// What a device says of itself; empty for the shared part.
+struct DeviceInfo {
+    std::string title;
+    std::string vendor;
+    std::string manual;
+    std::vector<std::string> part_numbers;
+    std::vector<std::string> variants;  ///< `AX130771: CAN and outputs isolated`: in what a part number differs
+    int node_id{0};
+    std::string node_id_note;
+    std::int64_t bit_rate{0};
+    std::vector<std::int64_t> bit_rates;
+    std::vector<std::string> sources;
+    Place source_place;
+    Place manual_place;
+    bool lss{false};
+    bool block_sdo{false};
+    std::string limit_abort{"high_low"};
+    std::string error_list{"history"};
+    Place place;
+};
+
+/// One folder of items: a device, or spec/canopen (name "canopen").
+struct Part {
+    std::string name;
+    std::string prefix;
+    DeviceInfo info;
+    bool has_device_file{false};
+    std::vector<Requirement> requirements;
+    std::vector<Object> objects;  ///< ascending by index
+    std::vector<Table> tables;
+    std::vector<Enumeration> enumerations;
+    std::vector<Constant> constants;
+    std::vector<Signal> signals;
+    std::vector<Decision> decisions;
+    std::map<std::string, Review> reviews;  ///< by id
+    std::vector<std::string> files;
+
+    /// `cbx-ao412` as C++ spells it: cbx_ao412.
+    std::string cpp_name() const;
+    bool is_device() const { return name != "canopen"; }
+};
+
+struct Register {
+    std::vector<Manual> manuals;
+    std::vector<Part> parts;  ///< canopen first, then the devices by name
+
+    const Part* part(const std::string& name) const;
+    const Manual* manual(const std::string& key) const;
+    /// An enumeration of `part` itself or of the shared part; nullptr when there is none.
+    const Enumeration* enumeration(const Part& part, const std::string& id) const;
+    /// Calls visit(item, word) for all items that have an id; `word` says what they are: "requirement", "object" …
+    template <typename Visit>
+    void for_each_item(const Part& part, const Visit& visit) const {
+        for (const auto& item : part.requirements)
+            visit(static_cast<const Item&>(item), "requirement");
+        for (const auto& item : part.objects)
+            visit(static_cast<const Item&>(item), "object");
+        for (const auto& item : part.tables)
+            visit(static_cast<const Item&>(item), "table");
+        for (const auto& item : part.enumerations)
+            visit(static_cast<const Item&>(item), "enumeration");
+        for (const auto& item : part.constants)
+            visit(static_cast<const Item&>(item), "constant");
+        for (const auto& item : part.signals)
+            visit(static_cast<const Item&>(item), "signal");
+    }
+};
+
+struct LoadResult {
+    Register content;
+    Faults faults;  ///< ascending by file and line
+};
+
+/// Files by path: "spec/devices/x/device.toml" → text.
+using SpecFiles = std::map<std::string, std::string>;
+
+/// The .toml files below a folder, as if it were named spec/.
+SpecFiles read_spec_files(const std::filesystem::path& spec);
+LoadResult load_register(const std::filesystem::path& spec);
+/// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
+LoadResult load_register(const SpecFiles& files);
+/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
+std::optional<Register> read_sound_register(const SpecFiles& files);
+
+/// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
+std::size_t type_size(const std::string& type);
+/// Smallest and largest value of an integer type (64-bit unsigned is cut at INT64_MAX).
+std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type);
+bool is_string_type(const std::string& type);
+bool is_known_type(const std::string& type);
+
+/// `AO CBX-Error mode 2` → `ao_cbx_error_mode_2`; PascalCase for types.
+std::string snake_case(const std::string& text);
+std::string pascal_case(const std::string& text);
+
+}  // namespace canproof::host

@@ -1,0 +1,17 @@
+// A string without `length` is as long as its default.
+#include "host/register/checker.hpp"
+
+namespace canproof::host {
+
+void resolve_lengths(Part& part) {
+    for (Object& object : part.objects) {
+        for (Entry& entry : object.entries) {
+            const auto* text = std::get_if<std::string>(&entry.value);
+            if (text != nullptr && entry.length == 0 && is_string_type(entry.type)) {
+                entry.length = text->size();
+            }
+        }
+    }
+}
+
+}  // namespace canproof::host

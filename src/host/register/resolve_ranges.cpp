@@ -1,0 +1,108 @@
+// `range = { table = … }`: the values of a table's first input column, put into the entry itself.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "host/register/checker.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A table that allows more single values than this must be a range without holes.
+constexpr std::int64_t most_values = 0x10000;
+
+const Table* find_table(const Register& content, const Part& part, const std::string& id) {
+    for (const Part* place : {&part, content.part("canopen")}) {
+        if (place == nullptr) {
+            continue;
+        }
+        const auto found =
+            std::find_if(place->tables.begin(), place->tables.end(), [&](const Table& t) { return t.id == id; });
+        if (found != place->tables.end()) {
+            return &*found;
+        }
+    }
+    return nullptr;
+}
+
+void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell& cell) {
+    std::vector<Cell::Part> parts = cell.parts;
+    if (cell.any() && column.minimum && column.maximum) {
+        parts.emplace_back();
+        parts.back().first = *column.minimum;
+        parts.back().last = *column.maximum;
+    }
+    for (const auto& part : parts) {
+        const auto* first = std::get_if<std::int64_t>(&part.first);
+        const auto* last = std::get_if<std::int64_t>(&part.last);
+        if (first == nullptr || last == nullptr || *last - *first > most_values) {
+            continue;
+        }
+        for (std::int64_t value = *first; value <= *last; ++value) {
+            numbers.insert(value);
+        }
+    }
+}
+
+/// The numbers in a table's first input column; of a column of words those of its enumeration.
+std::set<std::int64_t> numbers_of(const Register& content, const Part& part, const Table& table) {
+    std::set<std::int64_t> numbers;
+    if (table.inputs.empty()) {
+        return numbers;
+    }
+    const Column& column = table.inputs.front();
+    if (const Enumeration* words = content.enumeration(part, column.enumeration)) {
+        for (const auto& [word, number] : words->values) {
+            numbers.insert(number);
+        }
+        return numbers;
+    }
+    for (const auto& row : table.rows) {
+        add_cell(numbers, column, row.cells.front());
+    }
+    return numbers;
+}
+
+/// Numbers without a hole are a range with two ends; others are a list.
+void put(const std::set<std::int64_t>& numbers, Range& range) {
+    const std::int64_t low = *numbers.begin();
+    const std::int64_t high = *numbers.rbegin();
+    if (high - low + 1 == static_cast<std::int64_t>(numbers.size())) {
+        range.minimum = Limit{Limit::Kind::number, low, 0, -1, 0, range.place};
+        range.maximum = Limit{Limit::Kind::number, high, 0, -1, 0, range.place};
+    } else {
+        range.values.assign(numbers.begin(), numbers.end());
+    }
+}
+
+}  // namespace
+
+void resolve_ranges(const Register& content, Part& part, Faults& faults) {
+    for (Object& object : part.objects) {
+        for (Entry& entry : object.entries) {
+            Range& range = entry.range;
+            if (range.table.empty()) {
+                continue;
+            }
+            const Table* table = find_table(content, part, range.table);
+            if (table == nullptr) {
+                faults.push_back({range.place,
+                                  fmt::format("{:04X}h:{} takes its range from table {}, which does not exist",
+                                              object.index, entry.subindex, range.table),
+                                  "name a [[table]] of this device"});
+                continue;
+            }
+            const auto numbers = numbers_of(content, part, *table);
+            if (numbers.empty()) {
+                faults.push_back({range.place, fmt::format("table {} has no numbers in its first column", range.table),
+                                  "name a table whose first input is a number"});
+                continue;
+            }
+            put(numbers, range);
+        }
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,65 @@
+// One TOML table while it is read: remembers which keys were asked for, and tells every fault with its line.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+class TomlItem {
+  public:
+    TomlItem(const toml::table& table, std::string file, Faults& faults)
+        : table_{table}, file_{std::move(file)}, faults_{faults} {}
+
+    Place place() const { return Place{file_, static_cast<unsigned>(table_.source().begin.line)}; }
+    Place place(const std::string& key) const;
+    bool has(const std::string& key) const { return table_.contains(key); }
+
+    /// A required string, not empty.
+    std::string text(const std::string& key);
+    std::string text_or(const std::string& key, const std::string& otherwise);
+    /// A required whole number within [minimum, maximum].
+    std::int64_t integer(const std::string& key, std::int64_t minimum, std::int64_t maximum);
+    std::int64_t integer_or(const std::string& key, std::int64_t otherwise, std::int64_t minimum, std::int64_t maximum);
+    bool boolean_or(const std::string& key, bool otherwise);
+    std::optional<double> number(const std::string& key);
+    std::vector<std::string> texts(const std::string& key, bool required);
+    std::vector<std::int64_t> integers(const std::string& key);
+    /// One of the words; otherwise a fault that lists them.
+    std::string word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise);
+    Value value(const std::string& key);
+    const toml::node* node(const std::string& key);
+    /// Sub-tables of an array of tables.
+    std::vector<TomlItem> items(const std::string& key);
+    std::optional<TomlItem> item(const std::string& key);
+
+    void fault(const std::string& what, const std::string& mend) { fault(place(), what, mend); }
+    void fault(const Place& at, const std::string& what, const std::string& mend) {
+        faults_.push_back({at, what, mend});
+    }
+    /// Tells each key that nobody asked for.
+    void finish();
+
+    Faults& faults() { return faults_; }
+    const std::string& file() const { return file_; }
+    const toml::table& table() const { return table_; }
+
+  private:
+    void missing(const std::string& key, const std::string& what);
+    void wrong_type(const std::string& key, const std::string& expected);
+
+    const toml::table& table_;
+    std::string file_;
+    Faults& faults_;
+    std::set<std::string> asked_;
+};
+
+Value literal(const toml::node& node);
+
+}  // namespace canproof::host

@@ -1,0 +1,217 @@
+// Raw CAN sockets of Linux; the interface's controller through libsocketcan.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <libsocketcan.h>
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <linux/sock_diag.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "host/sim/bus/can_system.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t batch = 64;  // frames a system call
+
+/// Room for the time stamp and the drop counter of one frame.
+struct Control {
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t))> bytes{};
+};
+
+bool set(int descriptor, int level, int option, int value) {
+    return setsockopt(descriptor, level, option, &value, sizeof value) == 0;
+}
+
+/// Past the system's limit for those who may, up to the limit for others. True when all of it was given.
+bool make_room(int descriptor) {
+    if (set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {
+        return true;
+    }
+    int given = 0;
+    socklen_t size = sizeof given;
+    return set(descriptor, SOL_SOCKET, SO_RCVBUF, receive_room) &&
+           getsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &given, &size) == 0 && given >= receive_room;
+}
+
+int bind_to(int descriptor, unsigned number) {
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(number);
+    sockaddr_storage general{};
+    std::memcpy(&general, &address, sizeof address);
+    return bind(descriptor, reinterpret_cast<const sockaddr*>(&general), sizeof address) == 0 ? 0 : errno;
+}
+
+void read_control(msghdr& message, CanReception& got) {
+    for (cmsghdr* one = CMSG_FIRSTHDR(&message); one != nullptr; one = CMSG_NXTHDR(&message, one)) {
+        if (one->cmsg_level != SOL_SOCKET) {
+            continue;
+        }
+        if (one->cmsg_type == SO_TIMESTAMPNS) {
+            timespec stamp{};
+            std::memcpy(&stamp, CMSG_DATA(one), sizeof stamp);
+            got.stamp_ns =
+                static_cast<std::uint64_t>(stamp.tv_sec) * 1000000000U + static_cast<std::uint64_t>(stamp.tv_nsec);
+        } else if (one->cmsg_type == SO_RXQ_OVFL) {
+            std::memcpy(&got.dropped, CMSG_DATA(one), sizeof got.dropped);
+        }
+    }
+}
+
+/// libsocketcan prints what it does not find, such as the bit rate of a vcan; what matters is told by the bus.
+class Hush {
+  public:
+    Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {
+        if (kept_ >= 0 && nowhere_ >= 0) {
+            dup2(nowhere_, STDERR_FILENO);
+        }
+    }
+    ~Hush() {
+        if (kept_ >= 0 && nowhere_ >= 0) {
+            dup2(kept_, STDERR_FILENO);
+        }
+        for (const int descriptor : {kept_, nowhere_}) {
+            if (descriptor >= 0) {
+                ::close(descriptor);
+            }
+        }
+    }
+    Hush(const Hush&) = delete;
+    Hush& operator=(const Hush&) = delete;
+
+  private:
+    int kept_;
+    int nowhere_;
+};
+
+class LinuxCanSystem final : public CanSystem {
+  public:
+    CanOpening open(const std::string& interface, bool error_frames) override {
+        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW);
+        if (descriptor < 0) {
+            return {-1, errno};
+        }
+        const can_err_mask_t errors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
+        const bool roomy = make_room(descriptor);
+        bool sound = set(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1) && set(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
+        if (error_frames) {
+            sound = sound && set(descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, static_cast<int>(errors));
+        }
+        const unsigned number = interface_number(interface);
+        const int error = !sound ? errno : number == 0 ? ENODEV : bind_to(descriptor, number);
+        if (error != 0) {
+            ::close(descriptor);
+            return {-1, error};
+        }
+        return {descriptor, 0, roomy};
+    }
+    void close(int descriptor) override { ::close(descriptor); }
+
+    int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
+        const auto size = static_cast<socklen_t>(filters.size() * sizeof(can_filter));
+        return setsockopt(descriptor, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size) == 0 ? 0 : errno;
+    }
+
+    int send(int descriptor, const can_frame& frame) override {
+        const ssize_t sent = ::write(descriptor, &frame, sizeof frame);
+        return sent == static_cast<ssize_t>(sizeof frame) ? 0 : sent < 0 ? errno : EIO;
+    }
+
+    int receive(int descriptor, std::vector<CanReception>& into) override {
+        std::array<can_frame, batch> frames{};
+        std::array<iovec, batch> places{};
+        std::array<Control, batch> controls{};
+        std::array<mmsghdr, batch> messages{};
+        for (std::size_t i = 0; i < batch; ++i) {
+            places[i] = {&frames[i], sizeof frames[i]};
+            messages[i].msg_hdr.msg_iov = &places[i];
+            messages[i].msg_hdr.msg_iovlen = 1;
+            messages[i].msg_hdr.msg_control = controls[i].bytes.data();
+            messages[i].msg_hdr.msg_controllen = controls[i].bytes.size();
+        }
+        const int count = recvmmsg(descriptor, messages.data(), batch, 0, nullptr);
+        for (int n = 0; n < count; ++n) {
+            const auto i = static_cast<std::size_t>(n);
+            if (messages[i].msg_len != sizeof frames[i]) {
+                return EIO;
+            }
+            CanReception got;
+            got.frame = frames[i];
+            read_control(messages[i].msg_hdr, got);
+            into.push_back(got);
+        }
+        return count < 0 ? errno : 0;
+    }
+
+    std::uint32_t dropped(int descriptor) override {
+        std::array<std::uint32_t, SK_MEMINFO_VARS> numbers{};
+        socklen_t size = sizeof numbers;
+        static_cast<void>(getsockopt(descriptor, SOL_SOCKET, SO_MEMINFO, numbers.data(), &size));
+        return numbers[SK_MEMINFO_DROPS];
+    }
+
+    unsigned interface_number(const std::string& interface) override { return if_nametoindex(interface.c_str()); }
+
+    bool is_up(const std::string& interface) override {
+        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW);
+        ifreq request{};
+        interface.copy(request.ifr_name, sizeof request.ifr_name - 1);
+        const bool known = descriptor >= 0 && ioctl(descriptor, SIOCGIFFLAGS, &request) == 0;
+        if (descriptor >= 0) {
+            ::close(descriptor);
+        }
+        return known && (static_cast<unsigned>(request.ifr_flags) & static_cast<unsigned>(IFF_UP)) != 0U;
+    }
+
+    std::uint32_t bit_rate(const std::string& interface) override {
+        const Hush hush;
+        can_bittiming timing{};
+        return can_get_bittiming(interface.c_str(), &timing) == 0 ? timing.bitrate : 0U;
+    }
+
+    BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t wanted) override {
+        const std::uint32_t present = bit_rate(interface);
+        if (present == 0 || present == wanted) {
+            return {present == wanted, present == wanted ? "" : fmt::format("{} has no bit rate to be set", interface)};
+        }
+        const Hush hush;
+        if (can_do_stop(interface.c_str()) != 0) {
+            return {false, fmt::format("{} could not be taken down; this takes the right CAP_NET_ADMIN", interface)};
+        }
+        const bool done = can_set_bitrate(interface.c_str(), wanted) == 0;
+        const bool up = can_do_start(interface.c_str()) == 0;
+        return {done && up, done && up ? ""
+                            : done     ? fmt::format("{} could not be taken up again", interface)
+                                       : fmt::format("{} takes no such bit rate", interface)};
+    }
+
+    bool restart(const std::string& interface) override {
+        const Hush hush;
+        return can_do_restart(interface.c_str()) == 0;
+    }
+
+    std::uint64_t realtime_ns() override {
+        timespec now{};
+        clock_gettime(CLOCK_REALTIME, &now);
+        return static_cast<std::uint64_t>(now.tv_sec) * 1000000000U + static_cast<std::uint64_t>(now.tv_nsec);
+    }
+};
+
+}  // namespace
+
+CanSystem& linux_can_system() {
+    static LinuxCanSystem system;
+    return system;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,128 @@
+// A SocketCAN interface: each node has a raw socket of its own with its own kernel filters; one more hears everything.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/sim/bus/bus.hpp"
+#include "host/sim/bus/can_system.hpp"
+#include "host/sim/bus/echo_matcher.hpp"
+
+namespace canproof::host {
+
+/// Whether the run may change the interface itself, which others use too.
+enum class InterfaceControl {
+    none,    ///< says what it would have done
+    granted  ///< sets the bit rate that LSS asks for, restarts the controller after bus-off
+};
+
+/// Frames count from when the kernel stamped them. A node is told bus-off while the interface is down: it can send
+/// nothing, and what it wanted to send then is out of date. A full device queue (ENOBUFS) is waited for, frame in hand.
+class SocketCanBus final : public Bus {
+  public:
+    /// After ENOBUFS the next try comes after this, then after twice as long, up to the second.
+    static constexpr Duration first_pause = milliseconds(1);
+    static constexpr Duration longest_pause = milliseconds(16);
+    /// How often an interface that is down or gone is looked for.
+    static constexpr Duration search_period = milliseconds(100);
+    /// A controller that has not recovered from bus-off by itself is restarted after this.
+    static constexpr Duration restart_after = milliseconds(500);
+    /// A run that is behind keeps about so many frames; then it leaves them in the kernel.
+    static constexpr std::size_t most_arrived = 65536;
+
+    /// `now` is the time at which the bus is opened. Throws InputError when the interface cannot be opened.
+    SocketCanBus(std::string interface, CanSystem& system, InterfaceControl control, Instant now);
+    ~SocketCanBus() override;
+    SocketCanBus(const SocketCanBus&) = delete;
+    SocketCanBus& operator=(const SocketCanBus&) = delete;
+
+    void attach(BusNode& node) override;
+    bool put(const Frame& frame, Instant now) override;
+    std::vector<Watch> watches() const override;
+    Instant poll(Instant now) override;
+    void advance(Instant now) override;
+    Instant next_deadline() const override;
+    BusReport report(Instant now) const override;
+    const std::string& interface() const override { return interface_; }
+
+  private:
+    struct Port {
+        BusNode* node{nullptr};  ///< nullptr: the socket that hears everything, and sends what put() gets
+        int descriptor{-1};
+        std::vector<AcceptanceFilter> filters;
+        std::uint32_t dropped{0};  ///< the socket's own count
+        std::uint64_t lost{0};     ///< of all its sockets
+        bool overrun{false};
+        CanState told{CanState::error_active};
+        Instant retry{never};
+        Duration pause{};
+        std::uint32_t bit_rate{0};
+        std::deque<Frame> waiting;  ///< from put()
+    };
+    struct Arrival {
+        Instant time{};
+        std::size_t port{0};
+        can_frame frame{};
+        bool lost_before{false};
+        std::uint64_t order{0};  ///< of reading: equal times keep it
+    };
+
+    void open_sockets(Instant now);
+    void open_socket(Port& port);
+    void close_sockets();
+    Instant read_socket(std::size_t port, Instant now);
+    void count_losses(Port& port, std::uint32_t dropped);
+    void tell_losses(Instant now);
+    Instant arrival_time(std::uint64_t stamp_ns, Instant now);
+    void take(const Arrival& arrival);
+    void take_error(Port& port, const can_frame& frame, Instant now);
+    void set_overrun(Port& port, bool lost, Instant now);
+    void set_state(Port& port, CanState state, Instant now);
+    void send_when_due(Port& port, Instant now);
+    void send_waiting(Port& port, Instant now);
+    const Frame* next_frame(const Port& port) const;
+    void follow_node(Port& port);
+    void change_bit_rate(const Port& port);
+    void lose_interface(Instant now);
+    void look_for_interface(Instant now);
+    void restart_controller(Instant now);
+    void count(const Frame& frame, Instant now);
+
+    std::string interface_;
+    CanSystem& system_;
+    InterfaceControl control_;
+    std::vector<Port> ports_;  ///< the first is the monitor
+    unsigned number_{0};
+    bool down_{false};
+    Instant look_at_{never};
+    Instant restart_at_{never};
+    Instant advanced_to_{};
+    bool clock_is_known_{false};
+    std::int64_t clock_offset_us_{0};  ///< run time minus real time
+    std::deque<Arrival> arrived_;
+    Instant known_{};  ///< everything that came up to then is read
+    std::uint64_t arrivals_{0};
+    std::vector<CanReception> received_;  ///< of one system call
+    bool roomy_{true};
+    bool losses_are_news_{false};
+    Instant losses_told_{never};
+    struct Sender {
+        const BusNode* node{nullptr};
+        Instant time{};
+    };
+    EchoMatcher<Sender> own_;
+    std::uint32_t bit_rate_{0};
+    std::uint64_t frames_{0};
+    std::uint64_t errors_{0};
+    Duration worst_latency_{};
+    struct Busy {
+        Instant end;
+        std::uint64_t us;
+    };
+    std::deque<Busy> busy_;
+    std::uint64_t busy_us_{0};
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,294 @@
+#include "host/sim/bus/socketcand_bus.hpp"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int waiting_connections = 8;
+constexpr int kernel_room =
+    64 * 1024;  // bytes a client, beside the session's own bound: who does not read is found out
+
+[[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
+    throw InputError{
+        fmt::format("cannot listen at {}:{} ({}); name a free address, as in --bus socketcand:127.0.0.1:29536",
+                    address.host, address.port, why)};
+}
+
+/// A listening socket, non-blocking.
+int listen_at(const ListenAddress& address) {
+    addrinfo wish{};
+    wish.ai_socktype = SOCK_STREAM;
+    wish.ai_flags = AI_NUMERICHOST | AI_PASSIVE | AI_NUMERICSERV;
+    addrinfo* found = nullptr;
+    const int unknown = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wish, &found);
+    if (unknown != 0) {
+        refuse(address, gai_strerror(unknown));
+    }
+    const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    const int on = 1;
+    const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
+                       bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
+                       listen(descriptor, waiting_connections) == 0;
+    const int error = errno;
+    freeaddrinfo(found);
+    if (!sound) {
+        if (descriptor >= 0) {
+            close(descriptor);
+        }
+        refuse(address, std::strerror(error));
+    }
+    return descriptor;
+}
+
+/// Best effort: a socket without one of them works as well.
+void set_options(int descriptor) {
+    const auto set = [&](int level, int option, int value) {
+        static_cast<void>(setsockopt(descriptor, level, option, &value, sizeof value));
+    };
+    set(IPPROTO_TCP, TCP_NODELAY, 1);
+    set(SOL_SOCKET, SO_SNDBUF, kernel_room);
+    set(SOL_SOCKET, SO_KEEPALIVE, 1);
+    set(IPPROTO_TCP, TCP_KEEPIDLE, SocketcandBus::keepalive_idle);
+    set(IPPROTO_TCP, TCP_KEEPINTVL, SocketcandBus::keepalive_interval);
+    set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
+}
+
+/// The port of a bound socket; IPv4 and IPv6 keep it at the same place.
+std::uint16_t port_of(int descriptor) {
+    sockaddr_storage general{};
+    socklen_t size = sizeof general;
+    getsockname(descriptor, reinterpret_cast<sockaddr*>(&general), &size);
+    sockaddr_in address{};
+    std::memcpy(&address, &general, sizeof address);
+    return ntohs(address.sin_port);
+}
+
+}  // namespace
+
+ListenAddress parse_listen_address(const std::string& text) {
+    ListenAddress address;
+    const auto colon = text.rfind(':');
+    const bool bare_host = colon == std::string::npos || (!text.empty() && text.back() == ']');
+    std::string host = bare_host ? text : text.substr(0, colon);
+    const std::string port = bare_host ? "" : text.substr(colon + 1);
+    if (host.size() >= 2 && host.front() == '[' && host.back() == ']') {
+        host = host.substr(1, host.size() - 2);
+    }
+    if (!host.empty()) {
+        address.host = host;
+    }
+    if (!port.empty()) {
+        const bool number = port.size() < 6 && port.find_first_not_of("0123456789") == std::string::npos;
+        if (!number || std::stoul(port) > 65535) {
+            throw InputError{fmt::format("`{}` is no port; write socketcand:127.0.0.1:29536", port)};
+        }
+        address.port = static_cast<std::uint16_t>(std::stoul(port));
+    }
+    return address;
+}
+
+SocketcandBus::SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
+                             std::uint64_t epoch_us)
+    : bus_{"can0", bit_rate, faults}, epoch_us_{epoch_us}, listener_{listen_at(address)}, port_{port_of(listener_)} {
+    bus_.listen([this](const BusFrame& frame) {
+        tell(frame);
+        tell_remote_frame(frame.frame);
+    });
+    bus_.on_notice([this](const std::string& text) { notice(text); });
+}
+
+SocketcandBus::~SocketcandBus() {
+    for (Client& client : clients_) {
+        bus_.detach_gateway(client.session->gateway());
+        close(client.descriptor);
+    }
+    close(listener_);
+}
+
+std::vector<Watch> SocketcandBus::watches() const {
+    std::vector<Watch> all{{listener_, true, false}};
+    for (const Client& client : clients_) {
+        const bool writes = !client.session->output().empty() && !client.deaf;
+        const bool reads = client.session->wants_input() && !client.ended;
+        if (reads || writes) {
+            all.push_back({client.descriptor, reads, writes});
+        }
+    }
+    return all;
+}
+
+std::size_t SocketcandBus::clients() const {
+    return static_cast<std::size_t>(
+        std::count_if(clients_.begin(), clients_.end(), [](const Client& one) { return !one.leaves(); }));
+}
+
+Instant SocketcandBus::poll(Instant now) {
+    accept_clients(now);
+    for (Client& client : clients_) {
+        read_client(client, now);
+        write_client(client);
+    }
+    drop_gone_clients();
+    return now;
+}
+
+void SocketcandBus::accept_clients(Instant now) {
+    for (int i = 0; i < waiting_connections; ++i) {
+        const int descriptor = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (descriptor < 0) {
+            return;
+        }
+        take_client(descriptor, now);
+    }
+}
+
+void SocketcandBus::take_client(int descriptor, Instant now) {
+    set_options(descriptor);
+    Client client;
+    client.descriptor = descriptor;
+    client.name = fmt::format("client {}", descriptor);
+    client.session = std::make_unique<SocketcandSession>(client.name, epoch_us_);
+    client.joined_at = now;
+    if (clients() == most_clients && !make_place(now)) {
+        const std::string why = fmt::format("{} clients have joined, which is the most", most_clients);
+        if (!refusal_told_) {
+            notice("a client of socketcand was refused: " + why);
+        }
+        refusal_told_ = true;
+        send_away(client, why + "; try again when one has left", now);
+    } else {
+        bus_.attach_gateway(client.session->gateway());
+    }
+    clients_.push_back(std::move(client));
+}
+
+/// Of those that have not opened the bus the one that came first.
+bool SocketcandBus::make_place(Instant now) {
+    const auto idle = std::find_if(clients_.begin(), clients_.end(),
+                                   [&](const Client& one) { return one.is_idle() && one.joined_at + patience <= now; });
+    if (idle != clients_.end()) {
+        send_away(*idle, "another client needs the place, and this one has not opened the bus", now);
+    }
+    return idle != clients_.end();
+}
+
+void SocketcandBus::send_away(Client& client, const std::string& why, Instant now) const {
+    client.session->send_away(why);
+    client.closes_at = now + leave_limit;
+}
+
+void SocketcandBus::end_idle_clients(Instant now) {
+    for (Client& client : clients_) {
+        if (client.is_idle() && client.joined_at + open_limit <= now) {
+            send_away(client, fmt::format("the bus was not opened within {} s", open_limit.us / 1000000U), now);
+        }
+        client.gone = client.gone || client.closes_at <= now;
+    }
+    const auto leaving = static_cast<std::size_t>(
+        std::count_if(clients_.begin(), clients_.end(), [](const Client& one) { return one.leaves(); }));
+    std::size_t too_many = leaving > most_clients ? leaving - most_clients : 0;
+    for (std::size_t i = 0; too_many > 0; ++i) {
+        if (clients_[i].leaves()) {
+            clients_[i].gone = true;
+            --too_many;
+        }
+    }
+}
+
+void SocketcandBus::tell_remote_frame(const Frame& frame) {
+    if (frame.remote && !remote_frame_told_ && clients() != 0) {
+        remote_frame_told_ = true;
+        notice(
+            fmt::format("{} is a remote frame, which socketcand's protocol does not have: its clients do not hear "
+                        "it; node guarding by another program needs --bus socketcan:vcan0",
+                        format_frame(frame)));
+    }
+}
+
+/// One piece a client and turn: who sends without end takes no more than this from the others.
+void SocketcandBus::read_client(Client& client, Instant now) {
+    std::string_view got;
+    std::array<char, SocketcandSession::input_limit> piece{};
+    if (client.session->wants_input() && !client.ended) {
+        const ssize_t count = recv(client.descriptor, piece.data(), piece.size(), 0);
+        client.ended = count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
+        got = count > 0 ? std::string_view{piece.data(), static_cast<std::size_t>(count)} : got;
+    }
+    client.session->receive(got, now);
+}
+
+void SocketcandBus::write_client(Client& client) {
+    const std::string& text = client.session->output();
+    if (!client.deaf && !text.empty()) {
+        const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
+        client.deaf = count < 0 && errno != EAGAIN && errno != EINTR;
+        client.session->sent(count > 0 ? static_cast<std::size_t>(count) : 0U);
+    }
+    if (client.deaf) {
+        client.session->sent(text.size());
+    } else if (client.leaves() && text.empty()) {
+        shutdown(client.descriptor, SHUT_WR);  // it reads why, and closes
+    }
+    if (client.session->is_dropped() && !client.gone) {
+        notice(fmt::format("{} was dropped: {}", client.name, client.session->dropped_because()));
+        client.gone = true;
+    }
+    const Gateway& gateway = client.session->gateway();
+    const bool all_sent = gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
+    client.gone = client.gone || (client.ended && all_sent);
+}
+
+void SocketcandBus::drop_gone_clients() {
+    for (Client& client : clients_) {
+        if (client.gone) {
+            bus_.detach_gateway(client.session->gateway());
+            close(client.descriptor);
+            refusal_told_ = refusal_told_ && client.leaves();
+        }
+    }
+    clients_.erase(std::remove_if(clients_.begin(), clients_.end(), [](const Client& client) { return client.gone; }),
+                   clients_.end());
+}
+
+void SocketcandBus::advance(Instant now) {
+    bus_.advance(now);
+    end_idle_clients(now);
+    bool any = false;
+    for (Client& client : clients_) {
+        client.session->advance(now);
+        any = client.session->receive({}, now) || any;  // the bus may have made room for what waits
+    }
+    if (any) {
+        bus_.advance(now);
+    }
+    for (Client& client : clients_) {
+        write_client(client);
+    }
+    drop_gone_clients();
+}
+
+Instant SocketcandBus::next_deadline() const {
+    Instant next = bus_.next_deadline();
+    for (const Client& client : clients_) {
+        next = earliest(next, client.session->next_deadline());
+        next = earliest(next, client.is_idle() ? client.joined_at + open_limit : client.closes_at);
+    }
+    return next;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,94 @@
+// The in-process bus with a socketcand server: machines and tools without SocketCAN join over TCP.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/socketcand_session.hpp"
+
+namespace canproof::host {
+
+/// Host and port to listen at. Port 0: any that is free.
+struct ListenAddress {
+    std::string host{"127.0.0.1"};
+    std::uint16_t port{29536};
+};
+
+/// `127.0.0.1:29536`, `[::1]:29536`, `:0`; what is left out is as in ListenAddress. Throws InputError.
+ListenAddress parse_listen_address(const std::string& text);
+
+/// Nobody locks others out: a client that does not open the bus is sent away, one whose machine is gone is found out by
+/// TCP keepalive, and one for whom there is no place is told so. A client that has opened the bus may be silent.
+class SocketcandBus final : public Bus {
+  public:
+    static constexpr std::size_t most_clients = 32;
+    /// A client that has not opened the bus after this is sent away.
+    static constexpr Duration open_limit = milliseconds(10000);
+    /// Where all places are taken, a client that has not opened the bus after this gives way to a new one.
+    static constexpr Duration patience = milliseconds(1000);
+    /// A client that was sent away has so long to read why.
+    static constexpr Duration leave_limit = milliseconds(1000);
+    /// Seconds of silence after which the kernel asks whether a peer is still there; between questions; how many.
+    static constexpr int keepalive_idle = 30;
+    static constexpr int keepalive_interval = 10;
+    static constexpr int keepalive_questions = 3;
+
+    /// Listens from here on. Throws InputError when the address cannot be had. `epoch_us`: real time at the run's time
+    /// 0.
+    SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
+                  std::uint64_t epoch_us);
+    ~SocketcandBus() override;
+    SocketcandBus(const SocketcandBus&) = delete;
+    SocketcandBus& operator=(const SocketcandBus&) = delete;
+
+    void attach(BusNode& node) override { bus_.attach(node); }
+    bool put(const Frame& frame, Instant now) override { return bus_.put(frame, now); }
+    std::vector<Watch> watches() const override;
+    Instant poll(Instant now) override;
+    void advance(Instant now) override;
+    Instant next_deadline() const override;
+    BusReport report(Instant now) const override { return bus_.report(now); }
+    const std::string& interface() const override { return bus_.interface(); }
+
+    /// The port that it listens at.
+    std::uint16_t port() const { return port_; }
+    /// Those that were sent away do not count.
+    std::size_t clients() const;
+
+  private:
+    struct Client {
+        int descriptor{-1};
+        std::string name;
+        std::unique_ptr<SocketcandSession> session;
+        Instant joined_at{};
+        Instant closes_at{never};  ///< it was sent away
+        bool ended{false};         ///< sends no more; what it has sent still goes onto the bus
+        bool deaf{false};          ///< takes no more
+        bool gone{false};
+
+        bool leaves() const { return closes_at != never; }
+        bool is_idle() const { return !leaves() && !session->has_joined(); }
+    };
+
+    void accept_clients(Instant now);
+    void take_client(int descriptor, Instant now);
+    bool make_place(Instant now);
+    void send_away(Client& client, const std::string& why, Instant now) const;
+    void end_idle_clients(Instant now);
+    void read_client(Client& client, Instant now);
+    void write_client(Client& client);
+    void drop_gone_clients();
+    void tell_remote_frame(const Frame& frame);
+
+    ArbitratedBus bus_;
+    std::uint64_t epoch_us_;
+    int listener_{-1};
+    std::uint16_t port_{0};
+    std::vector<Client> clients_;
+    bool refusal_told_{false};
+    bool remote_frame_told_{false};
+};
+
+}  // namespace canproof::host

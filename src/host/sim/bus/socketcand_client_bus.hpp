@@ -1,0 +1,103 @@
+// The bus of a socketcand server that others run: the devices join it together, as one client.
+#pragma once
+
+#include <netinet/in.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/sim/bus/bus.hpp"
+#include "host/sim/bus/socketcand_client.hpp"
+
+namespace canproof::host {
+
+/// Where a server is, and which of its buses is meant.
+struct SocketcandPlace {
+    std::string host{"127.0.0.1"};
+    std::uint16_t port{29536};
+    std::string bus{"can0"};
+};
+
+/// `HOST:PORT/BUS`, `[::1]:29536`, `:29536`; what is left out is as in SocketcandPlace. Throws InputError.
+SocketcandPlace parse_socketcand_place(const std::string& text);
+
+/// The devices hear each other here, for a server tells a client nothing of its own frames; one frame follows another
+/// as the bit rate allows. Until the server has let them join, frames wait. A server that is gone is bus-off to the
+/// devices, and is looked for.
+class SocketcandClientBus final : public Bus {
+  public:
+    /// How long a server may take to let the client join.
+    static constexpr Duration join_limit = milliseconds(5000);
+    static constexpr Duration search_period = milliseconds(1000);
+    /// A run that is behind keeps about so many frames; then the server must wait.
+    static constexpr std::size_t most_arrived = 65536;
+
+    /// Connects without waiting. Throws InputError when there is no such server; poll() does when it does not let the
+    /// client join at first.
+    SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now);
+    ~SocketcandClientBus() override;
+    SocketcandClientBus(const SocketcandClientBus&) = delete;
+    SocketcandClientBus& operator=(const SocketcandClientBus&) = delete;
+
+    void attach(BusNode& node) override { nodes_.push_back({&node, node.bit_rate()}); }
+    bool put(const Frame& frame, Instant now) override;
+    std::vector<Watch> watches() const override;
+    Instant poll(Instant now) override;
+    void advance(Instant now) override;
+    Instant next_deadline() const override;
+    BusReport report(Instant now) const override;
+    const std::string& interface() const override { return place_.bus; }
+
+    bool has_joined() const { return client_ && client_->has_joined(); }
+
+  private:
+    struct Node {
+        BusNode* node{nullptr};
+        std::uint32_t bit_rate{0};
+    };
+    struct Arrival {
+        Instant time{};
+        Frame frame{};
+    };
+    struct Busy {
+        Instant start{};
+        Instant end{};
+    };
+
+    void connect_to_server(Instant now);
+    void finish_connecting();
+    void read_server(Instant now);
+    void write_server();
+    void lose_server(const std::string& why, Instant now);
+    void look_at_joining(Instant now);
+    void tell_state(CanState state, Instant now);
+    BusNode* next_sender() const;
+    bool any_frame_waits() const { return next_sender() != nullptr || !outside_.empty(); }
+    void send_one(Instant now);
+    void deliver(const Frame& frame, const BusNode* sender, Instant now);
+    void follow_bit_rates();
+
+    SocketcandPlace place_;
+    std::uint32_t bit_rate_;
+    sockaddr_storage address_{};
+    socklen_t address_size_{0};
+    int descriptor_{-1};
+    bool connecting_{false};
+    std::optional<SocketcandClient> client_;
+    bool joined_once_{false};
+    Instant join_by_{never};
+    Instant look_at_{never};  ///< for a server that is gone
+    Instant polled_at_{};
+    std::vector<Node> nodes_;
+    std::deque<Frame> outside_;
+    std::deque<Arrival> arrived_;
+    Instant may_send_from_{};
+    std::deque<Busy> busy_;  ///< of the last second
+    std::uint64_t frames_{0};
+    bool remote_frame_told_{false};
+    std::string complaint_told_;
+};
+
+}  // namespace canproof::host

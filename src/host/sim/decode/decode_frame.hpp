@@ -1,0 +1,57 @@
+// A frame in words: which CANopen service it belongs to, whose it is, what it says (CiA 301, 7.2 and 7.3.3; CiA 305).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// A node whose dictionary is at hand: its PDOs are told apart and their values named.
+struct KnownNode {
+    std::string name;
+    std::uint8_t node_id{0};
+    const Part* part{nullptr};
+    const ObjectDictionary* objects{nullptr};
+};
+
+enum class FrameService { nmt, sync, time, emcy, pdo, sdo, error_control, lss, other };
+
+struct FrameWords {
+    FrameService service{FrameService::other};
+    std::string node;  ///< name of a known node, else `node 5`; empty when it is nobody's or everybody's
+    std::string text;
+};
+
+class FrameDecoder {
+  public:
+    /// `content` has the words of the shared services; it must outlive the decoder.
+    explicit FrameDecoder(const Register& content) : register_{content} {}
+
+    /// Never fails: what is not understood is `other` with its bytes, or its service with what is wrong.
+    FrameWords decode(const Frame& frame, const std::vector<KnownNode>& nodes) const;
+
+  private:
+    std::string word(const Part* part, const char* enumeration, std::uint64_t value) const;
+    std::string nmt(ByteView data, const std::vector<KnownNode>& nodes) const;
+    std::string emcy(ByteView data, const KnownNode* node) const;
+    std::string error_control(const Frame& frame) const;
+    std::string sdo_request(ByteView data, const Part* part) const;
+    std::string sdo_answer(ByteView data, const Part* part) const;
+    std::string abort_words(ByteView data, const Part* part) const;
+    std::string lss(ByteView data, bool request) const;
+
+    const Register& register_;
+};
+
+/// `NMT`, `PDO` …
+const char* service_word(FrameService service);
+
+/// What the mapping object `index` of the node makes of the data: `name = value, …`.
+std::string mapped_words(const KnownNode& node, std::uint16_t index, ByteView data);
+
+}  // namespace canproof::host

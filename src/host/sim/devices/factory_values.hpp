@@ -1,0 +1,76 @@
+// What belongs to one simulated unit and left the factory with it, by the names of `--factory`.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+class FactoryValues {
+  public:
+    void set_number(const std::string& key, double value) { numbers_[key] = value; }
+    void set_text(const std::string& key, const std::string& value) { texts_[key] = value; }
+
+    /// Leaves `into` as it is where nothing is given for the key. Throws InputError for what its type cannot hold.
+    template <typename Number>
+    void take(const std::string& key, Number& into) const {
+        const auto found = numbers_.find(key);
+        if (found == numbers_.end()) {
+            return;
+        }
+        const double value = found->second;
+        const bool fits = std::isfinite(value) && value >= static_cast<double>(std::numeric_limits<Number>::lowest()) &&
+                          value <= static_cast<double>(std::numeric_limits<Number>::max());
+        if (!fits || (std::is_integral_v<Number> && value != std::floor(value))) {
+            throw InputError{fmt::format("{}={} does not fit its type", key, value)};
+        }
+        into = static_cast<Number>(value);
+    }
+    template <typename Number>
+    void take(const std::string& key, std::optional<Number>& into) const {
+        if (numbers_.count(key) != 0) {
+            Number value{};
+            take(key, value);
+            into = value;
+        }
+    }
+    /// ASCII with zeros behind.
+    template <std::size_t Length>
+    void take(const std::string& key, std::array<std::uint8_t, Length>& into) const {
+        const auto given = text(key);
+        if (!given) {
+            return;
+        }
+        if (given->size() > Length) {
+            throw InputError{fmt::format("{}={} is longer than {} characters", key, *given, Length)};
+        }
+        into.fill(0U);
+        for (std::size_t i = 0; i < given->size(); ++i) {
+            into[i] = static_cast<std::uint8_t>((*given)[i]);
+        }
+    }
+    /// The part number that the unit was named by; empty where it was the device's own name.
+    void set_part_number(const std::string& number) { part_number_ = number; }
+    const std::string& part_number() const { return part_number_; }
+    std::optional<std::string> text(const std::string& key) const {
+        const auto found = texts_.find(key);
+        return found == texts_.end() ? std::nullopt : std::optional<std::string>{found->second};
+    }
+
+  private:
+    std::map<std::string, double> numbers_;
+    std::map<std::string, std::string> texts_;
+    std::string part_number_;
+};
+
+}  // namespace canproof::host

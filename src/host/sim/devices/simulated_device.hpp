@@ -1,0 +1,59 @@
+// A device of the catalogue as the host runs it: frames, named signals and virtual time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "host/sim/devices/factory_values.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "host/sim/devices/node_id.hpp"
+
+namespace canproof::host {
+
+class SimulatedDevice {
+  public:
+    virtual ~SimulatedDevice() = default;
+
+    /// Sets what gives the device its node-ID: coding switches, or the LSS value.
+    virtual void set_node_id(NodeId node_id) = 0;
+    /// Sets coding switches to any value, one that is no node-ID included. False when the device has none.
+    virtual bool set_coding_switches(std::uint8_t) { return false; }
+    virtual void power_on(Instant now) = 0;
+    virtual void receive(const Frame& frame, Instant now) = 0;
+    virtual void advance(Instant now) = 0;
+    virtual Instant next_deadline() const = 0;
+    /// False when there is no input of that name.
+    virtual bool set_input(const std::string& name, double value, Instant now) = 0;
+    /// The value of each input, in the order of input_names(): as it was set, or as the plant makes it.
+    virtual std::vector<double> inputs() const = 0;
+    virtual const std::vector<std::string>& input_names() const = 0;
+    /// The value of each output, in the order of output_names().
+    virtual std::vector<double> outputs() const = 0;
+    virtual const std::vector<std::string>& output_names() const = 0;
+
+    /// The active node-ID; unconfigured_node_id when there is none.
+    virtual std::uint8_t node_id() const = 0;
+    virtual NmtState state() const = 0;
+    /// bit/s that the CAN controller works at, as switches or LSS set it; 0 when the device has no say in it.
+    virtual std::uint32_t bit_rate() const = 0;
+    /// Its dictionary as it is now; nullptr from a device that does not show it.
+    virtual const ObjectDictionary* objects() const { return nullptr; }
+
+    TransmitQueue& queue() { return queue_; }
+    Memory& memory() { return memory_; }
+
+  protected:
+    explicit SimulatedDevice(std::size_t memory_size) : memory_{memory_size} {}
+
+    TransmitQueue queue_;
+    Memory memory_;
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,26 @@
+// The outputs of a device as `seconds,signal,value`: all at first, then each change.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+constexpr const char* output_heading = "seconds,signal,value\n";
+
+class OutputChanges {
+  public:
+    /// `prefix` stands before each name: `ax188001@5.` where several devices write into one file.
+    explicit OutputChanges(std::string prefix = "") : prefix_{std::move(prefix)} {}
+
+    void write(std::ostream& out, Instant at, const SimulatedDevice& device);
+
+  private:
+    std::string prefix_;
+    std::vector<double> last_;
+};
+
+}  // namespace canproof::host

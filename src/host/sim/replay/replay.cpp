@@ -1,0 +1,223 @@
+#include "host/sim/replay/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "host/sim/replay/output_changes.hpp"
+#include "host/sim/replay/own_frames.hpp"
+#include "host/sim/run/forward_time.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A frame that the log does not show within this has not waited for the bus.
+constexpr Duration longest_hold = milliseconds(1000);
+
+FrameSource source_of(const ReplayInput& input) {
+    if (input.source) {
+        return input.source;
+    }
+    return [&frames = input.frames, next = std::size_t{0}](LoggedFrame& frame) mutable {
+        if (next == frames.size()) {
+            return false;
+        }
+        frame = frames[next++];
+        return true;
+    };
+}
+
+/// The device's time begins at 0; the log's is later by `shift_`.
+class Player {
+  public:
+    Player(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out)
+        : device_{device},
+          input_{input},
+          source_{source_of(input)},
+          frames_out_{frames_out},
+          outputs_out_{outputs_out} {}
+
+    void run() {
+        if (outputs_out_ != nullptr) {
+            *outputs_out_ << output_heading;
+        }
+        take_next_frame();
+        interface_ = has_frame_ ? frame_.interface : "can0";
+        is_marked_ = has_frame_ && frame_.mark != LogMark::none;
+        begin();
+        device_.power_on(Instant{});
+        report();
+        for (Instant due = next(); due != never; due = next()) {
+            step(time_.reach(due));
+        }
+        release_all();
+    }
+
+  private:
+    /// Stimuli up to the start describe the world before power is switched on.
+    void begin() {
+        const Instant first = has_frame_ ? frame_.time : Instant{};
+        const Instant start = input_.start.value_or(latest_zero < first ? first : Instant{});
+        if (input_.until && *input_.until < start) {
+            throw InputError{fmt::format("--until {} is before the start at {}", format_seconds(*input_.until),
+                                         format_seconds(start))};
+        }
+        if (!input_.start && start != Instant{}) {
+            tell(fmt::format("power-on at {}, the first frame of the log; --start SECONDS takes another time",
+                             format_seconds(start)));
+        }
+        std::size_t left_out = 0;
+        for (; has_frame_ && frame_.time < start; take_next_frame()) {
+            ++left_out;
+        }
+        if (left_out != 0) {
+            tell(fmt::format("{} frames before the start are left out", left_out));
+        }
+        shift_ = start.us;
+        while (has_stimulus() && stimulus().time <= start) {
+            stimulate();
+        }
+    }
+
+    bool has_stimulus() const { return next_stimulus_ < input_.stimuli.size(); }
+    const Stimulus& stimulus() const { return input_.stimuli[next_stimulus_]; }
+    void take_next_frame() { has_frame_ = source_(frame_); }
+    Instant log_time(Instant device_time) const { return Instant{device_time.us + shift_}; }
+
+    /// When the log's or the stimuli's next line comes, in the log's time.
+    Instant next_line() const {
+        const Instant line = earliest(has_frame_ ? frame_.time : never, has_stimulus() ? stimulus().time : never);
+        return input_.until && *input_.until < line ? never : line;
+    }
+
+    /// … in the device's time: after a silence no longer than longest_silence.
+    Instant due_of(Instant line) const {
+        return line == never ? never : earliest(Instant{line.us - shift_}, last_line_ + longest_silence);
+    }
+
+    Instant next() const {
+        const Instant line = next_line();
+        if (line != never) {
+            return earliest(device_.next_deadline(), due_of(line));
+        }
+        const Instant end = input_.until ? Instant{input_.until->us - std::min(shift_, input_.until->us)} : last_line_;
+        const Instant due = device_.next_deadline();
+        return end < due ? never : due;
+    }
+
+    void step(Instant now) {
+        device_.advance(now);
+        report();
+        for (Instant line = next_line(); line != never && due_of(line) <= now; line = next_line()) {
+            pass_silence(line, now);
+            if (has_stimulus() && stimulus().time == line) {
+                stimulate();
+            } else {
+                receive();
+            }
+            report();
+        }
+    }
+
+    void pass_silence(Instant line, Instant now) {
+        const std::uint64_t shift = std::max(shift_, line.us - std::min(now.us, line.us));
+        if (shift > shift_) {
+            release_all();
+            tell(fmt::format("nothing happens before {}: {} s of it are left out", format_seconds(line),
+                             (shift - shift_) / 1000000U));
+        }
+        shift_ = shift;
+        last_line_ = now;
+    }
+
+    void receive() {
+        const bool may_be_own = frame_.mark != LogMark::received;
+        if (may_be_own && own_.match(frame_.frame, time_.now())) {
+            write_held();
+        } else {
+            device_.receive(frame_.frame, time_.now());
+        }
+        take_next_frame();
+    }
+
+    void stimulate() {
+        const Stimulus& one = stimulus();
+        ++next_stimulus_;
+        if (!device_.set_input(one.signal, one.value, time_.now())) {
+            throw InputError{fmt::format("stimulus at {} s: there is no input `{}`; `canproof signals` lists them",
+                                         format_seconds(one.time), one.signal)};
+        }
+    }
+
+    void report() {
+        const Instant now = log_time(time_.now());
+        while (!device_.queue().empty()) {
+            const Frame frame = device_.queue().pop();
+            own_.sent(frame, time_.now());
+            if (is_marked_ && has_frame_) {
+                held_.push_back({now, interface_, frame});
+            } else {
+                write({now, interface_, frame});
+            }
+        }
+        while (!held_.empty() && held_.front().time + longest_hold < now) {
+            write(held_.front());
+            held_.pop_front();
+        }
+        if (outputs_out_ != nullptr) {
+            outputs_.write(*outputs_out_, now, device_);
+        }
+    }
+
+    /// The frame that the log shows now has waited for the bus until now.
+    void write_held() {
+        const auto found = std::find_if(held_.begin(), held_.end(), [this](const LoggedFrame& one) {
+            return format_frame(one.frame) == format_frame(frame_.frame);
+        });
+        if (found != held_.end()) {
+            held_.erase(found);
+            write({frame_.time, interface_, frame_.frame});
+        }
+    }
+
+    void release_all() {
+        for (const LoggedFrame& one : held_) {
+            write(one);
+        }
+        held_.clear();
+    }
+
+    void write(const LoggedFrame& frame) { frames_out_ << format_candump_line(frame) << '\n'; }
+    void tell(const std::string& text) const {
+        if (input_.notice) {
+            input_.notice(text);
+        }
+    }
+
+    SimulatedDevice& device_;
+    const ReplayInput& input_;
+    FrameSource source_;
+    std::ostream& frames_out_;
+    std::ostream* outputs_out_;
+    LoggedFrame frame_;  ///< the log's next, when there is one
+    bool has_frame_{false};
+    std::size_t next_stimulus_{0};
+    std::string interface_;
+    bool is_marked_{false};
+    ForwardTime time_;
+    Instant last_line_{};
+    std::uint64_t shift_{0};
+    OutputChanges outputs_;
+    OwnFrames own_;
+    std::deque<LoggedFrame> held_;  ///< sent, and not yet seen in a log that shows what was sent
+};
+
+}  // namespace
+
+void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out) {
+    Player{device, input, frames_out, outputs_out}.run();
+}
+
+}  // namespace canproof::host

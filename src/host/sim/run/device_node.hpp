@@ -1,0 +1,66 @@
+// A simulated device as a node of a bus.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/sim/bus/bus.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+class DeviceNode final : public BusNode {
+  public:
+    DeviceNode(std::string name, std::unique_ptr<SimulatedDevice> device)
+        : name_{std::move(name)}, device_{std::move(device)} {}
+
+    SimulatedDevice& device() { return *device_; }
+    const SimulatedDevice& device() const { return *device_; }
+
+    void power_on(Instant now) {
+        device_->power_on(now);
+        refresh_filters();
+    }
+
+    const std::string& name() const override { return name_; }
+    const Frame* next_frame() const override { return device_->queue().front(); }
+    void take_frame() override { device_->queue().pop(); }
+    void receive(const Frame& frame, Instant now) override {
+        device_->receive(frame, now);
+        if (may_configure(frame)) {
+            refresh_filters();
+        }
+    }
+    /// Through the device's own inputs: what they do is the device's to say. One without them has no such behaviour.
+    void set_can_state(CanState state, Instant now) override {
+        device_->set_input("can_state", static_cast<double>(state), now);
+    }
+    void set_overrun(bool lost, Instant now) override { device_->set_input("can_overrun", lost ? 1.0 : 0.0, now); }
+    const std::vector<AcceptanceFilter>& filters() const override { return filters_; }
+    std::uint32_t bit_rate() const override { return device_->bit_rate(); }
+
+  private:
+    /// What a node listens to changes by frames alone: NMT, LSS, SDO; servers beside the first have identifiers of any
+    /// kind.
+    bool may_configure(const Frame& frame) const {
+        const ObjectDictionary* objects = device_->objects();
+        const bool sdo = frame.id >= first_sdo_request && frame.id <= last_sdo_request;
+        return sdo || frame.id == 0U || frame.id == generated::canopen::lss_request_cob_id ||
+               (objects != nullptr && objects->has(second_sdo_server, 0U));
+    }
+
+    void refresh_filters() {
+        const ObjectDictionary* objects = device_->objects();
+        filters_ = objects == nullptr ? accept_everything() : acceptance_filters(*objects, device_->node_id());
+    }
+
+    static constexpr std::uint32_t first_sdo_request = 0x601U;
+    static constexpr std::uint32_t last_sdo_request = 0x67FU;
+    static constexpr std::uint16_t second_sdo_server = 0x1201U;
+
+    std::string name_;
+    std::unique_ptr<SimulatedDevice> device_;
+    std::vector<AcceptanceFilter> filters_{accept_everything()};
+};
+
+}  // namespace canproof::host

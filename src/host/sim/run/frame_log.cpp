@@ -1,0 +1,124 @@
+#include "host/sim/run/frame_log.hpp"
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+// Numbers of the pcapng format (IETF draft-ietf-opsawg-pcapng) and of the link type LINKTYPE_CAN_SOCKETCAN.
+constexpr std::uint32_t section_header = 0x0A0D0D0A;
+constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
+constexpr std::uint32_t interface_description = 1;
+constexpr std::uint32_t enhanced_packet = 6;
+constexpr std::uint32_t linktype_can_socketcan = 227;
+constexpr std::uint32_t option_if_name = 2;
+constexpr std::uint32_t option_epb_flags = 2;
+constexpr std::uint32_t inbound = 1;
+constexpr std::uint32_t outbound = 2;
+constexpr std::uint32_t extended_flag = 0x80000000U;
+constexpr std::uint32_t remote_flag = 0x40000000U;
+constexpr std::size_t whole_word = 4;
+const std::string ending = ".pcapng";
+
+/// A block of little-endian words between its type and its length.
+class Block {
+  public:
+    void add32(std::uint32_t value) {
+        for (unsigned shift = 0; shift < 32U; shift += 8U) {
+            bytes_ += static_cast<char>((value >> shift) & 0xFFU);
+        }
+    }
+    void add16(std::uint32_t low, std::uint32_t high) { add32(low | (high << 16U)); }
+    /// Bytes up to the next whole word.
+    void add(const std::string& bytes) {
+        bytes_ += bytes;
+        bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
+    }
+    void write(std::ostream& out, std::uint32_t type) const {
+        constexpr std::uint32_t frame_of_block = 12;  // type, and the length twice
+        Block block;
+        block.add32(type);
+        block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
+        block.add(bytes_);
+        block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
+        out.write(block.bytes_.data(), static_cast<std::streamsize>(block.bytes_.size()));
+    }
+
+  private:
+    std::string bytes_;
+};
+
+/// Identifier with its flags, most significant byte first, length, three bytes that classic CAN leaves 0, data.
+std::string packet_of(const Frame& frame) {
+    const std::uint32_t id = frame.id | (frame.extended ? extended_flag : 0U) | (frame.remote ? remote_flag : 0U);
+    std::string bytes;
+    for (unsigned shift = 32; shift > 0; shift -= 8U) {
+        bytes += static_cast<char>((id >> (shift - 8U)) & 0xFFU);
+    }
+    bytes += static_cast<char>(frame.length);
+    bytes.append(3, '\0');
+    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
+        bytes += static_cast<char>(frame.data[i]);
+    }
+    return bytes;
+}
+
+void write_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
+    const std::string packet = packet_of(frame.frame);
+    Block block;
+    block.add32(0);  // of the only interface
+    block.add32(static_cast<std::uint32_t>(frame.time.us >> 32U));
+    block.add32(static_cast<std::uint32_t>(frame.time.us & UINT32_MAX));
+    block.add32(static_cast<std::uint32_t>(packet.size()));
+    block.add32(static_cast<std::uint32_t>(packet.size()));
+    block.add(packet);
+    block.add16(option_epb_flags, 4);
+    block.add32(own ? outbound : inbound);
+    block.add32(0);  // end of options
+    block.write(out, enhanced_packet);
+}
+
+}  // namespace
+
+LogFormat log_format(const std::string& path, bool marks) {
+    const bool is_pcapng =
+        path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+    return is_pcapng ? LogFormat::pcapng : (marks ? LogFormat::marked : LogFormat::candump);
+}
+
+void FrameLog::begin(const std::string& interface) {
+    if (out_ == nullptr || format_ != LogFormat::pcapng) {
+        return;
+    }
+    Block section;
+    section.add32(byte_order_magic);
+    section.add16(1, 0);  // version 1.0
+    section.add32(UINT32_MAX);
+    section.add32(UINT32_MAX);  // length of the section: not known
+    section.write(*out_, section_header);
+    Block description;
+    description.add16(linktype_can_socketcan, 0);
+    description.add32(0);  // frames are never cut
+    description.add16(option_if_name, static_cast<std::uint32_t>(interface.size()));
+    description.add(interface);
+    description.add32(0);  // end of options; times are in microseconds without one
+    description.write(*out_, interface_description);
+}
+
+void FrameLog::write(const LoggedFrame& frame, bool own) {
+    if (out_ == nullptr) {
+        return;
+    }
+    if (format_ == LogFormat::pcapng) {
+        write_packet(*out_, frame, own);
+        return;
+    }
+    *out_ << format_candump_line(frame);
+    if (format_ == LogFormat::marked) {
+        *out_ << (own ? " T" : " R");
+    }
+    *out_ << '\n';
+}
+
+}  // namespace canproof::host

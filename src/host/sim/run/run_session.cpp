@@ -1,0 +1,133 @@
+#include "host/sim/run/run_session.hpp"
+
+#include <algorithm>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+
+RunSession::RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<DeviceNode>> nodes,
+                       std::vector<Stimulus> stimuli, const SessionOutputs& outputs)
+    : bus_{std::move(bus)},
+      nodes_{std::move(nodes)},
+      traffic_(nodes_.size()),
+      stimuli_{std::move(stimuli)},
+      outputs_{outputs},
+      log_{outputs.log, outputs.log_format} {
+    for (const auto& node : nodes_) {
+        changes_.emplace_back(nodes_.size() > 1 ? node->name() + "." : "");
+    }
+    bus_->listen([this](const BusFrame& frame) { record(frame); });
+}
+
+void RunSession::power_on() {
+    if (outputs_.outputs != nullptr) {
+        *outputs_.outputs << output_heading;
+    }
+    log_.begin(bus_->interface());
+    stimulate(Instant{});
+    for (auto& node : nodes_) {
+        node->power_on(Instant{});
+        bus_->attach(*node);
+    }
+    bus_->advance(Instant{});
+    write_outputs(Instant{});
+    observe(Instant{});
+}
+
+Instant RunSession::next_deadline() const {
+    Instant next = bus_->next_deadline();
+    for (const auto& node : nodes_) {
+        next = earliest(next, node->device().next_deadline());
+    }
+    return next_stimulus_ < stimuli_.size() ? earliest(next, stimuli_[next_stimulus_].time) : next;
+}
+
+void RunSession::advance_to(Instant now) {
+    advance_to(now, [] { return true; });
+}
+
+void RunSession::advance_to(Instant now, const std::function<bool()>& may_go_on) {
+    const Instant known = bus_->poll(now);
+    advance_known(earliest(known, now), may_go_on);
+}
+
+void RunSession::advance_known(Instant now, const std::function<bool()>& may_go_on) {
+    for (Instant due = next_deadline(); due <= now; due = next_deadline()) {
+        step(time_.reach(due));
+        if (!may_go_on()) {
+            return;
+        }
+    }
+    time_.reach(now);
+}
+
+bool RunSession::put(const Frame& frame) {
+    const bool taken = bus_->put(frame, now());
+    step(now());
+    return taken;
+}
+
+void RunSession::schedule(const Stimulus& stimulus) {
+    stimuli_.erase(stimuli_.begin(), stimuli_.begin() + static_cast<std::ptrdiff_t>(next_stimulus_));
+    next_stimulus_ = 0;
+    const auto later = std::upper_bound(stimuli_.begin(), stimuli_.end(), stimulus.time,
+                                        [](Instant time, const Stimulus& one) { return time < one.time; });
+    stimuli_.insert(later, stimulus);
+}
+
+/// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
+void RunSession::step(Instant at) {
+    for (auto& node : nodes_) {
+        node->device().advance(at);
+    }
+    stimulate(at);
+    bus_->advance(at);
+    write_outputs(at);
+    observe(at);
+}
+
+void RunSession::observe(Instant at) {
+    if (outputs_.observer != nullptr) {
+        outputs_.observer->on_step(at);
+    }
+}
+
+void RunSession::stimulate(Instant at) {
+    for (; next_stimulus_ < stimuli_.size() && stimuli_[next_stimulus_].time <= at; ++next_stimulus_) {
+        const Stimulus& one = stimuli_[next_stimulus_];
+        const auto point = one.signal.rfind('.');
+        for (auto& node : nodes_) {
+            if (point == std::string::npos) {
+                node->device().set_input(one.signal, one.value, at);  // false where a device lacks it
+            } else if (one.signal.substr(0, point) == node->name()) {
+                node->device().set_input(one.signal.substr(point + 1), one.value, at);
+            }
+        }
+    }
+}
+
+void RunSession::record(const BusFrame& frame) {
+    const LoggedFrame logged{frame.time, bus_->interface(), frame.frame};
+    if (outputs_.frames != nullptr) {
+        *outputs_.frames << format_candump_line(logged) << '\n';
+    }
+    log_.write(logged, frame.sender != nullptr);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].get() == frame.sender) {
+            ++traffic_[i].frames;
+            traffic_[i].last = logged;
+        }
+    }
+    if (outputs_.observer != nullptr) {
+        outputs_.observer->on_frame(frame);
+    }
+}
+
+void RunSession::write_outputs(Instant at) {
+    for (std::size_t n = 0; outputs_.outputs != nullptr && n < nodes_.size(); ++n) {
+        changes_[n].write(*outputs_.outputs, at, nodes_[n]->device());
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,271 @@
+// Low-pass, moving average and repeating filter of the AX060805 (3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "devices/ax060805/firmware/angle_filter.hpp"
+#include "devices/ax060805/firmware/low_pass.hpp"
+#include "generated/ax060805/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+constexpr Duration period = milliseconds(5);
+
+/// What the filter gives after each sample.
+std::vector<float> outputs(AngleFilter& filter, const std::vector<float>& samples) {
+    std::vector<float> all;
+    for (const float sample : samples) {
+        filter.add(sample);
+        all.push_back(filter.output());
+    }
+    return all;
+}
+
+AngleFilter filter_of(AngleFilterKind kind, std::uint16_t samples) {
+    AngleFilter filter;
+    filter.restart(kind, samples);
+    return filter;
+}
+
+}  // namespace
+
+TEST(LowPass, CoefficientIsOneLessExpOfMinus2PiFT) {
+    verifies<req::INC_FILTER_002>();
+    EXPECT_NEAR(low_pass_coefficient(5.0F, period), 0.145364F, 1e-6F);   // 2 pi 5 0.005 = 0.157080
+    EXPECT_NEAR(low_pass_coefficient(50.0F, period), 0.792120F, 1e-6F);  // 1.570796
+    EXPECT_NEAR(low_pass_coefficient(1.0F, period), 0.030928F, 1e-6F);   // 0.031416
+}
+
+TEST(LowPass, CoversThatShareOfTheRestAtEachSample) {
+    verifies<req::INC_FILTER_002, req::INC_FILTER_005>();
+    LowPass filter;
+    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken as it is
+    const Vector3 second = filter.update({3.0F, -5.0F, 0.0F}, 0.5F);
+    EXPECT_EQ(second.x, 2.0F);
+    EXPECT_EQ(second.y, -3.0F);
+    EXPECT_EQ(second.z, 4.0F);
+    EXPECT_EQ(filter.update({3.0F, -5.0F, 0.0F}, 0.5F).x, 2.5F);
+}
+
+TEST(LowPass, CoefficientOneLetsSamplesPass) {
+    verifies<req::INC_FILTER_004>();
+    LowPass filter;
+    filter.update({1.0F, 0.0F, 0.0F}, 1.0F);
+    EXPECT_EQ(filter.update({0.3F, 0.0F, 0.0F}, 1.0F).x, 0.3F);
+}
+
+TEST(LowPass, RestartTakesTheNextSampleAsItIs) {
+    verifies<req::INC_FILTER_005>();
+    LowPass filter;
+    filter.update({1.0F, 0.0F, 0.0F}, 0.1F);
+    filter.restart();
+    EXPECT_EQ(filter.update({-1.0F, 0.0F, 0.0F}, 0.1F).x, -1.0F);
+}
+
+TEST(LowPass, At5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
+    verifies<req::INC_FILTER_003>();
+    LowPass filter;
+    const float share = low_pass_coefficient(5.0F, period);
+    filter.update({0.0F, 0.0F, 0.0F}, share);
+    float last = 0.0F;
+    for (int sample = 1; sample <= 40; ++sample) {
+        const float now = filter.update({1.0F, 0.0F, 0.0F}, share).x;
+        EXPECT_GE(now, last);
+        EXPECT_LE(now, 1.0F);
+        // remaining after n samples: exp(-0.15708 n): 0.0506 after 19, 0.0432 after 20
+        EXPECT_EQ(now >= 0.95F, sample >= 20) << sample;
+        last = now;
+    }
+}
+
+TEST(LowPass, DelayIsTheTimeConstant) {
+    verifies<req::INC_LATENCY_001>();
+    EXPECT_NEAR(low_pass_delay_ms(5.0F), 31.831F, 0.001F);  // 1000 / 31.4159
+    EXPECT_NEAR(low_pass_delay_ms(50.0F), 3.1831F, 0.0001F);
+}
+
+TEST(AngleFilter, NoneGivesTheLatestSample) {
+    verifies<req::INC_AVG_007>();
+    AngleFilter filter = filter_of(AngleFilterKind::none, 10);
+    EXPECT_EQ(outputs(filter, {10.0F, -179.5F, 33.25F}), (std::vector<float>{10.0F, -179.5F, 33.25F}));
+}
+
+TEST(AngleFilter, MovingAverageIsTheMeanOfTheLatestSamples) {
+    verifies<req::INC_AVG_001>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 4);
+    EXPECT_EQ(outputs(filter, {0.0F, 10.0F, 20.0F, 30.0F, 40.0F, 40.0F}),
+              (std::vector<float>{0.0F, 5.0F, 10.0F, 15.0F, 25.0F, 32.5F}));
+}
+
+TEST(AngleFilter, MovingAverageOfOneSampleIsThatSample) {
+    verifies<req::INC_AVG_001>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1);
+    EXPECT_EQ(outputs(filter, {5.0F, -5.0F, 90.0F}), (std::vector<float>{5.0F, -5.0F, 90.0F}));
+}
+
+TEST(AngleFilter, RepeatingGivesTheMeanOfABlockUntilTheNextIsFull) {
+    verifies<req::INC_AVG_003>();
+    AngleFilter filter = filter_of(AngleFilterKind::repeating, 3);
+    EXPECT_EQ(outputs(filter, {3.0F, 6.0F, 9.0F, 12.0F, 15.0F, 18.0F, -90.0F}),
+              (std::vector<float>{3.0F, 4.5F, 6.0F, 6.0F, 6.0F, 15.0F, 15.0F}));
+}
+
+TEST(AngleFilter, AveragesTheShortWayRound) {
+    verifies<req::INC_AVG_006>();
+    AngleFilter moving = filter_of(AngleFilterKind::moving_average, 2);
+    EXPECT_EQ(outputs(moving, {179.0F, -179.0F, -177.0F}), (std::vector<float>{179.0F, 180.0F, -178.0F}));
+    AngleFilter repeating = filter_of(AngleFilterKind::repeating, 2);
+    EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 is 190
+}
+
+TEST(AngleFilter, HalfATurnIsPositive) {
+    verifies<req::INC_AVG_006, req::INC_ANGLE_013>();
+    AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
+    EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
+    AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // either way round is as short: by +180, 90 to 270
+}
+
+TEST(AngleFilter, TurnsForEverWithoutLosingItsPlace) {
+    verifies<req::INC_AVG_006>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
+    for (int sample = 0; sample < 20000; ++sample) {
+        const int turned = (100 * sample) % 360;
+        filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
+        const int middle = (100 * (sample + 359)) % 360;  // one sample before: mean of three steps of 100
+        const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
+        if (sample >= 2) {
+            ASSERT_NEAR(filter.output(), expected, 2e-5F) << sample;
+        }
+    }
+}
+
+TEST(AngleFilter, RestartForgets) {
+    verifies<req::INC_AVG_007>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 4);
+    outputs(filter, {100.0F, 100.0F, 100.0F});
+    filter.restart(AngleFilterKind::moving_average, 4);
+    EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
+    filter.restart(AngleFilterKind::repeating, 2);
+    EXPECT_EQ(outputs(filter, {8.0F}).back(), 8.0F);
+}
+
+TEST(AngleFilter, AWindowOf64ForgetsTheSampleBefore) {
+    verifies<req::INC_AVG_001, req::INC_AVG_002>();
+    for (const int samples : {63, 64}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
+        filter.add(static_cast<float>(samples));
+        for (int sample = 1; sample < samples; ++sample) {
+            filter.add(0.0F);
+        }
+        EXPECT_EQ(filter.output(), 1.0F) << samples;
+        filter.add(0.0F);
+        EXPECT_EQ(filter.output(), 0.0F) << samples;
+    }
+}
+
+TEST(AngleFilter, WhatDoesNotDivideByARunIsNotLost) {
+    verifies<req::INC_AVG_002>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
+    for (int sample = 0; sample < 3200; ++sample) {
+        filter.add(sample % 50 == 0 ? 0.000049F : 0.0F);
+    }
+    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree, the nearest is 1
+}
+
+TEST(AngleFilter, LongWindowsAverageAConstantToItself) {
+    verifies<req::INC_AVG_002>();
+    for (const int samples : {65, 128, 1000, 60000}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
+        for (int sample = 0; sample < 2 * samples; ++sample) {
+            filter.add(123.456F);
+        }
+        EXPECT_NEAR(filter.output(), 123.456F, 1e-5F) << samples;
+    }
+}
+
+TEST(AngleFilter, WindowOf128FollowsARampWithinARunsWidth) {
+    verifies<req::INC_AVG_002>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
+    for (int sample = 0; sample < 1000; ++sample) {
+        filter.add(0.01F * static_cast<float>(sample));
+        if (sample >= 127) {
+            // mean of the samples from n - 127 to n
+            ASSERT_NEAR(filter.output(), 0.01F * (static_cast<float>(sample) - 63.5F), 0.02F) << sample;
+        }
+    }
+}
+
+TEST(AngleFilter, ALongWindowTurnsForEverToo) {
+    verifies<req::INC_AVG_002, req::INC_AVG_006>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
+    const int step = 7;  // more than 64 turns, 23,040 degrees, for the first time with sample 3292, within a run
+    for (int sample = 0; sample < 8000; ++sample) {
+        filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
+        if (sample >= 999) {
+            // The mean of the samples from n - 999 to n, a run's share of which may lie 8 samples beside.
+            const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
+            ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
+        }
+    }
+}
+
+TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
+    verifies<req::INC_AVG_001, req::INC_AVG_002>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
+    for (int sample = 0; sample < 60000; ++sample) {
+        filter.add(0.0F);
+    }
+    for (int sample = 0; sample < 30000; ++sample) {
+        filter.add(10.0F);
+    }
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // a run is 938 samples: 938 / 60000 of 10 degrees
+    for (int sample = 0; sample < 30000; ++sample) {
+        filter.add(10.0F);
+    }
+    EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
+}
+
+TEST(AngleFilter, NeedsNoMoreMemoryForALongWindow) {
+    verifies<req::INC_AVG_002>();
+    EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
+}
+
+TEST(AngleFilter, DelaysByHalfTheWindow) {
+    verifies<req::INC_LATENCY_001>();
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::none, 10, 10), 0.0F);
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 10, 10), 45.0F);
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::repeating, 10, 10), 95.0F);
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 1, 1000), 0.0F);
+}
+
+TEST(AngleFilter, NoSamplesCountAsOne) {
+    verifies<req::INC_AVG_001, req::INC_LATENCY_001>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
+    EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::repeating, 0, 100), 50.0F);  // (2 * 1 - 1) * 100 / 2
+    EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 0, 100), 0.0F);
+}
+
+TEST(AngleFilter, AMachineMayTurnForEverEitherWay) {
+    verifies<req::INC_AVG_006>();
+    for (const float step : {120.0F, -120.0F}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
+        float angle = 0.0F;
+        for (int sample = 0; sample < 20000; ++sample) {  // 6,666 turns and two thirds
+            angle += step;
+            angle = angle > 180.0F ? angle - 360.0F : angle;
+            angle = angle < -180.0F ? angle + 360.0F : angle;
+            filter.add(angle);
+        }
+        // The mean of three samples a third of a turn apart is the one in the middle.
+        const float middle = angle - step < -180.0F ? angle - step + 360.0F : angle - step;
+        EXPECT_NEAR(filter.output(), middle > 180.0F ? middle - 360.0F : middle, 1e-4F);
+    }
+}
+
+}  // namespace canproof::test

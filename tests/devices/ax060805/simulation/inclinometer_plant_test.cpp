@@ -1,0 +1,177 @@
+// The simulated AX060805 by its signals: attitude, noise, supply (3.9, 5.1.1).
+#include "devices/ax060805/simulation/inclinometer_plant.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "devices/catalogue.hpp"
+#include "generated/ax060805/requirements.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// The plant alone: what a stimulus makes of the inputs.
+class InclinometerPlantTest : public testing::Test {
+  protected:
+    void expect_felt(float x, float y, float z) {
+        EXPECT_NEAR(inputs.acceleration_x, x, 1e-6F);
+        EXPECT_NEAR(inputs.acceleration_y, y, 1e-6F);
+        EXPECT_NEAR(inputs.acceleration_z, z, 1e-6F);
+    }
+    void set(float ax060805::Inputs::*input, const char* name, float value) {
+        inputs.*input = value;
+        plant.stimulus(name, inputs);
+    }
+    /// Root mean square of the X axis over many samples.
+    double scatter() {
+        double sum = 0.0;
+        constexpr int samples = 20000;
+        for (int sample = 0; sample < samples; ++sample) {
+            plant.add_noise(inputs);
+            sum += static_cast<double>(inputs.acceleration_x) * static_cast<double>(inputs.acceleration_x);
+        }
+        return std::sqrt(sum / samples);
+    }
+
+    ax060805::Inputs inputs{};
+    host::InclinometerPlant plant;
+};
+
+/// Frames of a simulated device from one time to another.
+Frames frames_until(host::SimulatedDevice& device, Instant end) {
+    Frames all;
+    while (device.next_deadline() <= end) {
+        device.advance(device.next_deadline());
+        while (!device.queue().empty()) {
+            all.push_back(host::format_frame(device.queue().pop()));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_F(InclinometerPlantTest, PitchAndRollMakeAccelerations) {
+    verifies<req::INC_PLANT_001, req::INC_S_PITCH, req::INC_S_ROLL>();
+    set(&ax060805::Inputs::pitch, "pitch", 30.0F);
+    expect_felt(0.5F, 0.0F, -0.8660254F);
+    set(&ax060805::Inputs::roll, "roll", 90.0F);
+    expect_felt(0.5F, -0.8660254F, 0.0F);
+}
+
+TEST_F(InclinometerPlantTest, AQuaternionMakesAccelerations) {
+    verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
+             req::INC_S_ATTITUDE_Z>();
+    // 30 degrees about Y: (cos 15, 0, sin 15, 0), nose up
+    set(&ax060805::Inputs::attitude_w, "attitude_w", 0.9659258F);
+    set(&ax060805::Inputs::attitude_y, "attitude_y", 0.2588190F);
+    expect_felt(0.5F, 0.0F, -0.8660254F);
+    // 90 degrees about X, of any length: (1, 1, 0, 0)
+    set(&ax060805::Inputs::attitude_y, "attitude_y", 0.0F);
+    set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
+    set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);
+    expect_felt(0.0F, -1.0F, 0.0F);
+    // about the vertical: nothing changes
+    set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
+    set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
+    expect_felt(0.0F, 0.0F, -1.0F);
+    // no rotation at all
+    set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
+    set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
+    expect_felt(0.0F, 0.0F, -1.0F);
+}
+
+TEST_F(InclinometerPlantTest, WhatCameLastMakesTheAccelerations) {
+    verifies<req::INC_PLANT_001>();
+    set(&ax060805::Inputs::pitch, "pitch", 30.0F);
+    set(&ax060805::Inputs::acceleration_y, "acceleration_y", 0.25F);
+    expect_felt(0.5F, 0.25F, -0.8660254F);
+    set(&ax060805::Inputs::acceleration_x, "acceleration_x", 0.125F);
+    set(&ax060805::Inputs::acceleration_z, "acceleration_z", -0.75F);
+    expect_felt(0.125F, 0.25F, -0.75F);
+    set(&ax060805::Inputs::roll, "roll", 0.0F);
+    expect_felt(0.5F, 0.0F, -0.8660254F);
+}
+
+TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
+    verifies<req::INC_PLANT_002, req::INC_T62, req::INC_K_RESOLUTION_FACTOR, req::INC_K_RATED_CUT_OFF,
+             req::INC_S_NOISE>();
+    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter of share 0.145364, which leaves
+    // sqrt(0.145364 / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
+    const std::vector<std::pair<std::uint16_t, double>> parts{
+        {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
+        {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};
+    for (const auto& [part, expected] : parts) {
+        inputs.noise_of = part;
+        plant.stimulus("noise_of", inputs);
+        EXPECT_EQ(plant.is_noisy(inputs), expected > 0.0) << part;
+        EXPECT_NEAR(scatter(), expected, expected * 0.03) << part;  // 6 sigma of 20000 samples
+    }
+}
+
+TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
+    verifies<req::INC_PLANT_002, req::INC_S_NOISE_SEED>();
+    const auto noise_of_seed = [this](std::uint32_t seed) {
+        inputs.noise_of = 60805;
+        inputs.noise_seed = seed;
+        plant.stimulus("noise_seed", inputs);
+        return std::vector<float>{inputs.acceleration_x, inputs.acceleration_y, inputs.acceleration_z};
+    };
+    const auto first = noise_of_seed(7);
+    EXPECT_NE(noise_of_seed(8), first);
+    EXPECT_EQ(noise_of_seed(7), first);
+    EXPECT_NE(first[0], first[1]);
+}
+
+TEST_F(InclinometerPlantTest, TheProtectionCircuitTakes800mV) {
+    verifies<req::INC_PLANT_003, req::INC_K_SUPPLY_DROP, req::INC_S_CONNECTOR>();
+    set(&ax060805::Inputs::connector_voltage, "connector_voltage", 12.0F);
+    EXPECT_NEAR(inputs.supply_voltage, 11.2F, 1e-5F);
+    set(&ax060805::Inputs::connector_voltage, "connector_voltage", 0.5F);
+    EXPECT_EQ(inputs.supply_voltage, 0.0F);
+}
+
+TEST(InclinometerSimulation, SendsTheAngleOfItsStimulus) {
+    verifies<req::INC_PLANT_001, req::INC_S_PITCH>();
+    const auto device = host::make_device("ax060805");
+    ASSERT_NE(device, nullptr);
+    device->set_node_id(5);
+    device->power_on(Instant{});
+    EXPECT_TRUE(device->set_input("pitch", 30.0, Instant{}));
+    EXPECT_FALSE(device->set_input("yaw", 30.0, Instant{}));
+    frames_until(*device, Instant{1000000});
+    device->receive(host::parse_frame("000#0100", "test"), Instant{1000000});
+    ASSERT_FALSE(device->queue().empty());
+    EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");  // 30, 0, 30
+}
+
+TEST(InclinometerSimulation, ItsPitchScattersByTheRatedResolution) {
+    verifies<req::INC_PLANT_002>();
+    const auto device = host::make_device("ax060805");
+    device->power_on(Instant{});
+    device->set_input("noise_of", 60805, Instant{});
+    for (const char* frame : {"67F#2B302001E8030000", "000#0100"}) {  // thousandths of a degree
+        device->receive(host::parse_frame(frame, "test"), Instant{});
+    }
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& frame : frames_until(*device, Instant{1000000000})) {
+        if (frame.substr(0, 4) == "1FF#") {
+            const int low = std::stoi(frame.substr(4, 2), nullptr, 16);
+            const int high = std::stoi(frame.substr(6, 2), nullptr, 16);
+            const double pitch = static_cast<std::int16_t>(high * 256 + low) / 1000.0;
+            sum += pitch * pitch;
+            ++count;
+        }
+    }
+    EXPECT_EQ(count, 4001);
+    EXPECT_NEAR(std::sqrt(sum / count), 0.35 / 3.46, 0.35 / 3.46 * 0.08);  // 6 sigma of 4001 samples
+}
+
+}  // namespace canproof::test

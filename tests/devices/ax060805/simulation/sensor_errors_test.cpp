@@ -1,0 +1,157 @@
+// What the sensor of a simulated AX060805 does beside measuring (5.1.1, Table 62), and what a part number brings as a
+// name.
+#include "devices/ax060805/simulation/sensor_errors.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generated/ax060805/requirements.hpp"
+#include "host/app/cli/chosen_devices.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using host::ChosenDevice;
+using host::FactoryOptions;
+using host::InputError;
+using host::SensorErrors;
+using host::with_errors;
+using testing::HasSubstr;
+
+constexpr Vector3 level{0.0F, 0.0F, -1.0F};
+
+void expect_felt(const Vector3& felt, double x, double y, double z) {
+    EXPECT_NEAR(static_cast<double>(felt.x), x, 1e-6);
+    EXPECT_NEAR(static_cast<double>(felt.y), y, 1e-6);
+    EXPECT_NEAR(static_cast<double>(felt.z), z, 1e-6);
+}
+
+ChosenDevice device_with(const std::string& name, const std::vector<std::string>& given = {}) {
+    FactoryOptions options{given};
+    ChosenDevice chosen = host::choose_device(name, options);
+    options.check_used();
+    chosen.device->power_on(Instant{});
+    return chosen;
+}
+
+double input_of(const ChosenDevice& chosen, const std::string& name) {
+    const auto& names = chosen.device->input_names();
+    const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+    return chosen.device->inputs().at(static_cast<std::size_t>(at));
+}
+
+std::string refusal(const std::string& name, const std::string& given) {
+    try {
+        device_with(name, {given});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "taken";
+}
+
+}  // namespace
+
+TEST(SensorErrors, AUnitAsShippedHasNone) {
+    verifies<req::INC_PLANT_004>();
+    expect_felt(with_errors(level, SensorErrors{}, 85.0), 0.0, 0.0, -1.0);
+    expect_felt(with_errors({0.5F, -0.25F, 0.75F}, SensorErrors{}, -40.0), 0.5, -0.25, 0.75);
+}
+
+TEST(SensorErrors, TheInitialErrorTiltsALevelUnit) {
+    verifies<req::INC_PLANT_004>();
+    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);  // sin 2
+    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
+}
+
+TEST(SensorErrors, TheDriftIsThatOfTheTableAtMinus40) {
+    verifies<req::INC_PLANT_004, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
+    const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
+    expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
+    expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5
+    expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);     // sin (3.5 * 60 / 65)
+}
+
+TEST(SensorErrors, TheNonLinearityIsGreatestBetweenTheFixedPoints) {
+    verifies<req::INC_PLANT_004>();
+    const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
+    expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
+    expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);  // +-0.007
+    expect_felt(with_errors({2.0F, -1.5F, 0.0F}, errors, 25.0), 2.0, -1.5, 0.0);
+    for (int thousandths = -1000; thousandths <= 1000; ++thousandths) {
+        const float g = static_cast<float>(thousandths) / 1000.0F;
+        EXPECT_LE(std::abs(with_errors({g, 0.0F, 0.0F}, errors, 25.0).x - g), 0.0070001F) << g;
+    }
+}
+
+TEST(SensorErrors, AnAxisFeelsAShareOfTheNext) {
+    verifies<req::INC_PLANT_004>();
+    const SensorErrors errors{0.0, 0.0, 0.0, 3.5};
+    expect_felt(with_errors(level, errors, 25.0), 0.0, -0.035, -1.0);
+    expect_felt(with_errors({1.0F, 0.0F, 0.0F}, errors, 25.0), 1.0, 0.0, 0.035);
+    expect_felt(with_errors({0.0F, 1.0F, 0.0F}, errors, 25.0), 0.035, 1.0, 0.0);
+}
+
+/// Table 62: the errors of a unit are at most those of its part number.
+TEST(SensorErrors, TheirLimitsAreThoseOfThePartNumber) {
+    verifies<req::INC_PLANT_004, req::INC_T62, req::INC_K_INITIAL_ACCURACY>();
+    for (const char* first :
+         {"sensor_initial_error=2", "sensor_drift=-3.5", "sensor_nonlinearity=0.7", "sensor_cross_axis=3.5"}) {
+        EXPECT_EQ(refusal("ax060805", first), "taken") << first;
+    }
+    for (const char* name : {"ax060835", "AX060840@5", "ax060841"}) {
+        for (const char* most :
+             {"sensor_initial_error=-2", "sensor_drift=3", "sensor_nonlinearity=-0.1", "sensor_cross_axis=1"}) {
+            EXPECT_EQ(refusal(name, most), "taken") << name << " " << most;
+        }
+        EXPECT_THAT(refusal(name, "sensor_initial_error=2.01"), HasSubstr("-2 … 2"));
+        EXPECT_THAT(refusal(name, "sensor_drift=3.01"), HasSubstr("-3 … 3"));
+        EXPECT_THAT(refusal(name, "sensor_nonlinearity=-0.11"), HasSubstr("-0.1 … 0.1"));
+        EXPECT_THAT(refusal(name, "sensor_cross_axis=1.01"), HasSubstr("-1 … 1"));
+    }
+    EXPECT_THAT(refusal("ax060805", "sensor_nonlinearity=0.71"), HasSubstr("-0.7 … 0.7"));
+    EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
+}
+
+/// 4030h and 4040h: pitch and roll, one count a degree as shipped (4.3.7).
+TEST(SensorErrors, TheDeviceMeasuresThem) {
+    verifies<req::INC_PLANT_004>();
+    const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
+    EXPECT_EQ(chosen.device->objects()->read(0x4030, 0), 2U);
+    EXPECT_EQ(device_with("ax060805").device->objects()->read(0x4030, 0), 0U);
+}
+
+/// 25 to 85 degC moves the drift of 3 degrees by 3 * 60 / 65 = 2.77 degrees.
+TEST(SensorErrors, TheDriftFollowsTheTemperatureOfTheSensor) {
+    verifies<req::INC_PLANT_004>();
+    const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
+    chosen.device->set_input("noise_of", 0.0, Instant{});
+    EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0, 1e-6);
+    chosen.device->set_input("sensor_temperature", 85.0, Instant{});
+    EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0483134, 1e-6);
+}
+
+TEST(PartNumbers, ThatOfAnInclinometerBringsItsNoise) {
+    verifies<req::INC_PLANT_005>();
+    const std::vector<std::pair<const char*, double>> names{
+        {"ax060805", 0.0}, {"AX060805@5", 0.0}, {"ax060835", 60835.0}, {"AX060840", 60840.0}, {"ax060841@5", 60841.0}};
+    for (const auto& [name, noise_of] : names) {
+        const ChosenDevice chosen = device_with(name);
+        EXPECT_EQ(input_of(chosen, "noise_of"), noise_of) << name;
+        EXPECT_EQ(input_of(chosen, "acceleration_x") != 0.0, noise_of != 0.0) << name;
+    }
+    EXPECT_EQ(input_of(device_with("ax060841"), "acceleration_x"), input_of(device_with("ax060841"), "acceleration_x"));
+}
+
+TEST(PartNumbers, OfTheManualsCoversAreNames) {
+    for (const char* name : {"ax060805", "ax060835", "ax060840", "ax060841", "ax130751", "ax130771", "AX130771@9",
+                             "ax188001", "cbx-ao412", "c.3040.02"}) {
+        EXPECT_EQ(device_with(name).name, name);
+    }
+}
+
+}  // namespace canproof::test

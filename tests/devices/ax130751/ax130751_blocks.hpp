@@ -1,0 +1,75 @@
+// Writing and reading the objects of an AX130751's blocks in a test, and the terminals beside them.
+#pragma once
+
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+
+namespace canproof::test {
+
+/// An AX130751 in operational, where its outputs run. Everything is written at a whole millisecond; blocks see it in
+/// the cycle after.
+class Ax130751Blocks : public Ax130751Test {
+  protected:
+    void SetUp() override {
+        Ax130751Test::SetUp();
+        start();
+        pass(1);
+    }
+
+    void set8(std::uint16_t index, int sub, int value) {
+        EXPECT_EQ(write(index, sub, value, 1), "") << place(index, sub);
+    }
+    void set16(std::uint16_t index, int sub, int value) {
+        EXPECT_EQ(write(index, sub, value, 2), "") << place(index, sub);
+    }
+    void set32(std::uint16_t index, int sub, std::int64_t value) {
+        EXPECT_EQ(write(index, sub, value, 4), "") << place(index, sub);
+    }
+    int get8(std::uint16_t index, int sub) { return static_cast<int>(read(index, sub)); }
+    int get16(std::uint16_t index, int sub) { return static_cast<std::int16_t>(read(index, sub)); }
+    float get_real(std::uint16_t index) {
+        const auto bits = static_cast<std::uint32_t>(read(index, 0));
+        return bit_cast<float>(bits);
+    }
+
+    /// An output without ramps.
+    void no_ramps(int output) {
+        set16(0x2330, output, 0);
+        set16(0x2331, output, 0);
+    }
+    /// One of the sources 2500h as 0 to 100 without digits, which makes it a digital input at 0 and 100 as well.
+    void extra_as_percent(int number) {
+        set8(0x2502, number, 0);
+        set16(0x2522, number, 100);
+    }
+    /// The extra value that source 1, number 3 + `number`, gives.
+    void extra(int number, int value) {
+        set16(0x2500, number, value);
+        pass(1);
+    }
+    void command(int output, int value) {
+        set16(0x7300, output, value);
+        pass(1);
+    }
+
+    float volts(int output) const { return device->outputs().out_voltage.at(at(output)); }
+    float milliamperes(int output) const { return device->outputs().out_current.at(at(output)); }
+    float duty(int output) const { return device->outputs().out_duty.at(at(output)); }
+    float hertz(int output) const { return device->outputs().out_frequency.at(at(output)); }
+    float level(int output) const { return device->outputs().out_level.at(at(output)); }
+    bool is_on(int output) const { return device->outputs().out_on.at(at(output)); }
+    /// ON: the common pin on NC (1.4).
+    bool relay_on() const { return device->outputs().relay_nc; }
+
+    static std::string place(std::uint16_t index, int sub) { return fmt::format("{:04X}h:{}", index, sub); }
+    static std::size_t at(int output) { return static_cast<std::size_t>(output - 1); }
+
+    // Table 4A
+    static constexpr int not_used = 0;
+    static constexpr int canopen = 1;
+    static constexpr int lookup_source = 3;
+    static constexpr int math_source = 4;
+    static constexpr int logic_source = 5;
+    static constexpr int supply_source = 8;
+};
+
+}  // namespace canproof::test

@@ -1,0 +1,127 @@
+// The analogue output block of AX130751, 1.3, and the order of Figure 4.
+#include "devices/ax130751/firmware/analogue_output.hpp"
+
+#include "devices/ax130751/firmware/current_loop.hpp"
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+Instant at(std::uint64_t ms) {
+    return Instant{} + milliseconds(ms);
+}
+
+constexpr OutputRange volts{-10.0, 10.0};
+constexpr OutputRange hertz{50.0, 30000.0};
+const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // 5 V/s
+const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
+constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // control, override, fault
+
+/// Shutdown, an input in error, overridden: which of them are there.
+OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool overridden, EnableAction enable) {
+    return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
+}
+
+}  // namespace
+
+TEST(OutputPriority, ShutdownBeforeOverrideBeforeEnableBeforeError) {
+    verifies<req::AOR_OUT_007, req::AOR_OUT_029>();
+    const auto fault = FaultAction::fault_value;
+    EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);
+    EXPECT_EQ(chosen(true, false, fault, false, EnableAction::run), OutputDrive::shutdown);
+    EXPECT_EQ(chosen(false, true, fault, true, EnableAction::shut_off), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, FaultAction::keep, true, EnableAction::run), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::keep), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::run), OutputDrive::fault_value);
+    EXPECT_EQ(chosen(false, true, FaultAction::keep, false, EnableAction::run), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, false, fault, true, EnableAction::shut_off), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
+    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);
+    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::keep), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::run), OutputDrive::control);
+}
+
+TEST(AnalogueOutput, ControlRampsAndTheTargetIsThereAtOnce) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_017, req::AOR_OUT_018>();
+    AnalogueOutput output;
+    const auto first = output.advance(OutputDrive::control, demand, volts, slow, at(0));
+    EXPECT_DOUBLE_EQ(first.target, 4.0);
+    EXPECT_DOUBLE_EQ(first.value, 0.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(400)).value, 2.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(800)).value, 4.0);
+}
+
+TEST(AnalogueOutput, OverrideFaultAndShutOffStep) {
+    verifies<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_009, req::AOR_OUT_014, req::AOR_OUT_015>();
+    AnalogueOutput output;
+    output.advance(OutputDrive::control, demand, volts, none, at(0));
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::override_value, demand, volts, slow, at(1)).value, 2.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::fault_value, demand, volts, slow, at(2)).value, 1.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shut_off, demand, volts, slow, at(3)).value, 0.0);
+    output.advance(OutputDrive::override_value, demand, volts, slow, at(4));
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shutdown, demand, volts, slow, at(5)).value, 0.0);
+}
+
+TEST(AnalogueOutput, BackUnderControlItRampsFromWhereItStands) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
+    AnalogueOutput output;
+    output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(10)).value, 2.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
+}
+
+TEST(AnalogueOutput, RampOffFallsAndKeepStops) {
+    verifies<req::AOR_OUT_009>();
+    AnalogueOutput output;
+    output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
+    const auto falling = output.advance(OutputDrive::ramp_off, demand, volts, slow, at(0));
+    EXPECT_DOUBLE_EQ(falling.target, 0.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::ramp_off, demand, volts, slow, at(100)).value, 1.5);
+    const auto kept = output.advance(OutputDrive::keep, demand, volts, slow, at(200));
+    EXPECT_DOUBLE_EQ(kept.value, 1.0);
+    EXPECT_DOUBLE_EQ(kept.target, 1.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::keep, demand, volts, slow, at(900)).value, 1.0);
+}
+
+TEST(AnalogueOutput, StaysInTheRangeOfItsType) {
+    verifies<req::AOR_OUT_016>();
+    AnalogueOutput output;
+    const AnalogueDemand far{11.0, -12.0, 99.0};
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, far, volts, none, at(0)).value, 10.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::override_value, far, volts, none, at(0)).value, -10.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::fault_value, far, volts, none, at(0)).value, 10.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {23.0, 0.0, 0.0}, {0.0, 24.0}, none, at(0)).value, 23.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {25.0, 0.0, 0.0}, {0.0, 24.0}, none, at(0)).value, 24.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::keep, far, {0.0, 1.0}, none, at(0)).value, 1.0);
+}
+
+TEST(AnalogueOutput, AFrequencyIsOffOrAtLeastFiftyHertz) {
+    verifies<req::AOR_OUT_016, req::AOR_OUT_015>();
+    AnalogueOutput output;
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {0.0, 0.0, 0.0}, hertz, none, at(0)).value, 0.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {1.0, 0.0, 0.0}, hertz, none, at(0)).value, 50.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {50.0, 0.0, 0.0}, hertz, none, at(0)).value, 50.0);
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {-7.0, 0.0, 0.0}, hertz, none, at(0)).value, 0.0);
+}
+
+TEST(AnalogueOutput, ResetIsOff) {
+    verifies<req::AOR_OUT_023>();
+    AnalogueOutput output;
+    output.advance(OutputDrive::control, demand, volts, none, at(0));
+    output.reset();
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(1)).value, 0.0);
+}
+
+TEST(CurrentLoop, IsLimitedByItsVoltage) {
+    verifies<req::AOR_OUT_019>();
+    EXPECT_DOUBLE_EQ(loop_current(20.0, 250.0, 14.0, 1000.0), 20.0);
+    EXPECT_DOUBLE_EQ(loop_current(20.0, 700.0, 14.0, 1000.0), 20.0);   // 700 Ohm * 20 mA = 14 V, just reached
+    EXPECT_DOUBLE_EQ(loop_current(20.0, 1000.0, 14.0, 1000.0), 14.0);  // 14 V / 1 kOhm
+    EXPECT_DOUBLE_EQ(loop_current(20.0, 0.0, 14.0, 1000.0), 20.0);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,108 @@
+// The digital output block of AX130751, 1.2; polarities as Table 1 prints them.
+#include "devices/ax130751/firmware/digital_output.hpp"
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Row = std::array<SwitchDrive, 2>;
+constexpr SwitchPolarity normal{Row{SwitchDrive::off, SwitchDrive::on}, Row{SwitchDrive::off, SwitchDrive::on}};
+constexpr SwitchPolarity inverse{Row{SwitchDrive::on, SwitchDrive::off}, Row{SwitchDrive::on, SwitchDrive::off}};
+constexpr SwitchPolarity latched{Row{SwitchDrive::keep, SwitchDrive::change},
+                                 Row{SwitchDrive::keep, SwitchDrive::keep}};
+constexpr SwitchPolarity blinking{Row{SwitchDrive::off, SwitchDrive::blink}, Row{SwitchDrive::off, SwitchDrive::blink}};
+constexpr auto control = OutputDrive::control;
+
+/// An output whose control is a row of characters, a millisecond each: # ON, . OFF.
+class DigitalOutputTest : public testing::Test {
+  protected:
+    std::string run(const std::string& controls, const SwitchPolarity& polarity, OutputDrive drive = control,
+                    bool override_state = false, bool fault_state = false) {
+        std::string seen;
+        for (const char c : controls) {
+            const DigitalDemand demand{c == '#', override_state, fault_state};
+            seen += output.advance(drive, demand, polarity, blink, now).drive ? '#' : '.';
+            now = now + milliseconds(1);
+        }
+        return seen;
+    }
+    bool logic(bool on, const SwitchPolarity& polarity) {
+        return output.advance(control, {on, false, false}, polarity, blink, now).logic;
+    }
+
+    DigitalOutput output;
+    Duration blink{milliseconds(3)};
+    Instant now{};
+};
+
+}  // namespace
+
+TEST_F(DigitalOutputTest, NormalFollowsAndInverseOpposes) {
+    verifies<req::AOR_DO_003>();
+    EXPECT_EQ(run("..##.#", normal), "..##.#");
+    EXPECT_EQ(run("..##.#", inverse), "##..#.");
+}
+
+TEST_F(DigitalOutputTest, LatchedChangesWithEachOffToOn) {
+    verifies<req::AOR_DO_003>();
+    EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
+}
+
+TEST_F(DigitalOutputTest, BlinksWhileOnBeginningWithOn) {
+    verifies<req::AOR_DO_004>();
+    EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
+    blink = milliseconds(0);
+    EXPECT_EQ(run(".#####", blinking), ".#####");
+}
+
+TEST_F(DigitalOutputTest, KnowsWhenItWillChangeByItself) {
+    verifies<req::AOR_DO_004>();
+    EXPECT_EQ(output.next_change(), never);
+    run("#", blinking);  // ON at 0 ms, for 3 ms
+    EXPECT_EQ(output.next_change().us, 3000U);
+    run("#", blinking, OutputDrive::override_value, true);
+    EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
+    run("##", blinking);  // 2 and 3 ms: the same blinking goes on
+    EXPECT_EQ(output.next_change().us, 6000U);
+    run("#", normal);
+    EXPECT_EQ(output.next_change(), never);
+}
+
+TEST_F(DigitalOutputTest, LogicStateIsBeforePolarity) {
+    verifies<req::AOR_DO_007>();
+    EXPECT_TRUE(logic(true, inverse));
+    EXPECT_FALSE(logic(false, inverse));
+}
+
+TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
+    verifies<req::AOR_DO_006, req::AOR_DO_005>();
+    EXPECT_EQ(run(".", inverse), "#");
+    EXPECT_EQ(run("..", inverse, OutputDrive::shut_off), "..");
+    EXPECT_EQ(run(".", inverse, OutputDrive::ramp_off), ".");
+    EXPECT_EQ(run(".", inverse, OutputDrive::shutdown), ".");
+    EXPECT_EQ(run(".", inverse, OutputDrive::override_value, true), "#");
+    EXPECT_EQ(run(".", inverse, OutputDrive::override_value, false), ".");
+    EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, false, true), "#");
+    EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
+}
+
+TEST_F(DigitalOutputTest, KeepsItsState) {
+    verifies<req::AOR_DO_005, req::AOR_DO_006>();
+    EXPECT_EQ(run("#", normal), "#");
+    EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
+    EXPECT_EQ(run(".", normal), ".");
+    EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
+}
+
+TEST_F(DigitalOutputTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+    verifies<req::AOR_DO_008>();
+    EXPECT_EQ(run(".#.", latched), ".##");
+    EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");
+    EXPECT_EQ(run("#.", latched), "##") << "two edges passed by, the control is still ON";
+    EXPECT_EQ(run("#", latched), ".");
+}
+
+}  // namespace canproof::test

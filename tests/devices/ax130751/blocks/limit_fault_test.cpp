@@ -1,0 +1,38 @@
+// Faults with hysteresis of AX130751, 1.8.
+#include "devices/ax130751/firmware/limit_fault.hpp"
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// Under-voltage below 8 V until 13 V: thresholds as shipped.
+bool under(LimitFault& fault, double volts, bool enabled = true) {
+    return fault.advance(enabled, volts < 8.0, volts >= 13.0);
+}
+
+}  // namespace
+
+TEST(LimitFault, BeginsBeyondTheLimitAndEndsWithTheHysteresis) {
+    verifies<req::AOR_DIAG_002>();
+    LimitFault fault;
+    EXPECT_FALSE(under(fault, 12.0));
+    EXPECT_FALSE(under(fault, 8.0));
+    EXPECT_TRUE(under(fault, 7.9));
+    EXPECT_TRUE(under(fault, 12.9));
+    EXPECT_FALSE(under(fault, 13.0));
+    EXPECT_FALSE(under(fault, 8.0));
+}
+
+TEST(LimitFault, GoesWithItsDetection) {
+    verifies<req::AOR_DIAG_005>();
+    LimitFault fault;
+    EXPECT_TRUE(under(fault, 5.0));
+    EXPECT_FALSE(under(fault, 5.0, false));
+    EXPECT_FALSE(fault.is_present());
+    EXPECT_FALSE(under(fault, 12.0));
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,248 @@
+// Lookup tables of AX130751, 1.5.
+#include "devices/ax130751/firmware/lookup_table.hpp"
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+constexpr auto ramp = PointResponse::ramp;
+constexpr auto jump = PointResponse::jump;
+constexpr auto ignore = PointResponse::ignore;
+
+/// X and Y 0, 10 … 100, as shipped (3.4.44, 3.4.45).
+LookupPoints defaults(PointResponse response) {
+    LookupPoints points;
+    for (std::size_t i = 0; i < lookup_points; ++i) {
+        points.x[i] = 10.0 * static_cast<double>(i);
+        points.y[i] = 10.0 * static_cast<double>(i);
+        points.response[i] = response;
+    }
+    return points;
+}
+
+/// Intervals in ms: up to 100 in 20 ms, stay for 30 ms, jump to 40 for 50 ms; the rest is ignored.
+LookupPoints short_profile() {
+    LookupPoints profile;
+    profile.x = {0.0, 20e3, 30e3, 50e3};
+    profile.y = {0.0, 100.0, 100.0, 40.0};
+    profile.response = {ignore, ramp, ramp, jump, ignore};
+    return profile;
+}
+
+double after(std::uint64_t ms, const LookupPoints& profile, bool repeat = false) {
+    return lookup_in_time(milliseconds(ms), profile, repeat);
+}
+
+const BlockSignal input_on{1.0, 0.0, 1.0, SignalState::valid};
+const BlockSignal input_off{0.0, 0.0, 1.0, SignalState::valid};
+
+Instant at(std::uint64_t ms) {
+    return Instant{} + milliseconds(ms);
+}
+
+}  // namespace
+
+TEST(LookupTable, RampsOfFigure6) {
+    verifies<req::AOR_LT_001, req::AOR_LT_002>();
+    const auto points = defaults(ramp);
+    EXPECT_DOUBLE_EQ(lookup(-5.0, points), 0.0);
+    EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
+    EXPECT_DOUBLE_EQ(lookup(3.0, points), 3.0);
+    EXPECT_DOUBLE_EQ(lookup(10.0, points), 10.0);
+    EXPECT_DOUBLE_EQ(lookup(97.5, points), 97.5);
+    EXPECT_DOUBLE_EQ(lookup(100.0, points), 100.0);
+    EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
+}
+
+TEST(LookupTable, StepsOfFigure6) {
+    verifies<req::AOR_LT_003>();
+    const auto points = defaults(jump);
+    EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
+    EXPECT_DOUBLE_EQ(lookup(0.1, points), 10.0);
+    EXPECT_DOUBLE_EQ(lookup(10.0, points), 10.0) << "at X2 point 2 still holds";
+    EXPECT_DOUBLE_EQ(lookup(10.1, points), 20.0);
+    EXPECT_DOUBLE_EQ(lookup(99.0, points), 100.0);
+    EXPECT_DOUBLE_EQ(lookup(101.0, points), 100.0);
+}
+
+TEST(LookupTable, FromTheFirstIgnoredPointOnNoneCounts) {
+    verifies<req::AOR_LT_004>();
+    auto points = defaults(ramp);
+    points.response[5] = ignore;  // point 6 at 50; 7 to 11 still say ramp
+    EXPECT_DOUBLE_EQ(lookup(35.0, points), 35.0);
+    EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
+    EXPECT_DOUBLE_EQ(lookup(41.0, points), 40.0);
+    EXPECT_DOUBLE_EQ(lookup(100.0, points), 40.0);
+    points.response[1] = ignore;
+    EXPECT_DOUBLE_EQ(lookup(50.0, points), 0.0);
+}
+
+TEST(LookupTable, PointsOfEqualXStandUpright) {
+    verifies<req::AOR_LT_005>();
+    auto points = defaults(ramp);
+    points.x[3] = 20.0;  // points 3 and 4 at X = 20
+    points.y[2] = 5.0;
+    points.y[3] = 80.0;
+    EXPECT_DOUBLE_EQ(lookup(20.0, points), 5.0) << "the first of them holds at X itself";
+    EXPECT_DOUBLE_EQ(lookup(30.0, points), 60.0) << "half way from (20, 80) to (40, 40)";
+    EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
+}
+
+TEST(LookupTable, JoystickDeadbandOfFigure7) {
+    verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_004>();
+    // Nothing up to 2 V, 10 % just below it, 40 % at 1 V, 100 % at 0 V: the falling side of the stick.
+    LookupPoints points;
+    points.x = {0.0, 1.0, 2.0, 2.0, 5.0};
+    points.y = {100.0, 40.0, 10.0, 0.0, 0.0};
+    points.response = {ignore, ramp, ramp, jump, ramp, ignore};
+    EXPECT_DOUBLE_EQ(lookup(0.5, points), 70.0);
+    EXPECT_DOUBLE_EQ(lookup(1.5, points), 25.0);
+    EXPECT_DOUBLE_EQ(lookup(2.0, points), 10.0);
+    EXPECT_DOUBLE_EQ(lookup(2.01, points), 0.0);
+    EXPECT_DOUBLE_EQ(lookup(4.0, points), 0.0);
+}
+
+TEST(LookupTable, LimitsAreTheLeastAndTheGreatestYOfAllPoints) {
+    verifies<req::AOR_LT_006, req::AOR_LT_007>();
+    auto points = defaults(ramp);
+    points.response[2] = ignore;
+    points.y[9] = -40.0;
+    EXPECT_DOUBLE_EQ(lookup_limits(points).least, -40.0);
+    EXPECT_DOUBLE_EQ(lookup_limits(points).greatest, 100.0);
+}
+
+TEST(LookupTable, IntervalsFollowEachOther) {
+    verifies<req::AOR_LT_011, req::AOR_LT_012>();
+    const auto profile = short_profile();
+    EXPECT_DOUBLE_EQ(after(0, profile), 0.0);
+    EXPECT_DOUBLE_EQ(after(5, profile), 25.0);
+    EXPECT_DOUBLE_EQ(after(20, profile), 100.0);
+    EXPECT_DOUBLE_EQ(after(50, profile), 100.0) << "at the end of a stretch its own point holds";
+    EXPECT_DOUBLE_EQ(after(51, profile), 40.0);
+    EXPECT_DOUBLE_EQ(after(100, profile), 40.0);
+    EXPECT_DOUBLE_EQ(after(100'000, profile), 40.0) << "stays at the end";
+    EXPECT_EQ(profile_length(profile).us, 100'000U);
+}
+
+TEST(LookupTable, PointOneIsTheStartWhateverItsX) {
+    verifies<req::AOR_LT_014>();
+    auto profile = short_profile();
+    profile.x[0] = 7e3;
+    EXPECT_DOUBLE_EQ(after(5, profile), 25.0);
+    EXPECT_DOUBLE_EQ(after(20, profile), 100.0);
+    EXPECT_EQ(profile_length(profile).us, 100'000U);
+}
+
+TEST(LookupTable, RepeatedRoundsEndWithTheLastPoint) {
+    verifies<req::AOR_LT_013>();
+    const auto profile = short_profile();  // 100 ms
+    EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
+    EXPECT_DOUBLE_EQ(after(100, profile, true), 40.0);
+    EXPECT_DOUBLE_EQ(after(101, profile, true), 5.0);
+    EXPECT_DOUBLE_EQ(after(120, profile, true), 100.0);
+    EXPECT_DOUBLE_EQ(after(200, profile, true), 40.0);
+    EXPECT_DOUBLE_EQ(after(1'000'010, profile, true), 50.0);
+}
+
+TEST(LookupTable, TenDaysRunExactly) {
+    verifies<req::AOR_LT_011>();
+    auto profile = defaults(ramp);
+    profile.x.fill(86'400'000e3);
+    profile.x[0] = 0.0;
+    const std::uint64_t day = 86'400'000;
+    EXPECT_EQ(profile_length(profile).us, 864'000'000'000U);
+    EXPECT_DOUBLE_EQ(after(day / 2, profile), 5.0);
+    EXPECT_DOUBLE_EQ(after((9 * day) + (day / 4), profile), 92.5);
+    EXPECT_DOUBLE_EQ(after(10 * day, profile), 100.0);
+    EXPECT_DOUBLE_EQ(after((1000 * day) + (day / 10), profile, true), 1.0);
+    // A microsecond before the end of the last stretch: 100 - 10 / 8.64e10
+    EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile, false), 100.0);
+}
+
+TEST(LookupTable, WithNothingButIgnoredPointsTheFirstHolds) {
+    verifies<req::AOR_LT_013>();
+    EXPECT_DOUBLE_EQ(after(77, defaults(ignore), true), 0.0);
+    EXPECT_EQ(profile_length(defaults(ignore)).us, 0U);
+}
+
+TEST(LookupTable, WithoutSourceItIsZeroAndNotAvailable) {
+    verifies<req::AOR_LT_015>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::data, false, defaults(ramp)};
+    EXPECT_DOUBLE_EQ(table.advance({60.0, 0.0, 100.0, SignalState::valid}, config, at(0)).value, 60.0);
+    const auto output = table.advance({60.0, 0.0, 100.0, SignalState::not_available}, config, at(1));
+    EXPECT_DOUBLE_EQ(output.value, 0.0);
+    EXPECT_EQ(output.state, SignalState::not_available);
+}
+
+TEST(LookupTable, AnErrorIsHandedOnWithTheLastValue) {
+    verifies<req::AOR_LT_016>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::data, false, defaults(ramp)};
+    table.advance({60.0, 0.0, 100.0, SignalState::valid}, config, at(0));
+    const auto output = table.advance({20.0, 0.0, 100.0, SignalState::error}, config, at(1));
+    EXPECT_DOUBLE_EQ(output.value, 60.0);
+    EXPECT_EQ(output.state, SignalState::error);
+}
+
+TEST(LookupTable, OnStartsTheProfileAndOffStopsIt) {
+    verifies<req::AOR_LT_010, req::AOR_LT_012>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::time, false, short_profile()};
+    EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(0)).value, 0.0);
+    EXPECT_FALSE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1000)).value, 0.0);
+    EXPECT_TRUE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1010)).value, 50.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(1011)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1012)).value, 0.0) << "from the first point";
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1022)).value, 50.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1111)).value, 40.0);
+    EXPECT_TRUE(table.is_running()) << "1 ms before its end";
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1112)).value, 40.0);
+    EXPECT_FALSE(table.is_running()) << "at its end";
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(9000)).value, 40.0);
+    EXPECT_FALSE(table.is_running());
+}
+
+TEST(LookupTable, RepeatRunsOnUntilOff) {
+    verifies<req::AOR_LT_013>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::time, true, short_profile()};
+    table.advance(input_on, config, at(0));
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(510)).value, 50.0);
+    EXPECT_TRUE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(511)).value, 0.0);
+    EXPECT_FALSE(table.is_running());
+}
+
+TEST(LookupTable, BackInTimeResponseAProfileBeginsAnew) {
+    verifies<req::AOR_LT_010>();
+    LookupTable table;
+    const LookupConfig timed{LookupAxis::time, false, short_profile()};
+    table.advance(input_on, timed, at(0));
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(10)).value, 50.0);
+    table.advance(input_on, {LookupAxis::data, false, defaults(ramp)}, at(11));
+    EXPECT_FALSE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(12)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(22)).value, 50.0);
+}
+
+TEST(LookupTable, AnErrorEndsAProfile) {
+    verifies<req::AOR_LT_016>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::time, false, short_profile()};
+    table.advance(input_on, config, at(0));
+    BlockSignal failed = input_on;
+    failed.state = SignalState::error;
+    const auto output = table.advance(failed, config, at(10));
+    EXPECT_DOUBLE_EQ(output.value, 0.0);
+    EXPECT_EQ(output.state, SignalState::error);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(20)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(30)).value, 50.0);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,106 @@
+// Ramps of AX130751, 2330h and 2331h.
+#include "devices/ax130751/firmware/ramp.hpp"
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+Instant at(std::uint64_t ms) {
+    return Instant{} + milliseconds(ms);
+}
+
+// 10 units in 1 s up, in 500 ms down
+const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
+
+}  // namespace
+
+TEST(Ramp, PassesTheSpanInTheTimeUp) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
+    Ramp ramp;
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(100)), 0.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(350)), 2.5);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(1099)), 9.99);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(1100)), 10.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(9000)), 10.0);
+}
+
+TEST(Ramp, PassesItInTheOtherTimeDown) {
+    verifies<req::AOR_OUT_012>();
+    Ramp ramp;
+    ramp.set(10.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(0)), 10.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 a second
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
+}
+
+TEST(Ramp, APartOfTheSpanTakesAPartOfTheTime) {
+    verifies<req::AOR_OUT_013>();
+    Ramp ramp;
+    ramp.set(4.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(5.0, slow, at(0)), 4.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(5.0, slow, at(50)), 4.5);
+    EXPECT_DOUBLE_EQ(ramp.follow(5.0, slow, at(100)), 5.0);
+}
+
+TEST(Ramp, ANewTargetIsTakenUpWhereItStands) {
+    verifies<req::AOR_OUT_012>();
+    Ramp ramp;
+    ramp.follow(10.0, slow, at(0));
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(400)), 4.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 2.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(600)), 0.0);
+}
+
+TEST(Ramp, NewTimesApplyFromNowOn) {
+    verifies<req::AOR_OUT_012>();
+    Ramp ramp;
+    ramp.follow(10.0, slow, at(0));
+    const RampTimes fast{10.0, milliseconds(100), milliseconds(100)};
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, fast, at(500)), 5.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, fast, at(520)), 7.0);
+    const RampTimes slower_up{10.0, milliseconds(1000), milliseconds(100)};
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slower_up, at(520)), 7.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, slower_up, at(620)), 8.0);
+    const RampTimes wider{20.0, milliseconds(1000), milliseconds(100)};
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, wider, at(620)), 8.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(10.0, wider, at(670)), 9.0);
+    ramp.follow(0.0, wider, at(670));
+    const RampTimes slower_down{20.0, milliseconds(1000), milliseconds(1000)};
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(690)), 5.0);  // 20 in 100 ms until now
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(740)), 4.0);
+}
+
+TEST(Ramp, HowOftenItIsAskedDoesNotMatter) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
+    const RampTimes odd{10.0, milliseconds(7000), milliseconds(7000)};  // 10 / 7000 a millisecond: no binary number
+    Ramp often;
+    Ramp once;
+    often.follow(10.0, odd, at(0));
+    once.follow(10.0, odd, at(0));
+    for (std::uint64_t ms = 1; ms <= 6000; ++ms) {
+        often.follow(10.0, odd, at(ms));
+    }
+    EXPECT_EQ(once.follow(10.0, odd, at(6000)), 60000.0 / 7000.0);
+    EXPECT_EQ(often.value_at(at(6000)), 60000.0 / 7000.0) << "to the last bit";
+}
+
+TEST(Ramp, NoTimeOrNoSpanSteps) {
+    verifies<req::AOR_OUT_012>();
+    Ramp ramp;
+    EXPECT_DOUBLE_EQ(ramp.follow(7.0, {10.0, milliseconds(0), milliseconds(500)}, at(0)), 7.0);
+    EXPECT_DOUBLE_EQ(ramp.follow(3.0, {0.0, milliseconds(1000), milliseconds(500)}, at(0)), 3.0);
+}
+
+TEST(Ramp, HoldStopsIt) {
+    verifies<req::AOR_OUT_009>();
+    Ramp ramp;
+    ramp.follow(10.0, slow, at(0));
+    EXPECT_DOUBLE_EQ(ramp.hold(at(300)), 3.0);
+    EXPECT_DOUBLE_EQ(ramp.hold(at(900)), 3.0);
+    EXPECT_DOUBLE_EQ(ramp.value_at(at(900)), 3.0);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,223 @@
+// The relay block of AX130751, 1.4; polarities as Table 10 prints them.
+#include "devices/ax130751/firmware/relay.hpp"
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using Row = std::array<SwitchDrive, 2>;
+constexpr auto off = SwitchDrive::off;
+constexpr auto on = SwitchDrive::on;
+constexpr auto keep = SwitchDrive::keep;
+constexpr auto change = SwitchDrive::change;
+constexpr auto blink = SwitchDrive::blink;
+constexpr RelayPolarity not_implemented{{Row{off, off}, Row{off, off}}, UnlatchEffect::ignored};
+constexpr RelayPolarity normal{{Row{off, on}, Row{off, on}}, UnlatchEffect::ignored};
+constexpr RelayPolarity inverse{{Row{on, off}, Row{on, off}}, UnlatchEffect::ignored};
+constexpr RelayPolarity latched{{Row{keep, change}, Row{keep, keep}}, UnlatchEffect::to_off};
+constexpr RelayPolarity never_unlatched{{Row{keep, change}, Row{keep, keep}}, UnlatchEffect::ignored};
+constexpr RelayPolarity inverse_latched{{Row{keep, keep}, Row{change, keep}}, UnlatchEffect::to_on};
+constexpr RelayPolarity toggle{{Row{off, blink}, Row{off, blink}}, UnlatchEffect::ignored};
+
+/// A relay whose inputs are rows of characters, a millisecond each: # ON, . OFF.
+class RelayTest : public testing::Test {
+  protected:
+    std::string run(const std::string& controls, const RelayPolarity& polarity, const std::string& unlatch = "",
+                    OutputDrive drive = OutputDrive::control, bool override_state = false) {
+        std::string seen;
+        for (std::size_t i = 0; i < controls.size(); ++i) {
+            const RelayDemand demand{controls[i] == '#', i < unlatch.size() && unlatch[i] == '#', override_state};
+            seen += relay.advance(drive, demand, polarity, times, now) ? '#' : '.';
+            now = now + milliseconds(1);
+        }
+        return seen;
+    }
+
+    Relay relay;
+    RelayTimes times{Duration{}, Duration{}, milliseconds(2)};
+    Instant now{};
+};
+
+}  // namespace
+
+TEST_F(RelayTest, NotImplementedNormalInverse) {
+    verifies<req::AOR_RELAY_002>();
+    EXPECT_EQ(run(".##.", not_implemented), "....");
+    EXPECT_EQ(run(".##.", normal), ".##.");
+    EXPECT_EQ(run(".##.", inverse), "#..#");
+}
+
+TEST_F(RelayTest, LatchedChangesWhenTheControlGoesOn) {
+    verifies<req::AOR_RELAY_003>();
+    EXPECT_EQ(run("..##..#.#.", latched), "..####..##");
+}
+
+TEST_F(RelayTest, InverseLatchedRestsOnAndChangesWhenTheControlGoesOff) {
+    verifies<req::AOR_RELAY_004>();
+    EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
+}
+
+TEST_F(RelayTest, TogglesWhileOnBeginningWithOn) {
+    verifies<req::AOR_RELAY_008>();
+    EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
+    times.blink = milliseconds(0);
+    EXPECT_EQ(run(".####", toggle), ".####");
+}
+
+TEST_F(RelayTest, TogglingBeginsWithOnAlsoForARelayThatIsOn) {
+    verifies<req::AOR_RELAY_008>();
+    EXPECT_EQ(run("###", normal), "###");
+    EXPECT_EQ(run("####", toggle), "##..");
+}
+
+TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
+    verifies<req::AOR_RELAY_005>();
+    //                     control       unlatch
+    EXPECT_EQ(run("#......", latched, "...##.."), "###....");
+}
+
+TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
+    verifies<req::AOR_RELAY_005>();
+    // ON since 0; unlatched from 2 to 3; control still ON: nothing. OFF at 6, ON at 7: latches again.
+    EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
+}
+
+TEST_F(RelayTest, EdgesDuringUnlatchingDoNotCount) {
+    verifies<req::AOR_RELAY_005>();
+    // Goes ON at 3 while unlatched and stays ON: not ON until it has been OFF at 6 and ON at 7.
+    EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
+}
+
+TEST_F(RelayTest, AControlThatGoesOnAsUnlatchingEndsDoesNotCount) {
+    verifies<req::AOR_RELAY_005>();
+    EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
+}
+
+TEST_F(RelayTest, AControlAtRestNeedsNoWaiting) {
+    verifies<req::AOR_RELAY_005>();
+    EXPECT_EQ(run("#...#", latched, ".##.."), "#...#");
+}
+
+TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
+    verifies<req::AOR_RELAY_006>();
+    // Falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: nothing until it was ON at 6 and goes OFF at 7.
+    EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
+}
+
+TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
+    verifies<req::AOR_RELAY_007>();
+    EXPECT_EQ(run(".##.", normal, "####"), ".##.");
+    EXPECT_EQ(run(".##.", inverse, "####"), "#..#");
+    EXPECT_EQ(run("##", toggle, "##"), "##");
+    EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
+}
+
+TEST_F(RelayTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+    verifies<req::AOR_RELAY_017>();
+    EXPECT_EQ(run(".#.", latched), ".##");
+    for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
+        EXPECT_EQ(run("..##", latched, "", drive), "....") << "overridden with OFF, disabled, in error";
+        EXPECT_EQ(run("#.", latched), "##") << "one edge passed by, the control is still ON";
+    }
+    EXPECT_EQ(run("#.", latched), "..");
+    EXPECT_EQ(run("#.#", inverse_latched), "#..");
+    EXPECT_EQ(run("#.", inverse_latched, "", OutputDrive::shut_off), "..");
+    EXPECT_EQ(run(".#.", inverse_latched), "..#");
+}
+
+TEST_F(RelayTest, DisabledIsOffWhateverThePolarity) {
+    verifies<req::AOR_RELAY_009>();
+    EXPECT_EQ(run("..", inverse, "", OutputDrive::shut_off), "..");
+    EXPECT_EQ(run("..", inverse), "##");
+    EXPECT_EQ(run("##", inverse, "", OutputDrive::keep), "##");
+}
+
+TEST_F(RelayTest, OverrideTakesItsState) {
+    verifies<req::AOR_RELAY_010>();
+    EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
+    EXPECT_EQ(run("##", normal, "", OutputDrive::override_value, false), "..");
+}
+
+TEST_F(RelayTest, ErrorAndShutdownAreOff) {
+    verifies<req::AOR_RELAY_011>();
+    EXPECT_EQ(run("#", normal), "#");
+    EXPECT_EQ(run("#", normal, "", OutputDrive::fault_value), ".");
+    EXPECT_EQ(run("#", normal), "#");
+    EXPECT_EQ(run("#", inverse, "", OutputDrive::shutdown), ".");
+}
+
+TEST_F(RelayTest, DelaysOfBothWays) {
+    verifies<req::AOR_RELAY_012>();
+    times = {milliseconds(3), milliseconds(2), milliseconds(2)};
+    EXPECT_EQ(run(".#####.....", normal), "....####...");
+}
+
+TEST_F(RelayTest, ADelayOfADayIsExact) {
+    verifies<req::AOR_RELAY_012>();
+    times = {milliseconds(86'400'000), milliseconds(86'400'000), milliseconds(2)};
+    now = Instant{} + milliseconds(5);
+    EXPECT_EQ(run("#", normal), ".");
+    now = Instant{} + milliseconds(86'400'004);
+    EXPECT_EQ(run("##", normal), ".#");
+}
+
+TEST_F(RelayTest, AWishThatGoesAwayIsForgotten) {
+    verifies<req::AOR_RELAY_013>();
+    times = {milliseconds(3), milliseconds(3), milliseconds(2)};
+    EXPECT_EQ(run("##.##.###.", normal), "..........");
+    EXPECT_EQ(run("####", normal), "...#") << "and the next runs its whole delay";
+    EXPECT_EQ(run("..#..####", normal), "#########");
+}
+
+TEST_F(RelayTest, DelaysApplyToEnableAsWell) {
+    verifies<req::AOR_RELAY_012>();
+    times = {milliseconds(2), milliseconds(2), milliseconds(2)};
+    EXPECT_EQ(run("####", normal), "..##");
+    EXPECT_EQ(run("####", normal, "", OutputDrive::shut_off), "##..");
+}
+
+TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
+    verifies<req::AOR_RELAY_014>();
+    times = {milliseconds(2), milliseconds(2), milliseconds(2)};
+    EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
+    EXPECT_EQ(run("...", normal), "##.") << "the way back is delayed";
+    EXPECT_EQ(run("###", normal), "..#");
+    EXPECT_EQ(run("#", normal, "", OutputDrive::fault_value), ".");
+    EXPECT_EQ(run("###", normal), "..#");
+}
+
+TEST_F(RelayTest, DelaysPutOffTogglingAsAWhole) {
+    verifies<req::AOR_RELAY_015>();
+    times = {milliseconds(4), milliseconds(4), milliseconds(1)};
+    //                                    control ON at 0: begins at 4; OFF at 8: goes on to 12
+    EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
+}
+
+TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
+    verifies<req::AOR_RELAY_012>();
+    EXPECT_EQ(relay.next_change(), never);
+    times.on_delay = milliseconds(5);
+    run("#", normal);
+    EXPECT_EQ(relay.next_change().us, 5000U);
+    run("######", normal);  // to 7 ms
+    EXPECT_EQ(relay.next_change(), never);
+    times.on_delay = Duration{};
+    run(".", normal);
+    run("#", toggle);  // ON at 8 ms, half period 2 ms
+    EXPECT_EQ(relay.next_change().us, 10000U);
+    run("#", normal, "", OutputDrive::override_value);
+    EXPECT_EQ(relay.next_change(), never);
+}
+
+TEST_F(RelayTest, RampingOffIsOff) {
+    verifies<req::AOR_RELAY_012>();
+    // A relay has no ramp: what ramps an output off switches it off, with its delay.
+    times.off_delay = milliseconds(2);
+    EXPECT_EQ(run("##", normal), "##");
+    EXPECT_EQ(run("####", normal, "", OutputDrive::ramp_off), "##..");
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,347 @@
+// Thermocouple functions of the AX188001 (1.1, Table 1, appendix A) against the ITS-90 written out in
+// support/its90.hpp.
+#include "devices/ax188001/firmware/thermocouple.hpp"
+
+#include <gtest/gtest.h>
+
+#include "devices/ax188001/firmware/thermocouple_curves.hpp"
+#include "generated/ax188001/requirements.hpp"
+#include "generated/ax188001/tables.hpp"
+#include "tests/devices/ax188001/its90.hpp"
+#include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+const ThermocoupleCurve& curve_of(const Its90Type& type) {
+    return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
+}
+
+/// Where the voltage begins to rise for good: B falls up to 21.02 degC.
+long double lowest_convertible(const Its90Type& type) {
+    return type.letter == 'B' ? 42.0L : type.lowest();
+}
+
+}  // namespace
+
+TEST(Thermocouple, ReferenceFunctionsAreThoseOfTheIts90) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
+             req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
+    for (const auto& type : its90_types()) {
+        // Steps of 0.25 degC also fall beside every border between two pieces.
+        for (long double celsius = type.lowest(); celsius <= type.highest(); celsius += 0.25L) {
+            ASSERT_NEAR(reference_mv(curve_of(type), static_cast<double>(celsius)),
+                        static_cast<double>(type.mv(celsius)), 1e-9)
+                << type.letter << " at " << static_cast<double>(celsius);
+        }
+    }
+}
+
+TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
+    for (const auto& type : its90_types()) {
+        const ThermocoupleCurve& curve = curve_of(type);
+        ASSERT_EQ(curve.reference_count, type.reference.size()) << type.letter;
+        for (std::size_t i = 0; i < curve.reference_count; ++i) {
+            EXPECT_NEAR(from_fixed(curve.reference[i].begin), static_cast<double>(type.reference[i].from), 1e-12)
+                << type.letter;
+            EXPECT_NEAR(from_fixed(curve.reference[i].end), static_cast<double>(type.reference[i].to), 1e-12)
+                << type.letter;
+        }
+        ASSERT_EQ(curve.inverse_count, type.inverse.size()) << type.letter;
+        for (std::size_t i = 0; i < curve.inverse_count; ++i) {
+            EXPECT_NEAR(from_fixed(curve.inverse[i].begin), static_cast<double>(type.inverse[i].from), 1e-12)
+                << type.letter;
+            EXPECT_NEAR(from_fixed(curve.inverse[i].end), static_cast<double>(type.inverse[i].to), 1e-12)
+                << type.letter;
+        }
+    }
+}
+
+TEST(Thermocouple, EachPieceStandsOnceInItsTable) {
+    verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
+    namespace reference = generated::ax188001::t_tcs_t_reference;
+    namespace inverse = generated::ax188001::t_tcs_t_inverse;
+    using R = reference::Piece;
+    using I = inverse::Piece;
+    const std::vector<R> of_temperature{R::j1, R::j2, R::k1, R::k2, R::n1, R::n2, R::r1, R::r2, R::r3,
+                                        R::s1, R::s2, R::s3, R::t1, R::t2, R::e1, R::e2, R::b1, R::b2};
+    const std::vector<I> of_voltage{I::j1, I::j2, I::j3, I::k1, I::k2, I::k3, I::n1, I::n2, I::n3, I::r1, I::r2, I::r3,
+                                    I::r4, I::s1, I::s2, I::s3, I::s4, I::t1, I::t2, I::e1, I::e2, I::b1, I::b2};
+    ASSERT_EQ(reference::rows.size(), of_temperature.size());
+    for (std::size_t i = 0; i < of_temperature.size(); ++i) {
+        EXPECT_EQ(reference::rows[i].piece, of_temperature[i]) << i;
+    }
+    ASSERT_EQ(inverse::rows.size(), of_voltage.size());
+    for (std::size_t i = 0; i < of_voltage.size(); ++i) {
+        EXPECT_EQ(inverse::rows[i].piece, of_voltage[i]) << i;
+    }
+}
+
+TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
+    verifies<req::TCS_CONV_001>();
+    for (const auto& type : its90_types()) {
+        for (long double celsius = type.lowest() + 1.0L; celsius < type.highest() - 1.0L; celsius += 7.3L) {
+            const long double difference = (type.mv(celsius + 0.001L) - type.mv(celsius - 0.001L)) / 0.002L;
+            ASSERT_NEAR(reference_slope(curve_of(type), static_cast<double>(celsius)), static_cast<double>(difference),
+                        1e-7)
+                << type.letter << " at " << static_cast<double>(celsius);
+        }
+    }
+}
+
+TEST(Thermocouple, PublishedTablePointsToHalfTheirLastDigit) {
+    verifies<req::TCS_CONV_005>();
+    std::size_t points = 0;
+    for (const auto& type : its90_types()) {
+        for (const auto& [celsius, mv] : type.points) {
+            EXPECT_NEAR(reference_mv(curve_of(type), celsius), mv, 0.0005000001) << type.letter << " at " << celsius;
+            ++points;
+        }
+    }
+    EXPECT_EQ(points, 363U);
+}
+
+TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
+    verifies<req::TCS_CONV_001>();
+    for (const auto& type : its90_types()) {
+        for (const auto& [celsius, mv] : type.points) {
+            if (celsius < lowest_convertible(type)) {
+                continue;
+            }
+            // Half a digit of the table, 0.0005 mV, is worth so many degrees here.
+            const long double slope = (type.mv(celsius + 0.5L) - type.mv(celsius - 0.5L));
+            EXPECT_NEAR(exact_celsius(curve_of(type), mv), celsius, static_cast<double>(0.0005L / slope) * 1.05 + 1e-6)
+                << type.letter << " at " << celsius;
+        }
+    }
+}
+
+TEST(Thermocouple, ConversionErrsByAMillionthOfADegree) {
+    verifies<req::TCS_CONV_002>();
+    // 0.02 degC are promised. The two published functions of type J lie 7.5e-8 mV apart where they meet, at 760 degC:
+    // over a slope of 0.0639 mV/degC that is 1.17e-6 degC, and a rounding decides which of them a voltage comes from.
+    constexpr double most = 1.18e-6;
+    for (const auto& type : its90_types()) {
+        double worst = 0.0;
+        for (long double celsius = lowest_convertible(type); celsius <= type.highest(); celsius += 0.1L) {
+            const double back = exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius)));
+            worst = std::max(worst, std::fabs(back - static_cast<double>(celsius)));
+        }
+        EXPECT_LT(worst, most) << type.letter;
+    }
+}
+
+TEST(Thermocouple, TheLowestDegreesAreFoundFromEveryVoltage) {
+    verifies<req::TCS_CONV_002>();
+    // There the curves are flat and the inverse functions do not reach: the search begins from outside.
+    for (const auto& type : its90_types()) {
+        for (int step = 0; step <= 2000; ++step) {
+            const long double celsius = lowest_convertible(type) + step * 0.001L;
+            ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))),
+                        static_cast<double>(celsius), 1e-6)
+                << type.letter;
+        }
+    }
+}
+
+TEST(Thermocouple, InverseFunctionsAreThoseOfTheIts90) {
+    verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
+    for (const auto& type : its90_types()) {
+        for (std::size_t i = 0; i < type.inverse.size(); ++i) {
+            const auto& piece = type.inverse[i];
+            // Pieces of R and S overlap; the lower one holds up to its own end.
+            const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
+            for (int step = 1; step <= 2000; ++step) {
+                const long double mv = from + (piece.to - from) * step / 2000.0L;
+                const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
+                ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << type.letter << " " << step;
+                // NIST's own bounds reach 0.06 degC; the ends are rounded to 0.001 mV
+                ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
+                    << type.letter << " at " << static_cast<double>(mv);
+            }
+        }
+        const auto& first = type.inverse.front();
+        const auto& last = type.inverse.back();
+        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(first.from) - 1.0),
+                    static_cast<double>(first.at(first.from)), 1e-7);
+        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(last.to) + 1.0),
+                    static_cast<double>(last.at(last.to)), 1e-7);
+    }
+}
+
+TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
+    verifies<req::TCS_CONV_006>();
+    for (const auto& type : its90_types()) {
+        if (type.letter != 'B') {
+            EXPECT_NEAR(exact_celsius(curve_of(type), -100.0), static_cast<double>(type.lowest()), 1e-12)
+                << type.letter;
+        }
+        EXPECT_NEAR(exact_celsius(curve_of(type), 100.0), static_cast<double>(type.highest()), 1e-12) << type.letter;
+    }
+}
+
+TEST(Thermocouple, BesideTheEndsNothingLiesBeyondThem) {
+    verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
+    constexpr double step_mv = 1.0 / 1099511627776.0;  // of the numbers, 2^-40; 300 of them are worth 1e-6 degC at most
+    for (const auto& type : its90_types()) {
+        const ThermocoupleCurve& curve = curve_of(type);
+        const double low_mv = reference_mv(curve, curve.lowest_c());
+        const double high_mv = reference_mv(curve, curve.highest_c());
+        for (int steps = 0; steps <= 300; ++steps) {
+            if (steps > 0) {
+                EXPECT_EQ(exact_celsius(curve, low_mv - steps * step_mv), curve.lowest_c()) << type.letter;
+                EXPECT_EQ(exact_celsius(curve, high_mv + steps * step_mv), curve.highest_c()) << type.letter;
+            }
+            const double high = exact_celsius(curve, high_mv - steps * step_mv);
+            EXPECT_LE(high, curve.highest_c()) << type.letter;
+            EXPECT_NEAR(high, curve.highest_c(), 1e-6) << type.letter;
+            const double low = exact_celsius(curve, low_mv + steps * step_mv);
+            EXPECT_GE(low, curve.lowest_c()) << type.letter;
+            if (type.letter != 'B') {  // which is flat there
+                EXPECT_NEAR(low, curve.lowest_c(), 1e-6) << type.letter;
+            }
+        }
+    }
+}
+
+TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
+    verifies<req::TCS_CONV_007, req::TCS_K_B_MINIMUM>();
+    const Its90Type b = its90_b();
+    // The slope changes its sign at 21.02 degC, where the voltage is -2.585 uV.
+    EXPECT_LT(b.mv(21.020L), b.mv(21.010L));
+    EXPECT_LT(b.mv(21.021L), b.mv(21.031L));
+    EXPECT_NEAR(static_cast<double>(b.mv(21.0203L)) * 1000.0, -2.585, 0.0005);
+    EXPECT_NEAR(exact_celsius(curve_of(b), -1.0), 21.0203, 1e-6);
+    for (long double celsius = 21.1L; celsius < 60.0L; celsius += 0.37L) {
+        EXPECT_NEAR(exact_celsius(curve_of(b), static_cast<double>(b.mv(celsius))), static_cast<double>(celsius), 1e-4);
+    }
+    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // E(42) = -0.0322 uV, slope 0.249 uV/K
+}
+
+TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
+    verifies<req::TCS_CONV_010, req::TCS_T1>();
+    namespace ranges = generated::ax188001::t_tcs_t1;
+    struct Range {
+        char letter;
+        std::int32_t lowest_uv;
+        std::int32_t highest_uv;
+        long double highest_c;
+    };
+    const std::vector<Range> appendix{{'J', -8095, 69553, 1200.0L}, {'K', -6458, 54886, 1372.0L},
+                                      {'N', -4345, 47513, 1300.0L}, {'R', -226, 21101, 1768.0L},
+                                      {'S', -236, 18693, 1768.0L},  {'T', -6258, 20872, 400.0L},
+                                      {'E', -9835, 76373, 1000.0L}, {'B', 0, 13820, 1820.0L}};
+    for (std::size_t i = 0; i < appendix.size(); ++i) {
+        const Its90Type& type = its90_types()[i];
+        ASSERT_EQ(type.letter, appendix[i].letter);
+        EXPECT_NEAR(static_cast<double>(type.mv(type.lowest())) * 1000.0, appendix[i].lowest_uv, 0.5) << type.letter;
+        EXPECT_NEAR(static_cast<double>(type.mv(appendix[i].highest_c)) * 1000.0, appendix[i].highest_uv, 0.5)
+            << type.letter;
+        const auto* const row = ranges::find(static_cast<generated::ax188001::SensorType>(type.number));
+        ASSERT_NE(row, nullptr);
+        EXPECT_EQ(row->lowest_uv, appendix[i].lowest_uv);
+        EXPECT_EQ(row->highest_uv, appendix[i].highest_uv);
+    }
+}
+
+TEST(Thermocouple, FunctionsContinueBeyondTheirRange) {
+    verifies<req::TCS_CJ_003>();
+    // B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
+    EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);
+}
+
+TEST(ThermocoupleArithmetic, TermsEndWithTheLastCoefficientThatIsNotZero) {
+    shows_rule("thermocouples in fixed point");
+    // No constant, and as long as the firmware's: what the compiler computes, or makes for a test alone, is not
+    // altered.
+    std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
+    EXPECT_EQ(terms_of(coefficients), 2U);
+    coefficients = {0.0, 0.0, 1e-30};
+    EXPECT_EQ(terms_of(coefficients), 3U);
+    coefficients = {};
+    EXPECT_EQ(terms_of(coefficients), 0U);
+}
+
+TEST(ThermocoupleArithmetic, AnExponentTooSteepForTheRangeIsHeld) {
+    shows_rule("thermocouples in fixed point");
+    // 1024 °C from the centre 2e-4 × 1024² = 209.7 is e^-209.7 = 2^-302.6: more than the 256 halvings that a fraction
+    // holds.
+    EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
+    // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
+    const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
+    EXPECT_NEAR(static_cast<double>(exponential_term(1.0, -1e-4, 0.0).halvings) / 18446744073709551616.0, halvings,
+                1e-15);
+}
+
+TEST(Thermocouple, ExponentialNeedsNoLibrary) {
+    verifies<req::TCS_CONV_008>();
+    // Type K's: 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
+    const ExponentialTerm term = exponential_term(0.1185976, -1.183432e-4, 126.9686);
+    for (double celsius = -40.0; celsius <= 1372.0; celsius += 0.13) {
+        const long double distance = static_cast<long double>(celsius) - 126.9686L;
+        const long double right = 0.1185976L * std::exp(-1.183432e-4L * distance * distance);
+        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11) << celsius;  // 1e-9 is promised
+    }
+    EXPECT_NEAR(exponential_mv(term, 126.9686), 0.1185976, 1e-11);
+    EXPECT_EQ(exponential_mv(term, 126.9686 + 1024.0), 0.0);
+    EXPECT_EQ(exponential_mv(term, -1e300), 0.0);
+}
+
+TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
+    shows_rule("work is bounded");
+    // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
+    ThermocoupleCurve cubic{};
+    cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
+    cubic.reference_count = 1U;
+    cubic.inverse[0] = inverse_piece(0.0, 1e6, {1.0});
+    cubic.inverse_count = 1U;
+    cubic.highest = to_fixed(100.0);
+    EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
+}
+
+TEST(Thermocouple, AStepToTheOppositeTemperatureIsAStep) {
+    shows_rule("work is bounded");
+    // t^3 from -100 to 100, first guess 10, -5000 wanted. No parabola through there is 0: its slope 300 alone leads
+    // 6000 / 300 = 20 down, to -10, which is a step of 20 and not the end of the search. The root is -17.0997594668.
+    ThermocoupleCurve cubic{};
+    cubic.reference[0] = reference_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 1.0});
+    cubic.reference_count = 1U;
+    cubic.inverse[0] = inverse_piece(-1e6, 1e6, {10.0});
+    cubic.inverse_count = 1U;
+    cubic.lowest = to_fixed(-100.0);
+    cubic.highest = to_fixed(100.0);
+    EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
+}
+
+TEST(Thermocouple, ASearchThatGoesToAndFroEndsAsWell) {
+    shows_rule("work is bounded");
+    // t - 5 below 0 degC and t + 5 above: from 5 the line leads to -5, and from there back to 5.
+    ThermocoupleCurve gap{};
+    gap.reference[0] = reference_piece(-100.0, 0.0, {-5.0, 1.0});
+    gap.reference[1] = reference_piece(0.0, 100.0, {5.0, 1.0});
+    gap.reference_count = 2U;
+    gap.inverse[0] = inverse_piece(-1e6, 1e6, {5.0});
+    gap.inverse_count = 1U;
+    gap.lowest = to_fixed(-100.0);
+    gap.highest = to_fixed(100.0);
+    EXPECT_LE(std::fabs(exact_celsius(gap, 0.0)), 5.0);
+}
+
+TEST(Thermocouple, ACurveThatNeverSettlesEndsAtItsLastStep) {
+    shows_rule("work is bounded");
+    // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
+    ThermocoupleCurve step{};
+    step.reference[0] = reference_piece(0.0, 40.0, {});
+    step.reference[1] = reference_piece(40.0, 1e6, {10.0});
+    step.reference_count = 2U;
+    step.inverse[0] = inverse_piece(0.0, 10.0, {});
+    step.inverse_count = 1U;
+    step.highest = to_fixed(1e6);
+    // It ends in the middle of the first interval that is no longer than 1e-5 degC.
+    EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 5e-6);
+}
+
+}  // namespace canproof::test

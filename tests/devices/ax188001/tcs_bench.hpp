@@ -1,0 +1,71 @@
+// An AX188001 on a bench, with thermocouples by the ITS-90 as written out in its90.hpp.
+#pragma once
+
+#include "devices/ax188001/firmware/ax188001.hpp"
+#include "tests/devices/ax188001/its90.hpp"
+#include "tests/support/device_bench.hpp"
+
+namespace canproof::test {
+
+constexpr std::uint32_t too_high = 0x06090031;
+constexpr std::uint32_t too_low = 0x06090032;
+constexpr std::uint32_t out_of_range = 0x06090030;
+constexpr std::uint32_t read_only = 0x06010002;
+constexpr std::uint32_t no_object = 0x06020000;
+constexpr std::uint32_t no_subindex = 0x06090011;
+constexpr std::uint32_t not_a_number = 0xFFC00000;
+
+/// Node 127, cold junction at 25 degC, no voltage at the terminals: both channels at 25 degC.
+class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001::FactoryData> {
+  public:
+    static constexpr std::uint64_t period_ms = 165;
+
+    TcsBench() : DeviceBench{1024, 127} {}
+
+    /// The hot junction of a thermocouple of this type at `celsius`, from now on.
+    Frames heat(int channel, double celsius, char letter = 'J') {
+        for (const auto& type : its90_types()) {
+            if (type.letter == letter) {
+                const long double mv = type.mv(static_cast<long double>(celsius)) - type.mv(inputs.cold_junction);
+                inputs.tc_microvolts[index(channel)] = static_cast<float>(mv * 1000.0L);
+            }
+        }
+        return set_inputs();
+    }
+    Frames cut(int channel, bool broken = true) {
+        inputs.tc_open[index(channel)] = broken;
+        return set_inputs();
+    }
+    Frames microvolts(int channel, double uv) {
+        inputs.tc_microvolts[index(channel)] = static_cast<float>(uv);
+        return set_inputs();
+    }
+    /// To the next reading.
+    Frames read_once() { return pass(period_ms); }
+    /// Through any change of gain: nine readings.
+    Frames settle() { return pass(9 * period_ms); }
+
+    SdoAnswer field_value(int channel) { return read(0x6100, channel); }
+    int process_value(int channel) { return read(0x7130, channel).word(); }
+    int status(int channel) { return static_cast<int>(read(0x6150, channel).value); }
+    /// The listed errors, the latest first.
+    std::vector<std::uint32_t> listed() {
+        std::vector<std::uint32_t> all;
+        const int count = static_cast<int>(read(0x1003, 0).value);
+        for (int sub = 1; sub <= count; ++sub) {
+            all.push_back(read(0x1003, sub).value);
+        }
+        return all;
+    }
+
+  private:
+    static std::size_t index(int channel) { return static_cast<std::size_t>(channel - 1); }
+};
+
+/// A bench whose device has booted at time 0: readings fall on multiples of 165 ms.
+class TcsTest : public testing::Test, public TcsBench {
+  protected:
+    void SetUp() override { power_on(); }
+};
+
+}  // namespace canproof::test

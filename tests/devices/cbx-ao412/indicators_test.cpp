@@ -1,0 +1,166 @@
+// LEDs of the CAN-CBX-AO412 (3.2), node 3.
+#include "generated/cbx_ao412/requirements.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Leds : public CbxTest {
+  protected:
+    void SetUp() override {
+        CbxTest::SetUp();
+        pass(4000);  // any moment but the first
+    }
+    /// One character each 100 ms for so long: # lit, . dark. Sampled 50 ms into each.
+    std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
+        std::string seen;
+        pass(50);
+        for (int i = 0; i < tenths; ++i) {
+            seen += device->outputs().*led ? '#' : '.';
+            pass(100);
+        }
+        pass(50);
+        return seen;
+    }
+    /// Whether the pattern repeats the given round, whatever its phase.
+    static bool repeats(const std::string& seen, const std::string& round) {
+        std::string endless;
+        while (endless.size() < seen.size() + round.size()) {
+            endless += round;
+        }
+        return endless.find(seen) != std::string::npos;
+    }
+    static constexpr auto e = &generated::cbx_ao412::Outputs::led_e;
+    static constexpr auto s = &generated::cbx_ao412::Outputs::led_s;
+    static constexpr auto m = &generated::cbx_ao412::Outputs::led_m;
+    static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
+};
+
+// Rounds of 3.2.1, a character each 100 ms
+const std::string blinking = "##..";
+const std::string one_flash = "##..............";          // 200 on, 1400 off
+const std::string two_flashes = "##..##..........";        // 200 on, 200 off, 200 on, 1000 off
+const std::string three_flashes = "##..##..##..........";  // the same with three
+const std::string lit(40, '#');
+const std::string dark(40, '.');
+
+}  // namespace
+
+TEST_F(Leds, StatusFollowsTheNmtState) {
+    verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_S_LED_S>();
+    EXPECT_TRUE(repeats(watch(s, 40), blinking));
+    send("000#0103");
+    EXPECT_EQ(watch(s, 40), lit);
+    send("000#0203");
+    EXPECT_TRUE(repeats(watch(s, 40), one_flash));
+}
+
+TEST_F(Leds, CanErrorShowsTheGravestCondition) {
+    verifies<req::AO4_LED_002, req::AO4_LED_005, req::AO4_T6, req::AO4_S_LED_E>();
+    EXPECT_EQ(watch(e, 40), dark);
+    inputs.can_state = 1;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(e, 40), one_flash));
+    inputs.can_state = 2;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(e, 40), one_flash));
+    write("603#23161001C8003100");
+    send("731#05");
+    pass(300);
+    EXPECT_TRUE(repeats(watch(e, 40), two_flashes));
+    inputs.can_state = 0;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(e, 40), two_flashes));
+    send("731#05");
+    write("603#2316100100000000");
+    EXPECT_EQ(watch(e, 40), dark);
+    inputs.can_state = 3;
+    set_inputs();
+    EXPECT_EQ(watch(e, 40), lit);
+}
+
+TEST_F(Leds, ErrorShowsOverrunAndSoftwareFault) {
+    verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
+    EXPECT_EQ(watch(m, 40), dark);
+    inputs.can_overrun = true;
+    set_inputs();
+    EXPECT_EQ(watch(m, 40), lit);
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    inputs.can_overrun = false;
+    inputs.internal_fault = false;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // until the next reset
+    send("000#8103");
+    EXPECT_EQ(watch(m, 40), dark);
+}
+
+TEST_F(Leds, AFailureOfTheHardwareShowsUntilTheReset) {
+    verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
+    inputs.hardware_fault = true;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    send("000#8103");
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it lasts
+    inputs.hardware_fault = false;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    send("000#8103");
+    EXPECT_EQ(watch(m, 40), dark);
+}
+
+TEST_F(Leds, ACorruptStoredSetShows) {
+    verifies<req::AO4_LED_003>();
+    write("603#2310100173617665");
+    memory.bytes()[40] ^= 0x01;
+    power_on();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+}
+
+TEST_F(Leds, PowerIsOnWhileTheApplicationRuns) {
+    verifies<req::AO4_LED_004, req::AO4_T9, req::AO4_S_LED_P>();
+    EXPECT_EQ(watch(p, 40), lit);
+    inputs.switch_high = 8;
+    power_on();
+    EXPECT_EQ(watch(p, 40), dark);
+}
+
+TEST_F(Leds, AnInvalidNodeIdShowsOnStatusAndCanError) {
+    verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_SW_002, req::AO4_T6, req::AO4_T7>();
+    inputs.switch_high = 8;  // 83h
+    power_on();
+    EXPECT_TRUE(repeats(watch(s, 40), three_flashes));
+    EXPECT_EQ(watch(e, 40), lit);
+}
+
+TEST_F(Leds, AnInternalFailureShowsWithAnInvalidNodeIdToo) {
+    verifies<req::AO4_LED_003, req::AO4_SW_002>();
+    inputs.switch_high = 8;  // 83h
+    power_on();
+    EXPECT_EQ(watch(m, 40), dark);
+    inputs.internal_fault = true;
+    EXPECT_EQ(set_inputs(), Frames{});
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    for (int output = 1; output <= 4; ++output) {
+        EXPECT_EQ(volts(output), 0.0F);
+    }
+    EXPECT_EQ(power_on(), Frames{});  // one that was there before
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+}
+
+TEST_F(Leds, RedAndGreenFlashInTurn) {
+    verifies<req::AO4_LED_006>();
+    // stopped: green flashes once each 1.6 s; warning limit: red does so too
+    send("000#0203");
+    inputs.can_state = 1;
+    set_inputs();
+    for (int i = 0; i < 320; ++i) {
+        EXPECT_FALSE(device->outputs().led_s && device->outputs().led_e);
+        pass(10);
+    }
+}
+
+}  // namespace canproof::test

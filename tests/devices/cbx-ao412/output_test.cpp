@@ -1,0 +1,271 @@
+// Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+// One step is 1 mV * 30.9 / 12.4 = 2.49193… mV; full scale 4096 steps = 10.20697 V.
+constexpr float step_v = 0.001F * 30.9F / 12.4F;
+
+class Output : public CbxTest {
+  protected:
+    void set(int output, const std::string& value) { write("603#2B11640" + std::to_string(output) + value + "0000"); }
+    void expect_steps(int output, int steps) { EXPECT_NEAR(volts(output), static_cast<float>(steps) * step_v, 1e-5F); }
+};
+
+}  // namespace
+
+TEST_F(Output, FiveVoltsOfTheManualsExamples) {
+    verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
+             req::AO4_OD_6411>();
+    set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
+    expect_steps(1, 2006);
+    EXPECT_NEAR(volts(1), 5.0F, step_v);
+    set(2, "4DC1");  // -16051
+    expect_steps(2, -2006);
+    EXPECT_NEAR(volts(2), -5.0F, step_v);
+}
+
+TEST_F(Output, RoundsToStepsAsTheTableOf7_10_2_2) {
+    verifies<req::AO4_AOUT_002, req::AO4_K_CODES_PER_STEP>();
+    const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0},
+                                                        {"0000", 0},  {"0300", 0}, {"0400", 1},
+                                                        {"0B00", 1},  {"0C00", 2}, {"F3FF", -2}};
+    for (const auto& [value, steps] : rows) {
+        set(3, value);
+        expect_steps(3, steps);
+    }
+    EXPECT_NEAR(step_v, 2.492e-3F, 1e-6F);
+}
+
+TEST_F(Output, EndsAreClampedTo4095Steps) {
+    verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS>();
+    set(1, "FF7F");
+    expect_steps(1, 4095);
+    EXPECT_NEAR(volts(1), 10.205F, 0.001F);
+    set(1, "0080");
+    expect_steps(1, -4095);
+    write("603#2B042401FF7F0000");  // offset of nearly +10.24 V
+    set(1, "FF7F");
+    expect_steps(1, 4095);
+}
+
+TEST_F(Output, CalibrationScalesAndShifts) {
+    verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2404, req::AO4_OD_2405>();
+    set(1, "0040");  // 16384: 2048 steps
+    expect_steps(1, 2048);
+    write("603#2B05240100400000");  // gain 1 + 16384 / 262144 = 1.0625: 2048 * 1.0625 = 2176
+    expect_steps(1, 2176);
+    write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
+    expect_steps(1, 2192);
+    write("603#2B05240100800000");  // gain 1 - 0.125: 1792 steps + 16.05
+    expect_steps(1, 1808);
+}
+
+TEST_F(Output, IsSetInPreOperationalToo) {
+    verifies<req::AO4_AOUT_005>();
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    set(4, "0800");
+    expect_steps(4, 1);
+}
+
+namespace {
+
+class OutputInError : public Output {
+  protected:
+    void SetUp() override {
+        Output::SetUp();
+        write("603#2F43640100000000");  // output 1: 0 V
+        write("603#2F43640201000000");  // output 2: error value
+        write("603#2F43640302000000");  // output 3: keep
+        write("603#2344640200000040");  // 40000000h: upper half 4000h = 16384 = 2048 steps
+        send("000#0103");
+        send("303#0020002000200020");  // 2000h = 8192: 1024 steps each
+    }
+    void expect_error_outputs() {
+        expect_steps(1, 0);
+        expect_steps(2, 2048);
+        expect_steps(3, 1024);
+        expect_steps(4, 0);  // mode 1 by default, error value 0
+    }
+};
+
+}  // namespace
+
+TEST_F(OutputInError, InternalFailureFollowsTheErrorMode) {
+    verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444,
+             req::AO4_S_INTERNAL_FAULT>();
+    inputs.internal_fault = true;
+    set_inputs();
+    expect_error_outputs();
+}
+
+TEST_F(OutputInError, AFailureOfTheHardwareFollowsTheErrorMode) {
+    verifies<req::AO4_AOUT_006, req::AO4_AOUT_010, req::AO4_S_HARDWARE_FAULT>();
+    inputs.hardware_fault = true;
+    set_inputs();
+    expect_error_outputs();
+    inputs.internal_fault = true;  // one more on top of it
+    set_inputs();
+    inputs.internal_fault = false;
+    set_inputs();
+    send("303#0010001000100010");  // the hardware has still failed
+    expect_error_outputs();
+    send("000#8103");
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 0);  // 6443h is 1 by default, 6444h 0
+    }
+}
+
+TEST_F(OutputInError, HeartbeatLossFollowsTheErrorMode) {
+    verifies<req::AO4_AOUT_006>();
+    write("603#23161001C8003100");
+    send("731#05");
+    pass(300);
+    expect_error_outputs();
+}
+
+TEST_F(OutputInError, BusOffFollowsTheErrorMode) {
+    verifies<req::AO4_AOUT_006, req::AO4_S_CAN_STATE>();
+    inputs.can_state = 3;
+    set_inputs();
+    expect_error_outputs();
+}
+
+TEST_F(OutputInError, WhatIsNoSuchErrorMovesNoOutput) {
+    verifies<req::AO4_AOUT_006>();
+    inputs.can_overrun = true;
+    set_inputs();
+    inputs.can_state = 2;
+    set_inputs();
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1024);
+    }
+}
+
+TEST_F(OutputInError, AnotherErrorOnTopOfTheFirstMovesNone) {
+    verifies<req::AO4_AOUT_006>();
+    inputs.internal_fault = true;
+    set_inputs();
+    write("603#2344640200000060");  // for the next error
+    inputs.can_state = 3;
+    set_inputs();
+    expect_error_outputs();
+    inputs = {};
+    inputs.switch_low = 3;
+    set_inputs();
+    expect_error_outputs();
+    inputs.internal_fault = true;
+    set_inputs();
+    expect_steps(2, 3072);  // 6000h = 24576
+}
+
+TEST_F(OutputInError, NoVoltageIsNoneWhateverTheCalibration) {
+    verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
+    write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
+    expect_steps(1, 1040);
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_EQ(volts(1), 0.0F);
+}
+
+TEST_F(OutputInError, StaysUntilTheNextWriteAfterTheErrorHasEnded) {
+    verifies<req::AO4_AOUT_008>();
+    inputs.internal_fault = true;
+    set_inputs();
+    send("303#0010001000100010");  // not while the error lasts
+    expect_error_outputs();
+    inputs.internal_fault = false;
+    set_inputs();
+    expect_error_outputs();
+    send("000#0103");
+    send("303#0010001000100010");  // 1000h = 4096: 512 steps
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 512);
+    }
+}
+
+TEST_F(Output, FactoryCalibrationComesBackWithLoad) {
+    verifies<req::AO4_AOUT_009>();
+    factory.offset = {10, 20, 30, 40};
+    factory.gain = {-1, -2, -3, -4};
+    power_on();
+    EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240214000000"}));
+    EXPECT_EQ(send("603#4005240200000000"), (Frames{"583#4B052402FEFF0000"}));
+    EXPECT_EQ(send("603#4004240400000000"), (Frames{"583#4B04240428000000"}));
+    EXPECT_EQ(send("603#4005240400000000"), (Frames{"583#4B052404FCFF0000"}));
+    for (const char* group : {"01", "04"}) {
+        write("603#2B04240263000000");
+        write("603#2310100173617665");
+        power_on();
+        EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
+        write(std::string{"603#231110"} + group + "6C6F6164");
+        send("000#8103");
+        EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240214000000"})) << group;
+    }
+}
+
+TEST_F(Output, ResetCommunicationLeavesTheCalibrationAlone) {
+    verifies<req::CO_NMT_006>();
+    write("603#2B04240263000000");
+    send("000#8203");
+    EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
+}
+
+TEST_F(OutputInError, CalibrationMovesTheValueThatTheOutputHolds) {
+    verifies<req::AO4_AOUT_005, req::AO4_AOUT_008>();
+    // 2404h = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
+    write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
+    expect_steps(1, 1024);
+    write("603#2B04240108000000");
+    expect_steps(1, 1025);
+    inputs.internal_fault = true;
+    set_inputs();
+    const float error_value = volts(1);
+    write("603#2B04240100000000");
+    inputs.internal_fault = false;
+    set_inputs();
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still what the error put out, at most a step moved
+    write("603#2B04240108000000");
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);
+}
+
+TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
+    verifies<req::AO4_OD_6411, req::AO4_STORE_003, req::AO4_AOUT_010>();
+    for (int output = 1; output <= 4; ++output) {
+        set(output, "0020");  // 2000h = 8192: 1024 steps
+    }
+    write("603#2310100173617665");
+    power_on();
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1024);
+    }
+}
+
+TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
+    verifies<req::AO4_AOUT_010>();
+    write("603#2B11640100200000");
+    write("603#2B11640200200000");
+    write("603#2B11640300200000");
+    write("603#2F43640100000000");  // 0 V
+    write("603#2F43640201000000");  // 6444h
+    write("603#2344640200000004");  // 0400h = 1024: 128 steps
+    write("603#2F43640302000000");  // as it is
+    write("603#2310100173617665");
+    inputs.internal_fault = true;
+    set_inputs();
+    send("000#8103");
+    expect_steps(1, 0);
+    expect_steps(2, 128);
+    expect_steps(3, 1024);
+    power_on();
+    expect_steps(1, 0);
+    expect_steps(2, 128);
+    expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
+}
+
+}  // namespace canproof::test

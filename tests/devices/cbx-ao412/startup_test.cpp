@@ -1,0 +1,171 @@
+// Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
+#include <fmt/format.h>
+
+#include "generated/cbx_ao412/requirements.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+using Startup = CbxTest;
+
+TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
+    verifies<req::AO4_SW_001, req::AO4_S_SWITCH_HIGH, req::AO4_S_SWITCH_LOW>();
+    inputs.switch_high = 7;
+    inputs.switch_low = 15;
+    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+    inputs.switch_high = 0;
+    inputs.switch_low = 1;
+    set_inputs();
+    EXPECT_EQ(send("67F#4000100000000000").size(), 1U);  // not before the next power-on
+    EXPECT_TRUE(send("601#4000100000000000").empty());
+    EXPECT_EQ(power_on(), (Frames{"701#00"}));
+}
+
+TEST_F(Startup, AnInvalidNodeIdKeepsTheModuleSilent) {
+    verifies<req::AO4_SW_002>();
+    for (const int node_id : {0x00, 0x80, 0xFF}) {
+        inputs.switch_high = static_cast<std::uint8_t>(node_id / 16);
+        inputs.switch_low = static_cast<std::uint8_t>(node_id % 16);
+        EXPECT_TRUE(power_on().empty());
+        EXPECT_TRUE(send("000#0100").empty());
+        EXPECT_TRUE(send(fmt::format("{:03X}#4000100000000000", 0x600 + node_id)).empty());
+        EXPECT_TRUE(pass(2000).empty());
+        EXPECT_EQ(volts(1), 0.0F);
+    }
+}
+
+// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is set beside it, and the digits are BCD
+TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
+    verifies<req::AO4_ID_001, req::AO4_OD_1018>();
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // AB 0105
+    factory.serial_number = 0xCBDA9387;
+    power_on();
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810048793DACB"}));  // KZ 9387
+}
+
+TEST_F(Startup, BitRateFollowsTable11) {
+    verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
+    // kbit/s as printed, thirds and sixths rounded to whole bits
+    const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
+                                           66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
+    for (std::size_t setting = 0; setting < rates.size(); ++setting) {
+        inputs.switch_baud = static_cast<std::uint8_t>(setting);
+        power_on();
+        EXPECT_EQ(device->bit_rate(), rates[setting]) << setting;
+    }
+}
+
+TEST_F(Startup, StartsItselfAfterTheDelay) {
+    verifies<req::AO4_START_001, req::AO4_OD_1F80, req::AO4_OD_1F91>();
+    write("603#23801F0008000000");
+    write("603#2310100173617665");
+    power_on();
+    pass(99);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+    send("000#8003");
+    write("603#2B911F01F4010000");  // 500 ms
+    write("603#2310100173617665");
+    power_on();
+    pass(499);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
+TEST_F(Startup, WaitsForTheMasterByDefault) {
+    verifies<req::AO4_START_001>();
+    pass(10000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(Startup, TakesTwoAndEightOnly) {
+    verifies<req::AO4_START_002, req::AO4_OD_1F80>();
+    for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
+        EXPECT_EQ(send(std::string{"603#23801F00"} + value), (Frames{"583#80801F0030000906"})) << value;
+    }
+    write("603#23801F0008000000");
+    write("603#23801F0002000000");
+}
+
+TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
+    verifies<req::AO4_START_003>();
+    write("603#23801F0008000000");
+    write("603#2310100173617665");
+    power_on();
+    pass(50);
+    send("000#8003");
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(Startup, ProgramDataIsForTheBootLoader) {
+    verifies<req::AO4_PROG_001, req::AO4_OD_1F50>();
+    EXPECT_EQ(send("603#40501F0000000000"), (Frames{"583#80501F0022000008"}));
+    EXPECT_EQ(send("603#21501F0000010000"), (Frames{"583#80501F0022000008"}));
+    EXPECT_EQ(send("603#23501F0001020304"), (Frames{"583#80501F0022000008"}));
+}
+
+TEST_F(Startup, ProgramControlKeepsItsValue) {
+    verifies<req::AO4_PROG_002, req::AO4_OD_1F51>();
+    write("603#2F511F01FE000000");
+    EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
+    EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
+}
+
+TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
+    verifies<req::AO4_PROG_003, req::AO4_OD_1F52>();
+    // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days = 10,958, then 327 days into 2014
+    EXPECT_EQ(10958 + 327, 11285);
+    EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01152C0000"}));  // 11285 = 2C15h
+    EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0200000000"}));
+    EXPECT_EQ(send("603#23521F0100000000"), (Frames{"583#80521F0102000106"}));
+}
+
+TEST_F(Startup, AResetLetsTheDelayBeginAnew) {
+    verifies<req::AO4_START_003>();
+    write("603#23801F0008000000");
+    write("603#2310100173617665");
+    power_on();
+    for (const char* reset : {"000#8103", "000#8203"}) {
+        pass(50);
+        send(reset);
+        pass(99);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << reset;
+        pass(1);
+        EXPECT_EQ(device->state(), NmtState::operational) << reset;
+    }
+}
+
+namespace {
+
+/// The state after the delay of the self-start when the controller went bus-off on the way, with this value of 1029h:1.
+NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
+    CbxBench bench;
+    bench.power_on();
+    bench.write("603#2F291001" + reaction + "000000");
+    bench.write("603#23801F0008000000");
+    bench.write("603#2310100173617665");
+    bench.inputs.can_state = before_boot_up ? 3 : 0;
+    bench.power_on();
+    bench.pass(50);
+    bench.inputs.can_state = 3;
+    bench.set_inputs();
+    bench.pass(1000);
+    return bench.device->state();
+}
+
+}  // namespace
+
+TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
+    verifies<req::AO4_START_004>();
+    for (const bool before_boot_up : {false, true}) {
+        EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
+        EXPECT_EQ(started_in_bus_off("01", before_boot_up), NmtState::operational);
+        EXPECT_EQ(started_in_bus_off("02", before_boot_up), NmtState::stopped);
+    }
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,154 @@
+// The decision tables of the CAN-CBX-AO412's manual, cell by cell, and the constants of its outputs.
+#include "generated/cbx_ao412/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "generated/cbx_ao412/constants.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace own = generated::cbx_ao412;
+using State = own::IndicatorState;
+
+}  // namespace
+
+// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0; 8140h is over
+// when it is reported
+TEST(CbxTables, ErrorsAreToldAndListed) {
+    verifies<req::AO4_T_ERRORS>();
+    namespace t = own::t_ao4_t_errors;
+    struct Error {
+        t::Error error;
+        int code;
+        int bits;
+        bool sent;
+    };
+    for (const Error& one : {Error{t::Error::can_overrun, 0x8110, 0x11, true},
+                             {t::Error::error_passive, 0x8120, 0x11, true},
+                             {t::Error::guard_or_heartbeat, 0x8130, 0x11, true},
+                             {t::Error::bus_off_recovered, 0x8140, 0x00, true},
+                             {t::Error::sync_length, 0x8240, 0x11, true},
+                             {t::Error::stored_set_checksum, 0x6000, 0x01, false},
+                             {t::Error::internal_software, 0x6110, 0x01, true},
+                             {t::Error::hardware, 0x5000, 0x01, true}}) {
+        const auto* row = t::find(one.error);
+        ASSERT_NE(row, nullptr) << one.code;
+        EXPECT_EQ(row->code, one.code);
+        EXPECT_EQ(row->register_bits, one.bits) << one.code;
+        EXPECT_EQ(row->sent, one.sent) << one.code;
+        EXPECT_TRUE(row->listed) << one.code;
+    }
+    EXPECT_EQ(t::rows.size(), 8U);
+}
+
+// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. After the last flash of n comes the
+// pause.
+TEST(CbxTables, IndicatorStates) {
+    verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
+    namespace t = own::t_ao4_t5;
+    struct Indicator {
+        State state;
+        int flashes;
+        int on;
+        int gap;
+        int pause;
+    };
+    for (const Indicator& one : {Indicator{State::off, 0, 0, 0, 0},
+                                 {State::on, 0, 1, 0, 0},
+                                 {State::blinking, 1, 200, 200, 200},
+                                 {State::flickering, 1, 50, 50, 50},
+                                 {State::flash1, 1, 200, 200, 1400},
+                                 {State::flash2, 2, 200, 200, 1000},
+                                 {State::flash3, 3, 200, 200, 1000},
+                                 {State::flash4, 4, 200, 200, 1000}}) {
+        const auto* row = t::find(one.state);
+        ASSERT_NE(row, nullptr);
+        const std::array<int, 4> times{row->flashes, row->on_ms, row->gap_ms, row->pause_ms};
+        EXPECT_EQ(times, (std::array<int, 4>{one.flashes, one.on, one.gap, one.pause})) << static_cast<int>(one.state);
+    }
+}
+
+// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off outweighs a guarding error, that one the controller's warnings
+TEST(CbxTables, LedE) {
+    verifies<req::AO4_T6>();
+    namespace t = own::t_ao4_t6;
+    const auto led = [](bool invalid, t::Can can, bool guard) {
+        const auto* row = t::find(invalid, can, guard);
+        return row == nullptr ? State::flickering : row->led;
+    };
+    for (const auto can : {t::Can::active, t::Can::warning, t::Can::passive, t::Can::bus_off}) {
+        for (const bool guard : {false, true}) {
+            EXPECT_EQ(led(true, can, guard), State::on);
+        }
+    }
+    for (const bool guard : {false, true}) {
+        EXPECT_EQ(led(false, t::Can::bus_off, guard), State::on);
+    }
+    for (const auto can : {t::Can::active, t::Can::warning, t::Can::passive}) {
+        EXPECT_EQ(led(false, can, true), State::flash2);
+    }
+    EXPECT_EQ(led(false, t::Can::warning, false), State::flash1);
+    EXPECT_EQ(led(false, t::Can::passive, false), State::flash1);
+    EXPECT_EQ(led(false, t::Can::active, false), State::off);
+}
+
+// 3.2.3 Table 7 and 3.2.6
+TEST(CbxTables, LedS) {
+    verifies<req::AO4_T7>();
+    namespace t = own::t_ao4_t7;
+    for (const auto& [mode, led] :
+         std::array<std::pair<t::Mode, State>, 5>{{{t::Mode::pre_operational, State::blinking},
+                                                   {t::Mode::operational, State::on},
+                                                   {t::Mode::stopped, State::flash1},
+                                                   {t::Mode::boot_loader, State::flash3},
+                                                   {t::Mode::invalid_node_id, State::flash3}}}) {
+        const auto* row = t::find(mode);
+        ASSERT_NE(row, nullptr);
+        EXPECT_EQ(row->led, led) << static_cast<int>(mode);
+    }
+}
+
+// 3.2.4 Table 8 and 3.2.5 Table 9
+TEST(CbxTables, LedsMAndP) {
+    verifies<req::AO4_T8, req::AO4_T9>();
+    namespace m = own::t_ao4_t8;
+    for (const bool overrun : {false, true}) {
+        ASSERT_NE(m::find(overrun, true), nullptr);
+        EXPECT_EQ(m::find(overrun, true)->led, State::flash2);
+        ASSERT_NE(m::find(overrun, false), nullptr);
+        EXPECT_EQ(m::find(overrun, false)->led, overrun ? State::on : State::off);
+    }
+    namespace p = own::t_ao4_t9;
+    for (const bool runs : {false, true}) {
+        ASSERT_NE(p::find(runs), nullptr);
+        EXPECT_EQ(p::find(runs)->led, runs ? State::on : State::off);
+    }
+}
+
+// 7.10.3
+TEST(CbxTables, ErrorModes) {
+    verifies<req::AO4_T_ERROR_MODE>();
+    namespace t = own::t_ao4_t_error_mode;
+    const std::array<t::Action, 3> actions{t::Action::zero, t::Action::error_value, t::Action::keep};
+    for (std::uint32_t mode = 0; mode < 3; ++mode) {
+        ASSERT_NE(t::find(mode), nullptr);
+        EXPECT_EQ(t::find(mode)->action, actions[mode]);
+    }
+    EXPECT_EQ(t::find(3), nullptr);
+}
+
+// 2.4: 12 bits; 7.11.2: 8000h is 10.24 V; 7.11.3: 2 to the 18th
+TEST(CbxTables, Constants) {
+    verifies<req::AO4_K_DAC_STEPS, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR>();
+    EXPECT_EQ(own::dac_steps, 1 << 12);
+    EXPECT_EQ(own::calibration_offset_full_scale, 10.24F);
+    EXPECT_EQ(own::calibration_gain_divisor, 1 << 18);
+}
+
+}  // namespace canproof::test

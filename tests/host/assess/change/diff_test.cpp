@@ -1,0 +1,158 @@
+// What a change touches: two registers compared, a revision read from a small repository of git, impact and verdicts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/assess/change/impact.hpp"
+#include "host/assess/change/revision.hpp"
+#include "host/base/child_process.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "tests/host/register/small_register.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string items(const std::string& text, int value, int cell) {
+    return "[[requirement]]\nid = \"AO4-R-1\"\ntext = \"" + text +
+           "\"\nsource = [\"M1:1\"]\nkind = \"functional\"\nverify = [\"test\"]\n"
+           "[[object]]\nindex = 0x2000\nname = \"Limit\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\ndefault = " +
+           std::to_string(value) +
+           "\nsource = [\"M1:1\"]\n"
+           "[[table]]\nid = \"AO4-T-1\"\ntitle = \"x\"\nsource = [\"M1:Table 3\"]\ninputs = [\"on\"]\noutputs = "
+           "[\"out\"]\n"
+           "rows = [ [false, 0], [true, " +
+           std::to_string(cell) + "] ]\n";
+}
+
+Register read(const std::string& text, int value, int cell) {
+    return load_register(with(items_file, items(text, value, cell))).content;
+}
+
+const ItemChange* change_of(const std::string& id, const std::vector<ItemChange>& changes) {
+    for (const auto& change : changes) {
+        if (change.id == id) {
+            return &change;
+        }
+    }
+    return nullptr;
+}
+
+/// A repository with one commit that holds the small register; removed with this.
+class Repository {
+  public:
+    Repository() : root_{fs::temp_directory_path() / ("canproof-diff-" + std::to_string(getpid()))} {
+        fs::remove_all(root_);
+        fs::create_directories(root_);
+        for (const auto& [path, text] : with(items_file, items("Opens.", 5, 1))) {
+            write(path, text);
+        }
+        write("src/a.cpp", "// one\n");
+        git({"init", "-q"});
+        git({"add", "."});
+        git({"-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false", "commit", "-q", "-m",
+             "first"});
+    }
+    Repository(const Repository&) = delete;
+    Repository& operator=(const Repository&) = delete;
+    ~Repository() { fs::remove_all(root_); }
+
+    void write(const std::string& path, const std::string& text) const {
+        fs::create_directories((root_ / path).parent_path());
+        std::ofstream{root_ / path} << text;
+    }
+    const fs::path& root() const { return root_; }
+
+  private:
+    void git(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"git", "-C", root_.string()});
+        ASSERT_TRUE(output_of(words).has_value()) << words[3];
+    }
+    fs::path root_;
+};
+
+}  // namespace
+
+TEST(RegisterDiff, ARegisterDoesNotDifferFromItself) {
+    EXPECT_TRUE(compare(read("Opens.", 5, 1), read("Opens.", 5, 1)).empty());
+}
+
+TEST(RegisterDiff, TellsTheTextTheDefaultAndTheCellThatChanged) {
+    const auto changes = compare(read("Opens.", 5, 1), read("Closes.", 6, 2));
+    ASSERT_EQ(changes.size(), 3U);
+    EXPECT_THAT(change_of("AO4-R-1", changes)->details, ElementsAre("text: Opens. -> Closes."));
+    EXPECT_THAT(change_of("AO4-OD-2000", changes)->details, ElementsAre("sub 0 default: 5 -> 6"));
+    EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
+}
+
+TEST(RegisterDiff, TellsAnotherAnswer) {
+    Register after = read("Opens.", 5, 1);
+    const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
+    const auto changes = compare(read("Opens.", 5, 1), after);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_THAT(changes[0].details, ElementsAre(HasSubstr("choice: "), HasSubstr("differs: "), HasSubstr("topic: ")));
+}
+
+TEST(RegisterDiff, TellsWhatCameAndWent) {
+    Register after = read("Opens.", 5, 1);
+    Part& box = const_cast<Part&>(*after.part("box"));
+    box.requirements[0].id = "AO4-R-2";
+    const auto changes = compare(read("Opens.", 5, 1), after);
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[0].kind, ItemChange::Kind::removed);
+    EXPECT_EQ(changes[1].kind, ItemChange::Kind::added);
+}
+
+TEST(Revision, IsReadFromGitAndComparedWithTheFilesAsTheyAre) {
+    const Repository repository;
+    repository.write(items_file, items("Opens.", 7, 1));
+    repository.write("src/a.cpp", "// two\n");
+    repository.write("src/new.cpp", "// three\n");
+    const Register before = load_register(spec_files_at(repository.root(), "HEAD")).content;
+    const Register after = load_register(repository.root() / "spec").content;
+    const auto changes = compare(before, after);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_THAT(changes[0].details, ElementsAre("sub 0 default: 5 -> 7"));
+    EXPECT_THAT(files_changed_since(repository.root(), "HEAD", {"src"}), ElementsAre("src/a.cpp", "src/new.cpp"));
+}
+
+TEST(Revision, AnUnknownOneIsAnInputError) {
+    const Repository repository;
+    EXPECT_THROW(spec_files_at(repository.root(), "nowhere"), InputError);
+    EXPECT_THROW(spec_files_at(repository.root(), "--upload-pack=x"), InputError);
+}
+
+TEST(Impact, NamesCodeTestsAndOtherItemsOfTouchedFiles) {
+    const Register after = read("Closes.", 5, 1);
+    Evidence evidence;
+    evidence.implemented["AO4-R-1"] = {"src/firmware/a.cpp:7"};
+    evidence.implemented["AO4-OD-2000"] = {"src/firmware/b.cpp:8"};
+    evidence.verdicts["AO4-R-1"] = {{"Box.Closes", "test", true, 0.0, "tests/devices/box_test.cpp"}};
+    const Impact impact{compare(read("Opens.", 5, 1), after), {"src/firmware/b.cpp"}, {}};
+    const std::string text = write_impact(impact, after, evidence);
+    EXPECT_THAT(text, HasSubstr("requirement AO4-R-1 changed"));
+    EXPECT_THAT(text, HasSubstr("src/firmware/a.cpp:7"));
+    EXPECT_THAT(text, HasSubstr("passed Box.Closes tests/devices/box_test.cpp"));
+    EXPECT_THAT(text, HasSubstr("file src/firmware/b.cpp\n    items     AO4-OD-2000"));
+    EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
+}
+
+TEST(Impact, TellsVerdictsThatDiffer) {
+    Evidence before;
+    Evidence after;
+    before.verdicts = {{"A", {{"S.A", "test", true}}}, {"B", {{"S.B", "test", true}}}, {"C", {{"S.C", "test", true}}}};
+    after.verdicts = {{"A", {{"S.A", "test", true}, {"S.A2", "test", false}}}, {"B", {{"S.B", "test", true}}}};
+    const auto changes = verdict_changes(before, after);
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[0].id + changes[0].before + changes[0].after, "Apassedfailed");
+    EXPECT_EQ(changes[1].id + changes[1].before + changes[1].after, "Cpassednone");
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,235 @@
+// Whole campaigns with a shell script in libFuzzer's place.
+#include "host/assess/fuzz/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "host/assess/fuzz/campaign_files.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Does what the campaign asks libFuzzer for. An input with the word BUG in it violates a requirement. Fuzzing finds
+/// the input `one` and prints two lines of progress; what else it does stands in `fuzzing`.
+std::string stand_in(const std::string& fuzzing) {
+    return R"(#!/bin/sh
+mode=run
+for a; do case $a in
+    -fork=*) mode=fuzz ;;
+    -merge=1) mode=merge ;;
+    -minimize_crash=1) mode=shrink ;;
+    -exact_artifact_path=*) exact=${a#*=} ;;
+    -artifact_prefix=*) prefix=${a#*=} ;;
+    -*) ;;
+    *) if [ -z "$first" ]; then first=$a; else second=${second:-$a}; fi ;;
+esac; done
+case $mode in
+    fuzz)
+        echo '#100: cov: 10 ft: 20 corp: 3 exec/s: 100 oom/timeout/crash: 0/0/0 time: 1s job: 1 dft_time: 0'
+        printf one > "$first/one"
+        printf same > "$first/superfluous"
+        echo '#300: cov: 12 ft: 24 corp: 4 exec/s: 100 oom/timeout/crash: 0/0/0 time: 2s job: 2 dft_time: 0'
+        )" +
+           fuzzing + R"(
+        ;;
+    merge) cp "$second/one" "$first/one" ;;
+    shrink) printf BUG > "$exact" ;;
+    run)
+        if grep -q BUG "$first"; then
+            echo 'requirement violated at /home/x/fuzz/pdo_fuzz.cpp:7' >&2
+            exit 77
+        fi ;;
+esac
+)";
+}
+
+std::string text_of(const fs::path& file) {
+    return read_text(file);
+}
+
+class Campaign : public testing::Test {
+  protected:
+    Campaign() {
+        std::string name = (fs::temp_directory_path() / "campaign-XXXXXX").string();
+        folder = mkdtemp(name.data());
+        fs::create_directories(folder / "build");
+        options.minutes = 0.05;
+        options.corpus = (folder / "corpus").string();
+        options.out = (folder / "out").string();
+        options.build = (folder / "build").string();
+        options.replay_build = (folder / "no-build").string();
+        options.fuzz = (folder / "fuzz").string();
+        options.land = (folder / "land").string();
+        options.jobs = 2;
+        options.seed = 5;
+        options.second_pass = false;
+        options.coverage = false;
+        options.plain = true;
+    }
+    ~Campaign() override { fs::remove_all(folder); }
+
+    void add_target(const std::string& name, const std::string& fuzzing) {
+        const fs::path program = folder / "build" / (name + "_fuzz");
+        std::ofstream{program} << stand_in(fuzzing);
+        fs::permissions(program, fs::perms::owner_all);
+    }
+    int run(const Interrupted& interrupted = [] { return false; }) { return run_campaign(options, interrupted); }
+    nlohmann::json report() const { return read_json(folder / "out" / "report.json"); }
+
+    fs::path folder;
+    CampaignOptions options;
+};
+
+TEST_F(Campaign, CountsAndMinimisesAndReports) {
+    add_target("a", "");
+    add_target("b", "");
+    EXPECT_EQ(run(), 0);
+    const auto told = report();
+    EXPECT_TRUE(told["finished"]);
+    EXPECT_EQ(told["executions"], 600);
+    ASSERT_EQ(told["targets"].size(), 2U);
+    EXPECT_EQ(told["targets"][0]["name"], "a");
+    EXPECT_EQ(told["targets"][0]["samples"][1]["edges"], 12);
+    EXPECT_EQ(told["targets"][0]["inputs_found"], 2);
+    EXPECT_EQ(told["targets"][0]["inputs_kept"], 1);
+    EXPECT_EQ(text_of(folder / "corpus" / "a" / "one"), "one");
+    EXPECT_FALSE(fs::exists(folder / "corpus" / "a" / "superfluous"));
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("No finding."), std::string::npos);
+}
+
+TEST_F(Campaign, LeavesAnExhibitForTheEvidence) {
+    const auto exhibit = [&] { return read_json(folder / "out" / "exhibit.json"); };
+    add_target("a", "");
+    add_target("b", "");
+    run();
+    EXPECT_EQ(exhibit()["state"], "holds");
+    EXPECT_EQ(exhibit()["page"], "index.html");
+    EXPECT_EQ(exhibit()["says"].get<std::string>().find("2 targets, "), 0U) << exhibit()["says"];
+    EXPECT_NE(exhibit()["says"].dump().find("600 executions, 0 finding(s)"), std::string::npos) << exhibit()["says"];
+    add_target("b", R"(printf BUGs > "${prefix}crash-2")");
+    run();
+    EXPECT_EQ(exhibit()["state"], "open");
+    EXPECT_EQ(exhibit()["open"][0], "b: requirement violated at fuzz/pdo_fuzz.cpp:7");
+}
+
+TEST_F(Campaign, ABugIsOneFindingHoweverOftenItCame) {
+    add_target("a", R"(printf longerBUGinput > "${prefix}crash-1"; printf BUGs > "${prefix}crash-2")");
+    EXPECT_EQ(run(), 1);
+    const auto told = report();
+    ASSERT_EQ(told["findings"].size(), 1U);
+    const auto& finding = told["findings"][0];
+    EXPECT_EQ(finding["title"], "requirement violated at fuzz/pdo_fuzz.cpp:7");
+    EXPECT_EQ(finding["times"], 2);
+    EXPECT_EQ(finding["bytes"], 3);
+    const fs::path kept{finding["folder"].get<std::string>()};
+    EXPECT_EQ(text_of(kept / "input"), "BUG");
+    EXPECT_NE(text_of(kept / "output.txt").find("requirement violated"), std::string::npos);
+    EXPECT_EQ(text_of(finding["regression"].get<std::string>()), "BUG");
+    EXPECT_EQ(fs::path{finding["regression"].get<std::string>()}.parent_path(), folder / "land" / "a");
+}
+
+TEST_F(Campaign, WhatEndsARunOnceAndNotAgainIsAFindingAsWell) {
+    add_target("a", R"(printf harmless > "${prefix}crash-1")");
+    EXPECT_EQ(run(), 1);
+    const auto told = report();
+    ASSERT_EQ(told["findings"].size(), 1U);
+    EXPECT_FALSE(told["findings"][0]["reproduces"]);
+    EXPECT_EQ(told["findings"][0]["regression"], "");
+}
+
+TEST_F(Campaign, ComparesWithTheLastNight) {
+    add_target("a", "");
+    run();
+    EXPECT_TRUE(report()["last_night"].is_null());
+    add_target("a", R"(echo '#400: cov: 15 ft: 30 corp: 5 ')");
+    run();
+    EXPECT_EQ(report()["last_night"]["edges"]["a"], 12);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("Against the last night\">+3"), std::string::npos);
+    EXPECT_EQ(report()["targets"][0]["inputs_before"], 1);
+}
+
+TEST_F(Campaign, AnInterruptLeavesAReportAndTheSameCommandGoesOn) {
+    add_target("a", "");
+    add_target("b", R"(mkfifo "$first.never"; read nothing < "$first.never")");  // until it gets SIGINT
+    const auto b_has_begun = [&] { return fs::exists(folder / "corpus" / "b.never"); };
+    EXPECT_EQ(run(b_has_begun), 130);
+    const auto told = report();
+    EXPECT_FALSE(told["finished"]);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("Not finished: stopped during “fuzzing”"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder / "corpus" / "b" / "one"));
+
+    add_target("b", "");
+    EXPECT_EQ(run(), 0);
+    EXPECT_TRUE(report()["finished"]);
+    EXPECT_EQ(report()["started"], told["started"]);
+    EXPECT_EQ(report()["targets"][0]["slices"], 1);
+    EXPECT_EQ(report()["targets"][1]["slices"], 1);
+}
+
+TEST_F(Campaign, AnUnfinishedOneIsNotMixedWithAnother) {
+    add_target("a", "");
+    run([] { return true; });
+    options.minutes = 7;
+    try {
+        run();
+        FAIL() << "went on with another campaign";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("--restart"), std::string::npos);
+    }
+    options.minutes = 0.05;
+    options.restart = true;
+    EXPECT_EQ(run(), 0);
+}
+
+TEST_F(Campaign, ATargetThatEndsEarlyIsNoSuccess) {
+    add_target("a", "exit 3");
+    EXPECT_EQ(run(), 2);
+    EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
+    const auto exhibit = read_json(folder / "out" / "exhibit.json");
+    EXPECT_EQ(exhibit["state"], "open");
+    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
+}
+
+TEST_F(Campaign, WhatIsMissingIsSaidWithItsRemedy) {
+    const auto complaint = [&] {
+        try {
+            run();
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    EXPECT_NE(complaint().find("cmake --preset fuzz"), std::string::npos);
+    add_target("a", "");
+    options.targets = {"c"};
+    EXPECT_NE(complaint().find("no target `c`; there are a"), std::string::npos);
+    options.targets = {};
+    options.second_pass = true;
+    EXPECT_NE(complaint().find("--no-second-pass"), std::string::npos);
+    options.second_pass = false;
+    options.coverage = true;
+    options.coverage_build = (folder / "no-build").string();
+    EXPECT_NE(complaint().find("cmake --preset fuzz-coverage"), std::string::npos);
+}
+
+TEST_F(Campaign, OptionsOfATargetComeFromItsFile) {
+    add_target("a", R"(echo "$@" > "$first/arguments")");
+    fs::create_directories(folder / "fuzz");
+    std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len = 4096\n";
+    std::ofstream{folder / "fuzz" / "a.dict"} << "\"x\"\n";
+    const auto targets = find_fuzz_targets(options.build, options.fuzz, {});
+    ASSERT_EQ(targets.size(), 1U);
+    EXPECT_EQ(targets[0].options.back(), "-max_len=4096");
+    EXPECT_EQ(targets[0].dictionary, folder / "fuzz" / "a.dict");
+    std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len 4096\n";
+    EXPECT_THROW(find_fuzz_targets(options.build, options.fuzz, {}), InputError);
+}
+
+}  // namespace
+}  // namespace canproof::host

@@ -1,0 +1,252 @@
+// Alterations of generated cells: what the compiler lists, what is drawn, and what may survive.
+#include "host/assess/mutation/mutation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "host/assess/mutation/code_exhibit.hpp"
+#include "host/assess/mutation/code_mutation.hpp"
+#include "host/assess/mutation/killer_log.hpp"
+#include "host/codegen/writers.hpp"
+#include "host/register/alter_value.hpp"
+#include "host/sim/bus/candump.hpp"
+#include "tests/host/register/small_register.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string object = R"(
+[[object]]
+index = 0x2000
+name = "Limit"
+type = "UNSIGNED8"
+access = "rw"
+default = 5
+range = { min = 0, max = 9 }
+mapping = "tpdo"
+source = ["M1:1"]
+)";
+
+std::string alterations_of(const std::string& items) {
+    const LoadResult loaded = load_register(with(items_file, items));
+    return write_alterations(loaded.content);
+}
+
+std::vector<AlteredCell> cells(std::size_t count) {
+    std::vector<AlteredCell> all;
+    for (std::size_t i = 0; i < count; ++i) {
+        all.push_back({i, "AO4-R-1", "value", "0 -> 1"});
+    }
+    return all;
+}
+
+std::vector<std::size_t> numbers(const std::vector<AlteredCell>& all) {
+    std::vector<std::size_t> out;
+    for (const auto& cell : all) {
+        out.push_back(cell.number);
+    }
+    return out;
+}
+
+class RecordFile {
+  public:
+    explicit RecordFile(const std::string& text)
+        : path_{std::filesystem::temp_directory_path() / ("canproof-records-" + std::to_string(getpid()) + ".toml")} {
+        std::ofstream{path_} << text;
+    }
+    RecordFile(const RecordFile&) = delete;
+    RecordFile& operator=(const RecordFile&) = delete;
+    ~RecordFile() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+TEST(Alterations, OfAnObjectAreItsDefaultLimitsAccessAndMapping) {
+    const std::string text = alterations_of(object);
+    for (
+        const char* line :
+        {R"("AO4-OD-2000", "index", "2000h is missing", &box::object_rows[0U].index)",
+         R"("sub 0 default", "5 -> 6", &box::default_image[0U], 1U, 0x6U)",
+         R"("sub 0 minimum", "0 -> 1", &box::limit_rows[0U].minimum.bits)",
+         R"("sub 0 maximum", "9 -> 10", &box::limit_rows[0U].maximum.bits)",
+         R"("sub 0 maximum", "9 -> 8", &box::limit_rows[0U].maximum.bits)",
+         R"("sub 0 type", "05h -> 02h", &box::entry_rows[0U].type)",
+         // read 01h, write 02h, TPDO 08h, stored 10h: 1Bh; each alteration turns one bit
+         R"("sub 0 writable", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x19U)",
+         R"("sub 0 TPDO mapping", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x13U)",
+         R"("sub 0 RPDO mapping", "no -> yes", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x1FU)"}) {
+        EXPECT_THAT(text, HasSubstr(line));
+    }
+    EXPECT_THAT(text, Not(HasSubstr("0 -> -1"))) << "an UNSIGNED8 has no value below";
+}
+
+TEST(Alterations, OfATableAreAllItsCells) {
+    const std::string text = alterations_of(
+        "[[table]]\nid = \"AO4-T-1\"\ntitle = \"x\"\nsource = [\"M1:Table 3\"]\ninputs = [ { name = \"n\", min = 0, "
+        "max = 9 } ]\n"
+        "outputs = [\"word\", { name = \"gain\", type = \"REAL32\" }]\nrows = [ [\"0..4\", \"low\", 2.0], [\"5..9\", "
+        "\"high\", 0.0] ]\n");
+    for (
+        const char* line :
+        {R"("row 1 n_last", "4 -> 5", &box::t_ao4_t_1::rows[0U].n_last)", R"("row 1 word", "low -> high")",
+         R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::t_ao4_t_1::Word::high))",
+         // 2.02F is 4001 47AEh
+         R"("row 1 gain", "2 -> 2.02", &box::t_ao4_t_1::rows[0U].gain, sizeof(box::t_ao4_t_1::rows[0U].gain), 0x400147AEU)",
+         R"("row 2 gain", "0 -> 0.01")"}) {
+        EXPECT_THAT(text, HasSubstr(line));
+    }
+}
+
+TEST(Alterations, LeaveOutConstantsThatAreCompiledIn) {
+    const std::string constant =
+        "[[constant]]\nid = \"AO4-K-1\"\nname = \"steps\"\nvalue = 255\ntype = \"UNSIGNED8\"\nsource = [\"M1:1\"]\n";
+    EXPECT_THAT(alterations_of(constant),
+                HasSubstr(R"("value", "255 -> 254", &box::steps, sizeof(box::steps), 0xFEU)"));
+    EXPECT_THAT(alterations_of(constant + "compiled_in = true\n"), Not(HasSubstr("box::steps")));
+}
+
+TEST(Alterations, ChangeableTablesAreNoConstants) {
+    const LoadResult loaded = load_register(with(items_file, object));
+    const Part& box = *loaded.content.part("box");
+    EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("inline std::array<EntryRow, 1U> entry_rows"));
+    EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("inline constexpr std::array<EntryRow, 1U> entry_rows"));
+}
+
+TEST(Alterations, ShareNoLimits) {
+    const std::string two = object +
+                            "[[object]]\nindex = 0x2001\nname = \"Other\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\n"
+                            "default = 5\nrange = { min = 0, max = 9 }\nsource = [\"M1:1\"]\n";
+    const LoadResult loaded = load_register(with(items_file, two));
+    const Part& box = *loaded.content.part("box");
+    EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("std::array<LimitRow, 1U>"));
+    EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("std::array<LimitRow, 2U>"));
+}
+
+TEST(Sample, IsTheSameForTheSameSeed) {
+    const auto all = cells(100);
+    const auto first = numbers(sample_of(all, 10, 1));
+    EXPECT_EQ(first.size(), 10U);
+    EXPECT_EQ(first, numbers(sample_of(all, 10, 1)));
+    EXPECT_NE(first, numbers(sample_of(all, 10, 2)));
+    EXPECT_EQ(numbers(sample_of(all, 200, 1)), numbers(all)) << "no more than there are";
+}
+
+TEST(FilterOfTests, PutTheQuickestTestFirst) {
+    Evidence evidence;
+    evidence.verdicts["A"] = {{"S.Slow", "test", true, 2.0}, {"S.Quick", "test", true, 0.1}};
+    EXPECT_EQ(filters_by_item(evidence).at("A"), "S.Quick:S.Slow");
+}
+
+TEST(Records, JustifySurvivorsAndTellWhichAreIdle) {
+    std::vector<MutationOutcome> outcomes(3);
+    outcomes[0].cell = {0, "AO4-OD-2000", "sub 0 default", "5 -> 6"};
+    outcomes[1].cell = {1, "AO4-OD-2000", "sub 0 stored", "no -> yes"};
+    outcomes[2].cell = {2, "AO4-OD-3000", "sub 0 stored", "no -> yes"};
+    outcomes[2].killed_by = "S.T";
+    const std::vector<SurvivorRecord> records{{"AO4-OD-2???", "sub * stored", "*", "a reason", 1},
+                                              {"AO4-OD-3000", "*", "*", "another", 5}};
+    const auto idle = justify(outcomes, records);
+    EXPECT_TRUE(outcomes[0].open());
+    EXPECT_FALSE(outcomes[1].open());
+    EXPECT_FALSE(outcomes[2].open());
+    ASSERT_EQ(idle.size(), 1U);
+    EXPECT_EQ(idle[0]->line, 5U);
+}
+
+TEST(Records, WithoutAReasonAreRefused) {
+    const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
+    try {
+        read_survivor_records(file.path());
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(".toml:1: missing reason"));
+    }
+}
+
+TEST(Patterns, StarsTakeAnyRunAndQuestionMarksOne) {
+    EXPECT_TRUE(matches("sub * stored", "sub 12 stored"));
+    EXPECT_TRUE(matches("*", ""));
+    EXPECT_TRUE(matches("a*b*c", "aXbYbZc"));
+    EXPECT_FALSE(matches("a?c", "ac"));
+    EXPECT_FALSE(matches("sub * stored", "sub 12 stored yes"));
+}
+
+TEST(MutationReport, IsReadBackByItem) {
+    std::vector<MutationOutcome> outcomes(2);
+    outcomes[0].cell = {0, "A", "value", "0 -> 1"};
+    outcomes[0].killed_by = "S.T";
+    outcomes[1].cell = {1, "A", "value", "0 -> 2"};
+    const RecordFile file{write_mutation_json(outcomes)};
+    const auto counts = read_mutation_json(file.path());
+    EXPECT_EQ(counts.at("A").altered, 2U);
+    EXPECT_EQ(counts.at("A").noticed, 1U);
+    EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
+}
+
+TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
+    const RecordFile file{"Suite.First\t0.250\t0\t7\nSuite.Second\t0.001\n"};
+    const auto tests = read_told(file.path());
+    ASSERT_EQ(tests.size(), 2U);
+    EXPECT_EQ(tests[0].name, "Suite.First");
+    EXPECT_EQ(tests[0].seconds, 0.25);
+    EXPECT_EQ(tests[0].mutants, (std::vector<std::size_t>{0, 7}));
+    EXPECT_TRUE(tests[1].mutants.empty());
+    EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
+}
+
+TEST(CodeMutation, WhatIsComputedBeforeAnyTestIsNoTest) {
+    std::vector<ToldTest> tests{{"startup", 0.0, {1, 9}}, {"S.One", 0.5, {0}}};
+    EXPECT_EQ(told_at_startup(tests, 3), (std::vector<bool>{false, true, false}));
+    ASSERT_EQ(tests.size(), 1U);
+    EXPECT_EQ(tests[0].name, "S.One");
+}
+
+TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
+    const std::vector<ToldTest> tests{
+        {"S.Slow", 5.0, {0, 1}}, {"S.Quick", 0.5, {0}}, {"S.Middling", 1.0, {0}}, {"S.Other", 1.0, {0}}};
+    EXPECT_EQ(filters_by_mutant(tests, 3, 2.0), (std::vector<std::string>{"S.Quick:S.Middling", "S.Slow", ""}));
+}
+
+TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
+    const RecordFile file{
+        "src/a.cpp\tf, line 1\ta < b -> <=\tS.One\nsrc/a.cpp\tf, line 9\ta < b -> <=\tS.Two\n"
+        "src/a.cpp\tf, line 3\tx -> true\tsignal 27\nsrc/a.cpp\tf, line 4\ty -> true\t\n"};
+    {
+        KillerLog log{file.path()};
+        EXPECT_EQ(log.filter({0, "src/a.cpp", "f, line 2", "a < b -> <="}), "S.One:S.Two");
+        EXPECT_EQ(log.filter({1, "src/a.cpp", "g, line 2", "a < b -> <="}), "");
+        EXPECT_EQ(log.filter({2, "src/a.cpp", "f, line 3", "x -> true"}), "") << "no test can be asked first";
+        EXPECT_EQ(log.filter({3, "src/a.cpp", "f, line 4", "y -> true"}), "");
+        log.note({{3, "src/a.cpp", "f, line 4", "y -> true"}, "S.Three", true, nullptr});
+    }
+    EXPECT_EQ(KillerLog{file.path()}.filter({0, "src/a.cpp", "f, line 7", "y -> true"}), "S.Three");
+}
+
+TEST(CodeMutation, ExhibitSaysWhatSurvives) {
+    const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
+    std::vector<MutationOutcome> outcomes{{{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr},
+                                          {{1, "src/a.cpp", "f, line 2", "a, b -> false"}, "", true, nullptr},
+                                          {{2, "src/a.cpp", "f, line 3", "x -> true"}, "", true, &record}};
+    auto files = code_exhibit(outcomes);
+    EXPECT_THAT(files.at("exhibit.json"), HasSubstr(R"("state": "open")"));
+    EXPECT_THAT(files.at("exhibit.json"), HasSubstr("3 mutants of src/firmware, 33.3 % noticed by a test; 1 survive"));
+    EXPECT_EQ(files.at("survivors.csv"),
+              "file,place,change,reason\r\nsrc/a.cpp,\"f, line 2\",\"a, b -> false\",open\r\n"
+              "src/a.cpp,\"f, line 3\",x -> true,the same either way\r\n");
+    EXPECT_EQ(files.at("files.csv"), "file,altered,noticed,with a reason\r\nsrc/a.cpp,3,1,1\r\n");
+    outcomes.erase(outcomes.begin() + 1);
+    EXPECT_THAT(code_exhibit(outcomes).at("exhibit.json"), HasSubstr(R"("state": "holds")"));
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,413 @@
+// What a sound register becomes. Every expected line is worked out by hand from spec/README.md and object_types.hpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "host/codegen/writers.hpp"
+#include "tests/host/register/small_register.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string objects = R"([[object]]
+index = 0x1000
+name = "Device Type"
+type = "UNSIGNED32"
+access = "ro"
+default = 0x20191
+source = ["M1:1"]
+[[object]]
+index = 0x1001
+name = "Error Register"
+type = "UNSIGNED8"
+access = "ro"
+default = 0
+service = "emcy"
+source = ["M1:1"]
+[[object]]
+index = 0x1014
+name = "COB-ID EMCY"
+type = "UNSIGNED32"
+access = "rw"
+default = "$NODEID+0x80"
+range = { min = 1 }
+service = "emcy"
+source = ["M1:1"]
+[[object]]
+index = 0x1018
+name = "Identity Object"
+source = ["M1:1"]
+[[object.entry]]
+sub = 1
+name = "Vendor-ID"
+type = "UNSIGNED32"
+access = "ro"
+default = 0x17
+[[object.entry]]
+sub = 4
+name = "Serial Number"
+type = "UNSIGNED32"
+access = "ro"
+factory = true
+default = 1
+[[object]]
+index = 0x2000
+name = "Upper Bound"
+type = "INTEGER16"
+array = 2
+access = "rw"
+default = [5, -6]
+range = { min = -100, max = { object = "2001", add = -3 } }
+mapping = "rpdo"
+source = ["M1:2000h"]
+[[object]]
+index = 0x2001
+name = "Limit"
+type = "INTEGER16"
+array = 2
+access = "rw"
+default = 100
+stored = false
+source = ["M1:1"]
+[[object]]
+index = 0x2100
+name = "Label"
+type = "VISIBLE_STRING"
+length = 4
+access = "rw"
+default = "ab"
+source = ["M1:1"]
+[[object]]
+index = 0x2200
+name = "Mode {n}"
+repeat = { first = 1, last = 2, step = 0x10 }
+type = "UNSIGNED8"
+access = "rw"
+default = { 1 = 2, 2 = 8 }
+range = { values = [2, 8] }
+source = ["M1:1"]
+[[object]]
+index = 0x2300
+name = "Scale"
+type = "REAL32"
+access = "rw"
+default = 1.5
+range = { max = 10.0 }
+source = ["M1:1"]
+[[object]]
+index = 0x2400
+name = "Choice"
+type = "UNSIGNED8"
+access = "rw"
+default = 1
+range = { table = "AO4-T1" }
+source = ["M1:1"]
+)";
+
+const std::string behaviour = R"([[table]]
+id = "AO4-T1"
+title = "Rate by setting"
+source = ["M1:Table 3"]
+inputs = [ { name = "setting", min = 0, max = 3 }, "enable", "word" ]
+outputs = [ { name = "rate", type = "UNSIGNED32", unit = "bit/s" }, "action", { name = "state", enumeration = "CO-E-STATE" } ]
+rows = [
+  ["0..1", true, "*", 100000, "run", "stopped"],
+  [[2, 3], true, ["a", "b"], 66, "and", "stopped"],
+  ["*", false, "*", 0, "shut off", "operational"],
+]
+[[constant]]
+id = "AO4-K-1"
+name = "reference_voltage"
+value = 4.096
+type = "REAL32"
+unit = "V"
+text = "Reference of the converter."
+source = ["M1:1"]
+[[constant]]
+id = "AO4-K-2"
+name = "steps"
+value = 4095
+type = "UNSIGNED16"
+source = ["M1:1"]
+[[signal]]
+id = "AO4-S-1"
+name = "aout{n}"
+count = 2
+direction = "output"
+type = "REAL32"
+unit = "V"
+min = -10.0
+max = 10.0
+default = 1.0
+text = "Voltage at the output."
+source = ["M1:1"]
+[[signal]]
+id = "AO4-S-2"
+name = "switch_high"
+direction = "input"
+type = "UNSIGNED8"
+min = 0
+max = 15
+default = 3
+text = "Coding switch."
+source = ["M1:1"]
+[[requirement]]
+id = "AO4-R-1"
+text = "In force."
+source = ["M1:1"]
+kind = "functional"
+verify = ["test"]
+[[requirement]]
+id = "AO4-R-2"
+text = "No longer."
+source = ["M1:1"]
+kind = "functional"
+verify = ["test"]
+retired = "merged into AO4-R-1"
+)";
+
+const std::string shared = R"([[enumeration]]
+id = "CO-E-STATE"
+name = "NmtState"
+values = { initialising = 0, stopped = 4, operational = 5, pre_operational = 127 }
+source = ["CiA301:7.3.2"]
+[[enumeration]]
+id = "CO-E-LEVEL"
+name = "Level"
+values = { low = -1, default = 0, high = 300 }
+source = ["CiA301:7"]
+)";
+
+class Generated : public testing::Test {
+  protected:
+    Generated() {
+        files_ = with(items_file, behaviour);
+        files_["spec/devices/box/objects.toml"] = objects;
+        files_[shared_file] = shared;
+        loaded_ = load_register(files_);
+    }
+    void SetUp() override { ASSERT_EQ(all_faults(loaded_), ""); }
+    const Part& box() const { return *loaded_.content.part("box"); }
+    const Part& canopen() const { return *loaded_.content.part("canopen"); }
+
+    SpecFiles files_;
+    LoadResult loaded_;
+};
+
+}  // namespace
+
+TEST_F(Generated, ObjectRowsGiveFirstEntryAndCount) {
+    const std::string text = write_objects(box());
+    // 1018h: sub 0, 1 and 4 make three rows; the arrays have sub 0 and two elements.
+    EXPECT_THAT(text, HasSubstr("inline constexpr std::array<ObjectRow, 11U> object_rows{{\n"
+                                "    {0x1000U, 0U, 1U, ObjectKind::var},  // AO4-OD-1000 Device Type\n"
+                                "    {0x1001U, 1U, 1U, ObjectKind::var},  // AO4-OD-1001 Error Register\n"
+                                "    {0x1014U, 2U, 1U, ObjectKind::var},  // AO4-OD-1014 COB-ID EMCY\n"
+                                "    {0x1018U, 3U, 3U, ObjectKind::record},  // AO4-OD-1018 Identity Object\n"
+                                "    {0x2000U, 6U, 3U, ObjectKind::array},  // AO4-OD-2000 Upper Bound\n"
+                                "    {0x2001U, 9U, 3U, ObjectKind::array},  // AO4-OD-2001 Limit\n"
+                                "    {0x2100U, 12U, 1U, ObjectKind::var},  // AO4-OD-2100 Label\n"
+                                "    {0x2200U, 13U, 1U, ObjectKind::var},  // AO4-OD-2200 Mode 1\n"
+                                "    {0x2210U, 14U, 1U, ObjectKind::var},  // AO4-OD-2210 Mode 2\n"
+                                "    {0x2300U, 15U, 1U, ObjectKind::var},  // AO4-OD-2300 Scale\n"
+                                "    {0x2400U, 16U, 1U, ObjectKind::var},  // AO4-OD-2400 Choice\n"
+                                "}};\n"));
+}
+
+TEST_F(Generated, EntryRowsGivePlaceLimitTypeRightsAndService) {
+    const std::string text = write_objects(box());
+    const std::string rw = "rights::read | rights::write";
+    // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (emcy keeps
+    // it), 1014h at 1, 1018h:4 at 5 (factory), 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21, 22,
+    // 23, 27.
+    for (const std::string& row : {
+             std::string{
+                 "{0U, 4U, no_limit, 0U, DataType::unsigned32, rights::read | rights::constant, Service::none},"},
+             std::string{"{0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::emcy},"},
+             "{1U, 4U, 0U, 0U, DataType::unsigned32, " + rw + " | rights::stored | rights::node_id, Service::emcy},",
+             std::string{
+                 "{4U, 1U, no_limit, 0U, DataType::unsigned8, rights::read | rights::constant, Service::none},"},
+             std::string{
+                 "{5U, 4U, no_limit, 1U, DataType::unsigned32, rights::read | rights::constant, Service::none},"},
+             std::string{
+                 "{5U, 4U, no_limit, 4U, DataType::unsigned32, rights::read, Service::none},  // AO4-OD-1018 Serial"},
+             "{9U, 2U, 1U, 1U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
+             "{11U, 2U, 1U, 2U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
+             "{13U, 2U, no_limit, 1U, DataType::integer16, " + rw + ", Service::none},",
+             "{17U, 4U, no_limit, 0U, DataType::visible_string, " + rw + " | rights::stored, Service::none},",
+             "{21U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+             "{22U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+             "{23U, 4U, 3U, 0U, DataType::real32, " + rw + " | rights::stored, Service::none},",
+             "{27U, 1U, 4U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+         }) {
+        EXPECT_THAT(text, HasSubstr(row));
+    }
+}
+
+TEST_F(Generated, LimitRowsSpellBitsOfTheEntrysType) {
+    const std::string text = write_objects(box());
+    // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the table's settings 0…3 have no hole.
+    EXPECT_THAT(text, HasSubstr("    {{LimitKind::value, 0x00000001U, 0}, {LimitKind::none, 0U, 0}},\n"
+                                "    {{LimitKind::value, 0x0000FF9CU, 0}, {LimitKind::entry, 0x002001FFU, -3}},\n"
+                                "    {{LimitKind::list, 0x00000002U, 0}, {LimitKind::none, 0U, 0}},\n"
+                                "    {{LimitKind::none, 0U, 0}, {LimitKind::value, 0x41200000U, 0}},\n"
+                                "    {{LimitKind::value, 0x00000000U, 0}, {LimitKind::value, 0x00000003U, 0}},\n"));
+    EXPECT_THAT(text, HasSubstr("allowed_values{{\n    0x00000002U,\n    0x00000008U,\n}};"));
+}
+
+TEST_F(Generated, PoolsHoldLittleEndianValuesOneEntryALine) {
+    const std::string text = write_objects(box());
+    EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 11U> constant_pool{{\n"
+                                "    0x91U, 0x01U, 0x02U, 0x00U,  // 0: AO4-OD-1000 Device Type\n"
+                                "    0x04U,  // 4: AO4-OD-1018 Highest sub-index\n"
+                                "    0x17U, 0x00U, 0x00U, 0x00U,  // 5: AO4-OD-1018 Vendor-ID\n"
+                                "    0x02U,  // 9: AO4-OD-2000 Highest sub-index\n"
+                                "    0x02U,  // 10: AO4-OD-2001 Highest sub-index\n"
+                                "}};"));
+    // -6 is FFFAh, 1.5F is 3FC00000h; the text keeps its capacity of four bytes.
+    EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 28U> default_image{{\n"
+                                "    0x00U,  // 0: AO4-OD-1001 Error Register\n"
+                                "    0x80U, 0x00U, 0x00U, 0x00U,  // 1: AO4-OD-1014 COB-ID EMCY\n"
+                                "    0x01U, 0x00U, 0x00U, 0x00U,  // 5: AO4-OD-1018 Serial Number\n"
+                                "    0x05U, 0x00U,  // 9: AO4-OD-2000 Upper Bound 1\n"
+                                "    0xFAU, 0xFFU,  // 11: AO4-OD-2000 Upper Bound 2\n"
+                                "    0x64U, 0x00U,  // 13: AO4-OD-2001 Limit 1\n"
+                                "    0x64U, 0x00U,  // 15: AO4-OD-2001 Limit 2\n"
+                                "    0x61U, 0x62U, 0x00U, 0x00U,  // 17: AO4-OD-2100 Label\n"
+                                "    0x02U,  // 21: AO4-OD-2200 Mode 1\n"
+                                "    0x08U,  // 22: AO4-OD-2210 Mode 2\n"
+                                "    0x00U, 0x00U, 0xC0U, 0x3FU,  // 23: AO4-OD-2300 Scale\n"
+                                "    0x01U,  // 27: AO4-OD-2400 Choice\n"
+                                "}};"));
+    EXPECT_THAT(text, HasSubstr("inline constexpr std::size_t image_size = 28U;"));
+}
+
+TEST_F(Generated, FieldsNameWhatLiesInTheImage) {
+    const std::string text = write_objects(box());
+    EXPECT_THAT(text, HasSubstr("inline constexpr Field<std::uint8_t> o1001_error_register{0U};  // AO4-OD-1001\n"
+                                "inline constexpr Field<std::uint32_t> o1014_cob_id_emcy{1U};  // AO4-OD-1014\n"
+                                "inline constexpr Field<std::uint32_t> o1018_4_serial_number{5U};  // AO4-OD-1018\n"
+                                "inline constexpr ArrayField<std::int16_t, 2U> o2000_upper_bound{9U};  // AO4-OD-2000\n"
+                                "inline constexpr ArrayField<std::int16_t, 2U> o2001_limit{13U};  // AO4-OD-2001\n"
+                                "inline constexpr StringField o2100_label{17U, 4U};  // AO4-OD-2100\n"
+                                "inline constexpr Field<std::uint8_t> o2200_mode_1{21U};  // AO4-OD-2200\n"
+                                "inline constexpr Field<std::uint8_t> o2210_mode_2{22U};  // AO4-OD-2210\n"
+                                "inline constexpr Field<float> o2300_scale{23U};  // AO4-OD-2300\n"));
+    EXPECT_THAT(text, Not(HasSubstr("o1000_device_type")));
+    EXPECT_THAT(text, HasSubstr("//   spec/devices/box/items.toml\n//   spec/devices/box/objects.toml\n"));
+}
+
+TEST_F(Generated, LayoutFingerprintChangesWithWhatIsStored) {
+    const std::uint32_t before = make_layout(box()).fingerprint;
+    SpecFiles wider = files_;
+    std::string& text = wider["spec/devices/box/objects.toml"];
+    text.replace(text.find("length = 4"), 10, "length = 5");
+    EXPECT_NE(make_layout(*load_register(wider).content.part("box")).fingerprint, before);
+    SpecFiles renamed = files_;
+    std::string& other = renamed["spec/devices/box/objects.toml"];
+    other.replace(other.find("\"Label\""), 7, "\"Title\"");
+    EXPECT_EQ(make_layout(*load_register(renamed).content.part("box")).fingerprint, before);
+}
+
+TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
+    const std::string text = write_tables(loaded_.content, box());
+    EXPECT_THAT(text, HasSubstr("namespace t_ao4_t1 {"));
+    EXPECT_THAT(text, HasSubstr("enum class Word : std::uint8_t { a, b };\n"
+                                "enum class Action : std::uint8_t { run, and_, shut_off };"));
+    const std::string state = ", canopen::NmtState::";
+    EXPECT_THAT(text,
+                HasSubstr("    {0U, 1U, true, Word::a, 100000U, Action::run" + state + "stopped},  // AO4-T1\n" +
+                          "    {0U, 1U, true, Word::b, 100000U, Action::run" + state + "stopped},  // AO4-T1\n" +
+                          "    {2U, 2U, true, Word::a, 66U, Action::and_" + state + "stopped},  // AO4-T1\n" +
+                          "    {2U, 2U, true, Word::b, 66U, Action::and_" + state + "stopped},  // AO4-T1\n" +
+                          "    {3U, 3U, true, Word::a, 66U, Action::and_" + state + "stopped},  // AO4-T1\n" +
+                          "    {3U, 3U, true, Word::b, 66U, Action::and_" + state + "stopped},  // AO4-T1\n" +
+                          "    {0U, 3U, false, Word::a, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n" +
+                          "    {0U, 3U, false, Word::b, 0U, Action::shut_off" + state + "operational},  // AO4-T1\n"));
+    EXPECT_THAT(
+        text, HasSubstr("constexpr const Row* find(const std::uint32_t setting, const bool enable, const Word word)"));
+}
+
+TEST_F(Generated, ConstantsEnumerationsAndSignals) {
+    EXPECT_THAT(write_constants(box()), HasSubstr("/// Reference of the converter. (AO4-K-1; M1:1) [V]\n"
+                                                  "inline constexpr float reference_voltage{4.096F};\n"));
+    EXPECT_THAT(write_constants(box()), HasSubstr("inline constexpr std::uint32_t steps{4095U};\n"));
+    EXPECT_THAT(write_enumerations(canopen()), HasSubstr("enum class NmtState : std::uint8_t {\n"
+                                                         "    initialising = 0U,\n    stopped = 4U,\n"
+                                                         "    operational = 5U,\n    pre_operational = 127U,\n};"));
+    EXPECT_THAT(write_enumerations(canopen()),
+                HasSubstr("enum class Level : std::int16_t {\n    low = -1,\n    default_ = 0,\n    high = 300,\n};"));
+    const std::string signals = write_signals(box());
+    EXPECT_THAT(signals, HasSubstr("    std::uint8_t switch_high{3U};  ///< Coding switch. (AO4-S-2)\n"));
+    EXPECT_THAT(
+        signals,
+        HasSubstr("    std::array<float, 2U> aout{{1.0F, 1.0F}};  ///< Voltage at the output. (AO4-S-1) [V]\n"));
+    EXPECT_THAT(signals, HasSubstr("    visit(\"aout1\", group.aout[0U]);\n    visit(\"aout2\", group.aout[1U]);\n"));
+}
+
+TEST_F(Generated, IdsInForceBecomeTypesAndRetiredOnesDoNot) {
+    const std::string text = write_requirements(loaded_.content, box());
+    for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1"}) {
+        EXPECT_THAT(text, HasSubstr("struct " + std::string{id} + " { static constexpr bool in_force = true;"));
+    }
+    EXPECT_THAT(text, Not(HasSubstr("CO_E_STATE")));
+    EXPECT_THAT(write_requirements(loaded_.content, canopen()), HasSubstr("struct CO_E_STATE {"));
+    EXPECT_THAT(text, HasSubstr("static constexpr const char* id = \"AO4-R-1\";"));
+    EXPECT_THAT(text, Not(HasSubstr("AO4_R_2")));
+}
+
+TEST_F(Generated, EmbeddedFilesComeInPiecesThatCompilersTake) {
+    SpecFiles large;
+    std::string line = "# " + std::string(96, 'x') + "\n";  // 99 bytes
+    for (int i = 0; i < 200; ++i) {
+        large["spec/a.toml"] += line;
+    }
+    const std::string text = write_embedded(large);
+    // 80 lines of 99 bytes are the most below 8000: 200 lines make three pieces.
+    std::size_t pieces = 0;
+    for (std::size_t at = text.find("R\"~~~~("); at != std::string::npos; at = text.find("R\"~~~~(", at + 1)) {
+        ++pieces;
+        EXPECT_LT(text.find(")~~~~\"", at) - at, 16384U);
+    }
+    EXPECT_EQ(pieces, 3U);
+    EXPECT_THAT(text, HasSubstr("const SpecFiles& embedded_spec()"));
+}
+
+TEST_F(Generated, FilesOfNothingButDecisionsAndReviewsAreNotEmbedded) {
+    const SpecFiles files{{"spec/a.toml", "[[decision]]\nid = \"A\"\n[[review]]\nby = \"B\"\n"},
+                          {"spec/b.toml", "[[decision]]\nid = \"C\"\n[[constant]]\nid = \"D\"\n"},
+                          {"spec/c.toml", "# nothing yet\n"}};
+    const std::string text = write_embedded(files);
+    EXPECT_THAT(text, Not(HasSubstr("spec/a.toml")));
+    EXPECT_THAT(text, HasSubstr("spec/b.toml"));
+    EXPECT_THAT(text, HasSubstr("spec/c.toml"));
+}
+
+TEST_F(Generated, FilesAreWrittenOnlyWhenTheyChange) {
+    const auto out = std::filesystem::path{testing::TempDir()} / "canproof_generated_test";
+    std::filesystem::remove_all(out);
+    write_all(loaded_.content, files_, out);
+    const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours{1};
+    std::filesystem::last_write_time(out / "box/objects.hpp", old);
+    std::ofstream{out / "box/tables.hpp"} << "something else";
+    write_all(loaded_.content, files_, out);
+    EXPECT_EQ(std::filesystem::last_write_time(out / "box/objects.hpp"), old);
+    std::ostringstream tables;
+    tables << std::ifstream{out / "box/tables.hpp"}.rdbuf();
+    EXPECT_EQ(tables.str(), write_tables(loaded_.content, box()));
+    for (const char* file : {"embedded_spec.cpp", "canopen/requirements.hpp", "box/requirements.hpp",
+                             "canopen/enumerations.hpp", "canopen/constants.hpp", "canopen/tables.hpp",
+                             "box/signals.hpp", "box/constants.hpp", "box/enumerations.hpp"}) {
+        EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
+    }
+    std::filesystem::remove_all(out);
+}
+
+}  // namespace canproof::host::test

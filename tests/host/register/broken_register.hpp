@@ -1,0 +1,33 @@
+// One broken register and the fault it must raise.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "tests/host/register/small_register.hpp"
+
+namespace canproof::host::test {
+
+struct Broken {
+    std::string name;
+    std::string file;  ///< of the small register, replaced or added
+    std::string text;
+    unsigned line;
+    std::string what;  ///< both: words that the fault must contain
+    std::string mend;
+};
+
+inline void PrintTo(const Broken& broken, std::ostream* out) {
+    *out << broken.name;
+}
+
+inline std::string case_name(const testing::TestParamInfo<Broken>& info) {
+    return info.param.name;
+}
+
+/// Given a register with one fault, that fault is told: its line, what is wrong and how to mend it.
+class BrokenRegister : public testing::TestWithParam<Broken> {};
+
+}  // namespace canproof::host::test

@@ -1,0 +1,59 @@
+// Nodes made of a list of frames, and a bus that is run from event to event.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host::test {
+
+/// Sends what it is given, keeps what it hears.
+class PlainNode : public BusNode {
+  public:
+    explicit PlainNode(std::string name = "node") : name_{std::move(name)} {}
+
+    void send(const std::string& text) { waiting.push_back(parse_frame(text, "test")); }
+
+    const std::string& name() const override { return name_; }
+    const Frame* next_frame() const override { return waiting.empty() ? nullptr : &waiting.front(); }
+    void take_frame() override { waiting.pop_front(); }
+    void receive(const Frame& frame, Instant now) override {
+        heard.push_back(fmt::format("{} {}", now.us, format_frame(frame)));
+    }
+    void set_can_state(CanState state, Instant now) override {
+        states.push_back(fmt::format("{} {}", now.us, static_cast<int>(state)));
+        if (state == CanState::bus_off) {
+            waiting.clear();
+        }
+    }
+    void set_overrun(bool lost, Instant) override { overruns.push_back(lost); }
+    const std::vector<AcceptanceFilter>& filters() const override { return accepted; }
+    std::uint32_t bit_rate() const override { return rate; }
+
+    std::deque<Frame> waiting;
+    std::vector<std::string> heard;  ///< `microseconds frame`
+    std::vector<std::string> states;
+    std::vector<bool> overruns;
+    std::vector<AcceptanceFilter> accepted{accept_everything()};
+    std::uint32_t rate{0};
+
+  private:
+    std::string name_;
+};
+
+/// Runs a bus to `end`, keeping each of its deadlines.
+inline void run_until(Bus& bus, Instant start, Instant end) {
+    bus.advance(start);
+    while (bus.next_deadline() <= end) {
+        bus.advance(bus.next_deadline());
+    }
+    bus.advance(end);
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,141 @@
+// Frames as bits: lengths counted by hand, the CRC against its catalogue value and by division, stuffing bit by bit.
+#include "host/sim/bus/can_bits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+std::vector<bool> bits_of(const std::string& text) {
+    std::vector<bool> bits;
+    for (const char c : text) {
+        if (c != ' ') {
+            bits.push_back(c == '1');
+        }
+    }
+    return bits;
+}
+
+std::string text_of(const std::vector<bool>& bits) {
+    std::string text;
+    for (const bool bit : bits) {
+        text += bit ? '1' : '0';
+    }
+    return text;
+}
+
+Frame frame(const std::string& text) {
+    return parse_frame(text, "test");
+}
+
+/// Remainder of the polynomial division of `bits` times x^15, the way it is done on paper.
+unsigned divided(std::vector<bool> bits) {
+    const std::vector<bool> divisor = bits_of("1100010110011001");  // x^15+x^14+x^10+x^8+x^7+x^4+x^3+1
+    bits.insert(bits.end(), 15, false);
+    for (std::size_t i = 0; i + 15 < bits.size(); ++i) {
+        for (std::size_t k = 0; bits[i] && k < divisor.size(); ++k) {
+            bits[i + k] = bits[i + k] != divisor[k];
+            if (k == 0) {
+                // the leading bit stays set for the rest of this subtraction
+                bits[i] = true;
+            }
+        }
+        bits[i] = false;
+    }
+    unsigned rest = 0;
+    for (std::size_t i = bits.size() - 15; i < bits.size(); ++i) {
+        rest = rest * 2U + (bits[i] ? 1U : 0U);
+    }
+    return rest;
+}
+
+}  // namespace
+
+TEST(CanBits, CrcOfTheCatalogueIsMet) {
+    // CRC-15/CAN of the ASCII text 123456789 is 059Eh in the catalogue of parametrised CRC algorithms.
+    std::vector<bool> bits;
+    for (const char c : std::string{"123456789"}) {
+        for (int i = 7; i >= 0; --i) {
+            bits.push_back(((static_cast<unsigned>(c) >> static_cast<unsigned>(i)) & 1U) != 0U);
+        }
+    }
+    EXPECT_EQ(crc15(bits), 0x059E);
+}
+
+TEST(CanBits, CrcIsTheRemainderOfADivisionOnPaper) {
+    std::mt19937 random{1};
+    for (int i = 0; i < 200; ++i) {
+        std::vector<bool> bits;
+        for (unsigned n = 0; n < 20 + random() % 80; ++n) {
+            bits.push_back((random() & 1U) != 0U);
+        }
+        ASSERT_EQ(crc15(bits), divided(bits)) << text_of(bits);
+    }
+}
+
+TEST(CanBits, FieldsStandInTheOrderOfTheStandard) {
+    // SOF, identifier 703h, RTR, IDE, r0, DLC 1, one byte 05h
+    EXPECT_EQ(text_of(unstuffed_bits(frame("703#05"))), text_of(bits_of("0 11100000011 0 0 0 0001 00000101")));
+    // remote: RTR recessive, no data
+    EXPECT_EQ(text_of(unstuffed_bits(frame("703#R1"))), text_of(bits_of("0 11100000011 1 0 0 0001")));
+    // 29 bits: base 11, SRR, IDE, 18 more, RTR, r1, r0
+    EXPECT_EQ(text_of(unstuffed_bits(frame("00040001#"))),
+              text_of(bits_of("0 00000000001 1 1 000000000000000001 0 0 0 0000")));
+}
+
+TEST(CanBits, FiveEqualBitsGetASixthOfTheOtherLevelWhichCounts) {
+    EXPECT_EQ(count_stuff_bits(bits_of("0000")), 0U);
+    EXPECT_EQ(count_stuff_bits(bits_of("00000")), 1U);
+    EXPECT_EQ(count_stuff_bits(bits_of("000001")), 1U);
+    // the stuffed 1 and four more make five: stuffed again
+    EXPECT_EQ(count_stuff_bits(bits_of("00000 1111")), 2U);
+    EXPECT_EQ(count_stuff_bits(bits_of("00000 1111 0000")), 3U);
+    EXPECT_EQ(count_stuff_bits(bits_of("00000 00000")), 2U);
+    EXPECT_EQ(count_stuff_bits(bits_of("0101010101")), 0U);
+}
+
+TEST(CanBits, LengthIsFieldsPlusStuffBits) {
+    // 1 + 11 + 3 + 4 + 8 n + 15 + 1 + 2 + 7 = 44 + 8 n without stuff bits; 555h and bytes 55h alternate, so that only
+    // the DLC (000100, 1000 …) and the CRC can be stuffed: counted from the bits themselves.
+    for (const auto& [text, plain] : {std::pair<std::string, unsigned>{"555#", 44},
+                                      {"555#55", 52},
+                                      {"555#5555555555555555", 108},
+                                      {"15555555#55", 72},
+                                      {"555#R8", 44}}) {
+        std::vector<bool> bits = unstuffed_bits(frame(text));
+        const unsigned crc = divided(bits);
+        for (int i = 14; i >= 0; --i) {
+            bits.push_back(((crc >> static_cast<unsigned>(i)) & 1U) != 0U);
+        }
+        EXPECT_EQ(frame_bits(frame(text)), plain + count_stuff_bits(bits)) << text;
+    }
+}
+
+TEST(CanBits, NmtStartIsAsLongAsCountedByHand) {
+    // 000#0100: 0 00000000000 0 0 0 0010 00000001 00000000, then the CRC. Zeros from the start: 18 of them bring a
+    // stuff bit after 5, 10 and 15 (each stuffed 1 breaks the run); then 1 0 | 0000000 1: after the 1 come 0 and seven
+    // more, one stuff bit after five of these; the 1; eight zeros: one more after five, and three zeros before the CRC.
+    const auto header = unstuffed_bits(frame("000#0100"));
+    EXPECT_EQ(header.size(), 35U);
+    EXPECT_EQ(count_stuff_bits(header), 3U + 1U + 1U);
+}
+
+TEST(CanBits, ArbitrationGoesToTheDominantBit) {
+    const auto wins = [](const char* a, const char* b) {
+        return arbitration_rank(frame(a)) < arbitration_rank(frame(b));
+    };
+    EXPECT_TRUE(wins("080#", "081#"));
+    EXPECT_TRUE(wins("703#05", "703#R1"));     // RTR dominant in the data frame
+    EXPECT_TRUE(wins("001#", "00040000#"));    // the same base identifier: SRR and IDE are recessive
+    EXPECT_TRUE(wins("001#R", "00040000#R"));  // RTR meets SRR, then IDE decides
+    EXPECT_TRUE(wins("0003FFFF#", "001#"));    // base identifier 0 is lower
+    EXPECT_TRUE(wins("00040000#", "00040001#"));
+}
+
+}  // namespace canproof::host::test

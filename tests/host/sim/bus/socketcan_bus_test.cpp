@@ -1,0 +1,468 @@
+// SocketCAN's rules without a kernel: filters, error frames, ENOBUFS, time stamps, an interface that goes and comes,
+// bit rates.
+#include "host/sim/bus/socketcan_bus.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/can/error.h>
+
+#include "tests/host/sim/bus/bus_bench.hpp"
+#include "tests/host/sim/bus/fake_can_system.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int monitor = 100;
+constexpr int first = 101;
+constexpr int second = 102;
+
+/// Two nodes on vcan0. The run's clock begins at 1 s when real time is 5 s: 4 s apart.
+class SocketCan : public testing::Test {
+  protected:
+    void start(InterfaceControl control = InterfaceControl::none) {
+        bus = std::make_unique<SocketCanBus>("vcan0", system, control, Instant{1000000});
+        bus->listen([this](const BusFrame& frame) {
+            log.push_back(fmt::format("{} {} {}", frame.time.us, frame.sender == nullptr ? "-" : frame.sender->name(),
+                                      format_frame(frame.frame)));
+        });
+        bus->on_notice([this](const std::string& text) { notices.push_back(text); });
+        bus->attach(a);
+        bus->attach(b);
+        now = Instant{1000000};
+    }
+    /// Lets `us` pass on both clocks, then reads and acts.
+    void step(std::uint64_t us) {
+        now.us += us;
+        system.realtime_us += us;
+        bus->poll(now);
+        bus->advance(now);
+    }
+
+    FakeCanSystem system;
+    PlainNode a{"a"};
+    PlainNode b{"b"};
+    std::unique_ptr<SocketCanBus> bus;
+    Instant now{};
+    std::vector<std::string> log;
+    std::vector<std::string> notices;
+};
+
+}  // namespace
+
+TEST_F(SocketCan, EachNodeHasASocketWithItsFiltersAndErrorFramesTheMonitorHearsAll) {
+    a.accepted = {{0x000, 0x7FF, false}, {0x603, 0x7FF, false}};
+    start();
+    ASSERT_THAT(system.sockets, SizeIs(3));
+    EXPECT_FALSE(system.sockets[monitor].error_frames);
+    EXPECT_TRUE(system.sockets[first].error_frames);
+    const auto& filters = system.sockets[first].filters;
+    ASSERT_THAT(filters, SizeIs(2));
+    EXPECT_EQ(filters[1].can_id, 0x603U);
+    EXPECT_EQ(filters[1].can_mask, 0x7FFU | CAN_EFF_FLAG);
+    EXPECT_THAT(system.sockets[monitor].filters, IsEmpty());
+    EXPECT_THAT(bus->watches(), SizeIs(3));
+}
+
+TEST_F(SocketCan, FiltersFollowTheNodeBeforeItsAnswerGoesOut) {
+    a.accepted = {{0x603, 0x7FF, false}};
+    start();
+    a.accepted.push_back({0x203, 0x7FF, false});
+    system.arrive(first, "603#2300140103020000", 5000100);
+    step(200);
+    EXPECT_THAT(system.sockets[first].filters, SizeIs(2));
+}
+
+TEST_F(SocketCan, MoreFiltersThanTheKernelTakesBecomeOne) {
+    std::vector<AcceptanceFilter> many(513, AcceptanceFilter{0x123, 0x7FF, false});
+    const auto filters = kernel_filters(many);
+    ASSERT_THAT(filters, SizeIs(1));
+    EXPECT_EQ(filters[0].can_mask, 0U);
+    many.pop_back();
+    EXPECT_THAT(kernel_filters(many), SizeIs(512));
+}
+
+TEST_F(SocketCan, FramesKeepTheTimeAtWhichTheKernelGotThem) {
+    start();
+    system.arrive(first, "603#40", 5000300);
+    system.arrive(second, "604#40", 5000200);
+    system.arrive(monitor, "604#40", 5000200);
+    system.arrive(monitor, "603#40", 5000300);
+    step(1000);
+    EXPECT_THAT(a.heard, ElementsAre("1000300 603#40"));
+    EXPECT_THAT(b.heard, ElementsAre("1000200 604#40"));
+    EXPECT_THAT(log, ElementsAre("1000200 - 604#40", "1000300 - 603#40"));
+}
+
+TEST_F(SocketCan, FrameStampedAfterNowWaitsForItsTime) {
+    start();
+    system.arrive(first, "603#40", 5000900);
+    step(800);
+    EXPECT_THAT(a.heard, IsEmpty());
+    EXPECT_EQ(bus->next_deadline().us, 1000900U);
+    step(100);
+    EXPECT_THAT(a.heard, ElementsAre("1000900 603#40"));
+}
+
+TEST_F(SocketCan, ClockSetInTheMiddleOfTheRunDoesNotMoveFrames) {
+    start();
+    system.realtime_us += 3600U * 1000000U;  // an hour
+    system.arrive(first, "603#40", system.realtime_us + 100);
+    step(200);
+    EXPECT_THAT(a.heard, ElementsAre("1000100 603#40"));
+}
+
+TEST_F(SocketCan, OwnFramesAreKnownByTheirSenderWhenTheyComeBack) {
+    start();
+    a.send("703#05");
+    step(10);
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
+    system.arrive(monitor, "703#05", 5000060);
+    system.arrive(monitor, "703#05", 5000070);  // the same again, of somebody else
+    step(100);
+    EXPECT_THAT(log, ElementsAre("1000060 a 703#05", "1000070 - 703#05"));
+    EXPECT_EQ(bus->report(now).worst_latency.us, 50U);
+    EXPECT_EQ(bus->report(now).frames, 2U);
+}
+
+TEST_F(SocketCan, FullDeviceQueueIsWaitedForLongerEachTimeAndNothingIsLost) {
+    start();
+    a.send("703#05");
+    a.send("183#01");
+    system.sockets[first].send_answers = {ENOBUFS, ENOBUFS, ENOBUFS, 0};
+    step(10);
+    EXPECT_EQ(system.sockets[first].send_calls, 1);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // 1 ms
+    step(500);                                          // woken for another reason: no try
+    EXPECT_EQ(system.sockets[first].send_calls, 1);
+    step(500);
+    EXPECT_EQ(system.sockets[first].send_calls, 2);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 2000);
+    step(2000);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 4000);
+    EXPECT_THAT(system.sockets[first].sent, IsEmpty());
+    step(4000);
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05", "183#01"));
+    EXPECT_EQ(bus->next_deadline(), never);
+}
+
+TEST_F(SocketCan, PauseEndsAt16MsAndBeginsAnewAfterSuccess) {
+    start();
+    a.send("703#05");
+    a.send("704#05");
+    system.sockets[first].send_answers = {ENOBUFS, ENOBUFS, ENOBUFS, ENOBUFS, ENOBUFS, ENOBUFS, ENOBUFS, 0, ENOBUFS};
+    for (const std::uint64_t pause : {1000U, 2000U, 4000U, 8000U, 16000U, 16000U, 16000U, 1000U}) {
+        step(pause == 1000U && system.sockets[first].send_calls == 0 ? 1 : elapsed(now, bus->next_deadline()).us);
+        EXPECT_EQ(elapsed(now, bus->next_deadline()).us, pause);
+    }
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
+}
+
+TEST_F(SocketCan, OneNodesFullQueueDoesNotHoldAnother) {
+    start();
+    a.send("703#05");
+    b.send("704#05");
+    system.sockets[first].send_answers = {ENOBUFS};
+    step(10);
+    EXPECT_THAT(system.sockets[second].sent, ElementsAre("704#05"));
+}
+
+TEST_F(SocketCan, ErrorFramesBecomeStatesOfTheController) {
+    struct Case {
+        std::uint32_t error_class;
+        std::uint8_t controller;
+        std::optional<CanState> state;
+        bool overrun;
+    };
+    // linux/can/error.h: data[1] 01h/02h receive/transmit overflow, 04h/08h warning, 10h/20h passive, 40h active
+    for (const Case& one :
+         {Case{CAN_ERR_CRTL, 0x04, CanState::warning, false}, Case{CAN_ERR_CRTL, 0x08, CanState::warning, false},
+          Case{CAN_ERR_CRTL, 0x10, CanState::error_passive, false},
+          Case{CAN_ERR_CRTL, 0x20, CanState::error_passive, false},
+          Case{CAN_ERR_CRTL, 0x30, CanState::error_passive, false},
+          Case{CAN_ERR_CRTL, 0x40, CanState::error_active, false}, Case{CAN_ERR_CRTL, 0x01, std::nullopt, true},
+          Case{CAN_ERR_CRTL, 0x02, std::nullopt, true}, Case{CAN_ERR_BUSOFF, 0, CanState::bus_off, false},
+          Case{CAN_ERR_RESTARTED, 0, CanState::error_active, false}, Case{CAN_ERR_ACK, 0, std::nullopt, false}}) {
+        can_frame frame{};
+        frame.can_id = CAN_ERR_FLAG | one.error_class;
+        frame.data[1] = one.controller;
+        const ControllerNews news = read_error_frame(frame);
+        EXPECT_EQ(news.state, one.state) << one.error_class << ":" << int{one.controller};
+        EXPECT_EQ(news.overrun, one.overrun) << one.error_class << ":" << int{one.controller};
+    }
+}
+
+TEST_F(SocketCan, NodeHearsOfPassiveBusOffAndRecovery) {
+    start();
+    system.arrive_error(first, CAN_ERR_CRTL, 0x10);
+    step(10);
+    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+    step(10);
+    system.arrive_error(first, CAN_ERR_RESTARTED, 0);
+    step(10);
+    EXPECT_THAT(a.states, SizeIs(3));
+    EXPECT_THAT(a.states[0], HasSubstr(" 2"));
+    EXPECT_THAT(a.states[1], HasSubstr(" 3"));
+    EXPECT_THAT(a.states[2], HasSubstr(" 0"));
+    EXPECT_THAT(a.heard, IsEmpty());
+    EXPECT_EQ(bus->report(now).errors, 3U);
+}
+
+TEST_F(SocketCan, BusOffThatStaysIsRestartedOnlyWhereThatIsGranted) {
+    start();
+    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+    step(10);
+    step(500000);
+    EXPECT_EQ(system.restarts, 0);
+    ASSERT_THAT(notices, SizeIs(1));
+    EXPECT_THAT(notices[0], HasSubstr("ip link set vcan0 type can restart"));
+
+    start(InterfaceControl::granted);
+    system.arrive_error(first + 3, CAN_ERR_BUSOFF, 0);
+    step(10);
+    step(499989);  // the error frame came 10 us before it was read
+    EXPECT_EQ(system.restarts, 0);
+    step(1);
+    EXPECT_EQ(system.restarts, 1);
+}
+
+TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
+    start();
+    system.arrive_error(first, CAN_ERR_CRTL, 0x01);
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us);
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us, 2);  // this socket has lost two
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us, 2);
+    step(10);
+    EXPECT_THAT(a.overruns, ElementsAre(true, false, true, false));
+}
+
+TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
+    start();
+    system.arrive(monitor, "603#40", system.realtime_us);
+    step(10);
+    EXPECT_THAT(notices, IsEmpty());
+    system.arrive(monitor, "603#40", system.realtime_us, 3);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0: 3 frames came faster than they were read and are lost to the log"));
+    EXPECT_EQ(bus->report(now).lost, 3U);
+    EXPECT_EQ(bus->report(now).missed, 0U);
+}
+
+TEST_F(SocketCan, LossesOfANodeAreCountedToTheEndAndToldOnceASecond) {
+    system.roomy = false;
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 2);
+    step(10);
+    EXPECT_THAT(
+        notices,
+        ElementsAre("vcan0: 2 frames came faster than they were read and are lost to a",
+                    "more of them can wait after `sysctl -w net.core.rmem_max=33554432`, or with CAP_NET_ADMIN"));
+    system.arrive(first, "603#40", system.realtime_us, 7);
+    step(999999);
+    EXPECT_THAT(notices, SizeIs(2));
+    step(1);
+    ASSERT_THAT(notices, SizeIs(4));
+    EXPECT_EQ(notices[2], "vcan0: 7 frames came faster than they were read and are lost to a");
+    system.sockets[first].dropped = 9;  // nothing has come since that could tell
+    EXPECT_EQ(bus->report(now).missed, 9U);
+    EXPECT_EQ(bus->report(now).lost, 0U);
+}
+
+TEST_F(SocketCan, WhatOneTurnLeavesUnreadHoldsTheTime) {
+    start();
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        system.arrive(monitor, "603#40", 5000001 + i);
+    }
+    system.realtime_us += 10000;
+    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1004096U);  // 4096 frames a turn, the first at 1000001
+    bus->advance(Instant{1004096});
+    EXPECT_THAT(log, SizeIs(4096));
+    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1010000U);
+    bus->advance(Instant{1010000});
+    ASSERT_THAT(log, SizeIs(5000));
+    EXPECT_EQ(log.back(), "1005000 - 603#40");
+}
+
+TEST_F(SocketCan, AnswerLeavesBeforeTheNextFrameOfTheSameTime) {
+    class Answering : public PlainNode {
+      public:
+        using PlainNode::PlainNode;
+        void receive(const Frame&, Instant) override {
+            send("583#60");
+            most = std::max(most, waiting.size());
+        }
+        std::size_t most{0};
+    };
+    start();
+    Answering answering{"answering"};
+    bus->attach(answering);
+    constexpr int third = 103;
+    for (int i = 0; i < 40; ++i) {
+        system.arrive(third, "603#40", 5000001);
+    }
+    step(10);
+    EXPECT_THAT(system.sockets[third].sent, SizeIs(40));
+    EXPECT_EQ(answering.most, 1U);
+}
+
+TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {
+    start();
+    system.up = false;
+    system.fail(first, ENETDOWN);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
+    EXPECT_THAT(bus->watches(), IsEmpty());  // nothing to wake up for but the next look
+    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
+    step(100000);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
+    system.up = true;
+    step(100000);
+    EXPECT_THAT(notices, SizeIs(2));
+    EXPECT_EQ(notices.back(), "vcan0 is up again");
+    EXPECT_THAT(a.states, SizeIs(2));
+    EXPECT_THAT(b.states, SizeIs(2));
+    a.send("703#05");
+    step(10);
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
+}
+
+TEST_F(SocketCan, SendingFindsOutThatTheInterfaceIsDown) {
+    start();
+    a.send("703#05");
+    system.up = false;
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
+    EXPECT_EQ(system.sockets[first].send_calls, 1);
+}
+
+TEST_F(SocketCan, DownAndUpBetweenTwoLooksIsNoEventOfTheNode) {
+    start();
+    system.fail(first, ENETDOWN);  // reported late: it is up
+    step(10);
+    EXPECT_THAT(a.states, IsEmpty());
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST_F(SocketCan, InterfaceMadeAnewGetsNewSockets) {
+    start();
+    system.number = 0;
+    system.up = false;
+    system.fail(monitor, ENODEV);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 is gone; waiting for it"));
+    system.number = 9;
+    system.up = true;
+    step(100000);
+    EXPECT_FALSE(system.sockets[first].open);
+    ASSERT_THAT(system.sockets, SizeIs(6));
+    a.send("703#05");
+    step(10);
+    EXPECT_THAT(system.sockets[first + 3].sent, ElementsAre("703#05"));
+}
+
+TEST_F(SocketCan, BitRateOfLssIsSetWhereGranted) {
+    a.rate = 125000;
+    start(InterfaceControl::granted);
+    a.rate = 250000;
+    step(10);
+    EXPECT_THAT(system.rates_set, ElementsAre(250000U));
+    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; vcan0 has it now"));
+    step(10);
+    EXPECT_THAT(system.rates_set, SizeIs(1));
+}
+
+TEST_F(SocketCan, BitRateOfLssIsSaidWhereNotGrantedOrNotPossible) {
+    a.rate = 125000;
+    start();
+    a.rate = 250000;
+    step(10);
+    EXPECT_THAT(system.rates_set, IsEmpty());
+    ASSERT_THAT(notices, SizeIs(1));
+    EXPECT_THAT(notices[0], HasSubstr("without --control-interface"));
+    EXPECT_THAT(notices[0], HasSubstr("ip link set vcan0 type can bitrate 250000"));
+
+    system.rate_refusal = "vcan0 has no bit rate to be set";
+    start(InterfaceControl::granted);
+    a.rate = 500000;
+    step(10);
+    EXPECT_THAT(notices.back(), HasSubstr("vcan0 has no bit rate to be set"));
+    EXPECT_THAT(notices.back(), HasSubstr("bitrate 500000"));
+}
+
+TEST_F(SocketCan, MissingInterfaceOrKernelIsSaidWithTheRemedy) {
+    const auto message = [this](int error) {
+        system.open_error = error;
+        try {
+            SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};
+        } catch (const InputError& refused) {
+            return std::string{refused.what()};
+        }
+        return std::string{};
+    };
+    EXPECT_THAT(message(ENODEV), HasSubstr("ip link add dev vcan7 type vcan"));
+    EXPECT_THAT(message(EAFNOSUPPORT), HasSubstr("no SocketCAN"));
+}
+
+TEST_F(SocketCan, LinesOfTheUserGoOutOfTheMonitorSocket) {
+    start();
+    ASSERT_TRUE(bus->put(parse_frame("000#0100", "test"), now));
+    step(10);
+    EXPECT_THAT(system.sockets[monitor].sent, ElementsAre("000#0100"));
+    EXPECT_THAT(log, ElementsAre("1000010 - 000#0100"));
+}
+
+TEST_F(SocketCan, FramesKeepFormatThroughTheKernelsForm) {
+    for (const char* text : {"703#05", "000#", "7FF#R", "603#R8", "1FFFFFFF#0102030405060708", "00000001#R2"}) {
+        EXPECT_EQ(format_frame(from_kernel(to_kernel(parse_frame(text, "test")))), text);
+    }
+    EXPECT_EQ(to_kernel(parse_frame("1FFFFFFF#", "test")).can_id, 0x1FFFFFFFU | CAN_EFF_FLAG);
+    EXPECT_EQ(to_kernel(parse_frame("703#R", "test")).can_id, 0x703U | CAN_RTR_FLAG);
+}
+
+TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
+    start();
+    constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096
+    for (std::size_t i = 0; i < count; ++i) {
+        system.arrive(monitor, "080#", 5000000 + i);
+    }
+    now.us += count;
+    system.realtime_us += count;
+    for (int turn = 0; turn < 100; ++turn) {
+        bus->poll(now);  // and no time to act
+    }
+    EXPECT_EQ(system.sockets[monitor].arriving.size(), 3U * 4096U);
+    for (int turn = 0; turn < 5; ++turn) {
+        bus->advance(bus->poll(now));
+    }
+    EXPECT_THAT(log, SizeIs(count));
+    EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
+}
+
+TEST_F(SocketCan, FrameThatIsReadLaterAndCameEarlierIsTakenFirst) {
+    start();
+    now.us += 1000;
+    system.realtime_us += 1000;
+    for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
+        system.arrive(monitor, "080#", us);
+    }
+    bus->poll(now);
+    system.arrive(first, "603#00", 5000200);
+    system.arrive(first, "603#01", 5000400);
+    bus->poll(now);
+    bus->advance(Instant{1000250});
+    EXPECT_THAT(log, ElementsAre("1000100 - 080#"));
+    EXPECT_THAT(a.heard, ElementsAre("1000200 603#00"));
+    bus->advance(now);
+    EXPECT_THAT(log, SizeIs(3));
+    EXPECT_THAT(a.heard, SizeIs(2));
+}
+
+}  // namespace canproof::host::test

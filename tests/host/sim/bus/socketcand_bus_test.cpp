@@ -1,0 +1,348 @@
+// The socketcand server over real TCP on the loopback, at a port that the kernel chose. What a client sends has arrived
+// when poll() says so: no test waits for a clock. Virtual time passes only while the bus has something to do.
+#include "host/sim/bus/socketcand_bus.hpp"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <memory>
+
+#include "tests/host/sim/bus/bus_bench.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
+constexpr int most_looks = 12000;  // only a broken test waits so long
+constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
+
+class TcpClient {
+  public:
+    explicit TcpClient(std::uint16_t port) : descriptor_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
+        const int room = 32 * 1024;  // so that the way of a client that does not read fills soon
+        setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    }
+    ~TcpClient() { hang_up(); }
+    TcpClient(const TcpClient&) = delete;
+    TcpClient& operator=(const TcpClient&) = delete;
+
+    void say(const std::string& text) {
+        EXPECT_EQ(send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    }
+    /// Sends what fits without waiting. False when the way is full.
+    bool push(const std::string& text) {
+        return send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT) > 0;
+    }
+    /// What has come so far.
+    std::string heard() {
+        std::array<char, 65536> piece{};
+        for (ssize_t count = 1; count > 0;) {
+            count = recv(descriptor_, piece.data(), piece.size(), MSG_DONTWAIT);
+            heard_.append(piece.data(), count > 0 ? static_cast<std::size_t>(count) : 0U);
+            ended_ = ended_ || count == 0;
+        }
+        return heard_;
+    }
+    bool ended() {
+        heard();
+        return ended_;
+    }
+    void hang_up() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
+            descriptor_ = -1;
+        }
+    }
+
+  private:
+    int descriptor_;
+    std::string heard_;
+    bool ended_{false};
+};
+
+class SocketcandServer : public testing::Test {
+  protected:
+    SocketcandServer() {
+        bus.listen([this](const BusFrame& frame) { log.push_back(format_frame(frame.frame)); });
+        bus.on_notice([this](const std::string& text) { notices.push_back(text); });
+        bus.attach(node);
+    }
+    template <typename Condition>
+    bool until(const Condition& done) {
+        for (int looks = 0; looks < most_looks;) {
+            bus.poll(now);
+            bus.advance(now);
+            if (done()) {
+                return true;
+            }
+            const Instant due = bus.next_deadline();
+            if (due <= now + soon) {
+                now = now < due ? due : now;
+            } else {
+                looks += wait_for_the_kernel() ? 0 : 1;
+            }
+        }
+        return false;
+    }
+    void pass(Duration time) {
+        now = now + time;
+        bus.poll(now);
+        bus.advance(now);
+    }
+    std::vector<std::unique_ptr<TcpClient>> clients_that(const std::string& say, std::size_t count) {
+        std::vector<std::unique_ptr<TcpClient>> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            all.push_back(std::make_unique<TcpClient>(bus.port()));
+            all.back()->say(say);
+            EXPECT_TRUE(until([&] { return bus.clients() == i + 1; }));
+        }
+        return all;
+    }
+
+    SocketcandBus bus{{"127.0.0.1", 0}, 1000000, {}, 0};
+    PlainNode node{"node"};
+    Instant now{};
+    std::vector<std::string> log;
+    std::vector<std::string> notices;
+
+  private:
+    bool wait_for_the_kernel() const {
+        std::vector<pollfd> waiting;
+        for (const Watch& watch : bus.watches()) {
+            const int events = (watch.readable ? POLLIN : 0) | (watch.writable ? POLLOUT : 0);
+            waiting.push_back({watch.descriptor, static_cast<short>(events), 0});
+        }
+        return ::poll(waiting.data(), waiting.size(), look_again_ms) > 0;
+    }
+};
+
+const std::string join = "< open can0 >< rawmode >";
+const std::string joined = "< hi >< ok >< ok >";
+
+}  // namespace
+
+TEST_F(SocketcandServer, ClientJoinsSendsAndHears) {
+    TcpClient client{bus.port()};
+    client.say(join + "< send 603 8 40 0 10 0 0 0 0 0 >");
+    ASSERT_TRUE(until([&] { return log.size() == 1; }));
+    EXPECT_THAT(log, ElementsAre("603#4000100000000000"));
+    EXPECT_THAT(node.heard, SizeIs(1));
+    node.send("583#4300100091010800");
+    bus.advance(now);
+    ASSERT_TRUE(until([&] { return client.heard().find("frame") != std::string::npos; }));
+    EXPECT_THAT(client.heard(), HasSubstr("< frame 583 "));
+    EXPECT_THAT(client.heard(), HasSubstr(" 4300100091010800 >"));
+    EXPECT_THAT(client.heard(), testing::StartsWith(joined));
+    EXPECT_THAT(client.heard(), testing::Not(HasSubstr("< frame 603 ")));  // not its own
+}
+
+TEST_F(SocketcandServer, ClientsHearEachOther) {
+    TcpClient one{bus.port()};
+    TcpClient two{bus.port()};
+    one.say(join);
+    two.say(join);
+    ASSERT_TRUE(until([&] { return one.heard() == joined && two.heard() == joined; }));
+    one.say("< send 123 1 AA >");
+    ASSERT_TRUE(until([&] { return two.heard().find("< frame 123 ") != std::string::npos; }));
+    EXPECT_EQ(one.heard(), joined);
+}
+
+TEST_F(SocketcandServer, WhatAClientSentBeforeItHungUpStillGoesOut) {
+    {
+        TcpClient client{bus.port()};
+        client.say("< open can0 >< send 123 0 >< send 124 0 >");
+        ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    }
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_THAT(log, ElementsAre("123#", "124#"));
+}
+
+TEST_F(SocketcandServer, FloodingClientCostsTheOthersOneFrameEach) {
+    TcpClient flood{bus.port()};
+    TcpClient calm{bus.port()};
+    flood.say(join);
+    calm.say(join);
+    ASSERT_TRUE(until([&] { return calm.heard() == joined; }));
+    std::string much;
+    for (int i = 0; i < 200; ++i) {
+        much += "< send 0 0 >";  // the highest identifier there is
+    }
+    while (flood.push(much)) {
+    }
+    ASSERT_TRUE(until([&] { return log.size() > 100; }));
+    const std::size_t before = log.size();
+    node.send("77F#05");
+    ASSERT_TRUE(until([&] { return std::find(log.begin(), log.end(), "77F#05") != log.end(); }));
+    const auto at = static_cast<std::size_t>(std::find(log.begin(), log.end(), "77F#05") - log.begin());
+    EXPECT_LE(at, before + 2);
+    ASSERT_TRUE(until([&] { return calm.heard().find("< frame 77F ") != std::string::npos; }));
+}
+
+TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndTheOthersMissNothing) {
+    TcpClient slow{bus.port()};
+    TcpClient calm{bus.port()};
+    slow.say(join);
+    calm.say(join);
+    ASSERT_TRUE(until([&] { return calm.heard() == joined; }));
+    std::size_t sent = 0;
+    ASSERT_TRUE(until([&] {
+        for (int i = 0; i < 200 && node.waiting.size() < 200; ++i, ++sent) {
+            node.send("583#4300100091010800");
+        }
+        calm.heard();
+        return bus.clients() == 1;
+    }));
+    ASSERT_THAT(notices, SizeIs(1));
+    EXPECT_THAT(notices[0], HasSubstr("did not read"));
+    ASSERT_TRUE(until([&] { return node.waiting.empty() && log.size() == sent; }));
+    std::size_t frames = 0;
+    ASSERT_TRUE(until([&] {
+        const std::string text = calm.heard();
+        frames = 0;
+        for (auto found = text.find("< frame "); found != std::string::npos; found = text.find("< frame ", found + 1)) {
+            ++frames;
+        }
+        return frames == sent;
+    }));
+    EXPECT_EQ(frames, sent);
+}
+
+TEST_F(SocketcandServer, ClientForWhomThereIsNoPlaceIsToldSo) {
+    auto clients = clients_that(join, SocketcandBus::most_clients);
+    TcpClient late{bus.port()};
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_EQ(late.heard(), "< hi >< error 32 clients have joined, which is the most; try again when one has left >");
+    EXPECT_EQ(bus.clients(), SocketcandBus::most_clients);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("refused")));
+    clients.pop_back();
+    ASSERT_TRUE(until([&] { return bus.clients() < SocketcandBus::most_clients; }));
+    TcpClient next{bus.port()};
+    next.say(join);
+    EXPECT_TRUE(until([&] { return next.heard() == joined; }));
+}
+
+TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
+    const auto idle = clients_that("", SocketcandBus::most_clients);
+    pass(SocketcandBus::patience);
+    TcpClient late{bus.port()};
+    late.say(join);
+    EXPECT_TRUE(until([&] { return late.heard() == joined; }));
+    ASSERT_TRUE(until([&] { return idle.front()->ended(); }));
+    EXPECT_EQ(idle.front()->heard(),
+              "< hi >< error another client needs the place, and this one has not opened the bus >");
+    EXPECT_FALSE(idle.back()->ended());
+}
+
+TEST_F(SocketcandServer, CrowdOfRefusedClientsTakesNoMorePlacesThanThereAre) {
+    const auto clients = clients_that(join, SocketcandBus::most_clients);
+    std::vector<std::unique_ptr<TcpClient>> late;
+    for (std::size_t i = 0; i < 2 * SocketcandBus::most_clients; ++i) {
+        late.push_back(std::make_unique<TcpClient>(bus.port()));
+        ASSERT_TRUE(until([&] { return late.back()->ended(); }));
+    }
+    EXPECT_LE(bus.watches().size(), 1 + 2 * SocketcandBus::most_clients);
+    EXPECT_THAT(notices, SizeIs(1));
+}
+
+TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsSentAway_AndASilentOneThatDidStays) {
+    TcpClient silent{bus.port()};
+    silent.say(join);
+    ASSERT_TRUE(until([&] { return silent.heard() == joined; }));
+    TcpClient idle{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 2; }));
+    EXPECT_EQ(bus.next_deadline(), now + SocketcandBus::open_limit);
+    pass(Duration{SocketcandBus::open_limit.us - 1});
+    EXPECT_EQ(bus.clients(), 2U);
+    pass(microseconds(1));
+    EXPECT_EQ(bus.clients(), 1U);
+    ASSERT_TRUE(until([&] { return idle.ended(); }));
+    EXPECT_EQ(idle.heard(), "< hi >< error the bus was not opened within 10 s >");
+    idle.say(join);  // too late: it reads why, and that is all
+    pass(SocketcandBus::leave_limit);
+    EXPECT_EQ(bus.watches().size(), 2U);  // the listener, and the one that stays
+    pass(milliseconds(3600000));
+    EXPECT_EQ(bus.clients(), 1U);
+    node.send("703#05");
+    EXPECT_TRUE(until([&] { return silent.heard().find("< frame 703 ") != std::string::npos; }));
+}
+
+TEST_F(SocketcandServer, SilentPeerIsAskedByTheKernelWhetherItIsThere) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    const int descriptor = bus.watches().back().descriptor;
+    const auto option = [&](int level, int name) {
+        int value = 0;
+        socklen_t size = sizeof value;
+        EXPECT_EQ(getsockopt(descriptor, level, name, &value, &size), 0);
+        return value;
+    };
+    EXPECT_EQ(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+    // 30 s of silence, then three questions 10 s apart: its place is free after a minute.
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPIDLE), 30);
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPINTVL), 10);
+    EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPCNT), 3);
+}
+
+TEST_F(SocketcandServer, RemoteFrameThatClientsCannotHearIsToldOnce) {
+    node.send("703#R");
+    ASSERT_TRUE(until([&] { return log.size() == 1; }));
+    EXPECT_THAT(notices, SizeIs(0));  // nobody is there who would miss it
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    node.send("703#R");
+    node.send("704#R");
+    ASSERT_TRUE(until([&] { return log.size() == 3; }));
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("703#R is a remote frame")));
+    EXPECT_THAT(notices[0], HasSubstr("--bus socketcan"));
+    EXPECT_EQ(client.heard(), joined);
+}
+
+TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
+    {
+        TcpClient client{bus.port()};
+        client.say(join + "< send 123 1 AA >");
+        ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+        bus.poll(now);
+        bus.advance(now);  // on the wire, and not yet over it
+    }
+    EXPECT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_THAT(log, ElementsAre("123#AA"));
+}
+
+TEST_F(SocketcandServer, ListensOnTheLoopbackUnlessTold) {
+    EXPECT_EQ(parse_listen_address("").host, "127.0.0.1");
+    EXPECT_EQ(parse_listen_address("").port, 29536);
+    EXPECT_EQ(parse_listen_address(":0").host, "127.0.0.1");
+    EXPECT_EQ(parse_listen_address(":0").port, 0);
+    EXPECT_EQ(parse_listen_address("0.0.0.0:1234").host, "0.0.0.0");
+    EXPECT_EQ(parse_listen_address("0.0.0.0:1234").port, 1234);
+    EXPECT_EQ(parse_listen_address("[::1]:1234").host, "::1");
+    EXPECT_EQ(parse_listen_address("[::1]").host, "::1");
+    for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:-1"}) {
+        EXPECT_THROW(parse_listen_address(wrong), InputError) << wrong;
+    }
+    EXPECT_THROW((SocketcandBus{{"127.0.0.1", bus.port()}, 125000, {}, 0}), InputError);  // taken
+    EXPECT_THROW((SocketcandBus{{"nowhere", 0}, 125000, {}, 0}), InputError);
+}
+
+}  // namespace canproof::host::test

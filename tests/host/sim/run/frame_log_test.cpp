@@ -1,0 +1,83 @@
+// What --log writes, byte for byte.
+#include "host/sim/run/frame_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace canproof::host {
+
+namespace {
+
+std::string written(LogFormat format) {
+    std::ostringstream out;
+    FrameLog log{&out, format};
+    log.begin("vcan0");
+    log.write({Instant{1000001}, "vcan0", parse_frame("603#4000100000000000", "test")}, false);
+    log.write({Instant{1000002}, "vcan0", parse_frame("703#00", "test")}, true);
+    return out.str();
+}
+
+/// Bytes from hexadecimal digits; spaces are for the reader.
+std::string bytes(const std::string& digits) {
+    std::string all;
+    std::istringstream words{digits};
+    for (std::string word; words >> word;) {
+        for (std::size_t i = 0; i < word.size(); i += 2) {
+            all += static_cast<char>(std::stoul(word.substr(i, 2), nullptr, 16));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST(FrameLog, PlainLinesAreThoseOfCandump) {
+    EXPECT_EQ(written(LogFormat::candump), "(1.000001) vcan0 603#4000100000000000\n(1.000002) vcan0 703#00\n");
+}
+
+TEST(FrameLog, MarksSayWhoHasSentAFrame) {
+    EXPECT_EQ(written(LogFormat::marked), "(1.000001) vcan0 603#4000100000000000 R\n(1.000002) vcan0 703#00 T\n");
+}
+
+TEST(FrameLog, NameSaysTheFormat) {
+    EXPECT_EQ(log_format("a.log", false), LogFormat::candump);
+    EXPECT_EQ(log_format("a.log", true), LogFormat::marked);
+    EXPECT_EQ(log_format("a.pcapng", false), LogFormat::pcapng);
+    EXPECT_EQ(log_format("a.pcapng", true), LogFormat::pcapng);
+    EXPECT_EQ(log_format(".pcapng", false), LogFormat::candump);
+    EXPECT_EQ(log_format("", false), LogFormat::candump);
+}
+
+TEST(FrameLog, NothingIsWrittenNowhere) {
+    FrameLog log{nullptr, LogFormat::pcapng};
+    log.begin("can0");
+    log.write({}, true);
+    EXPECT_FALSE(log.is_wanted());
+}
+
+TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
+    const std::string section = "0A0D0D0A 1C000000 4D3C2B1A 0100 0000 FFFFFFFFFFFFFFFF 1C000000";
+    // link type 227 (E3h), no limit of length; option 2, the name, of five bytes; end of options
+    const std::string interface = "01000000 24000000 E300 0000 00000000 0200 0500 7663616E30 000000 00000000 24000000";
+    // 1,000,001 us = F4241h; 16 bytes: identifier with the most significant byte first, length, three zeros, data;
+    // option 2, flags, of four bytes: 1 inbound, 2 outbound
+    const std::string heard =
+        "06000000 3C000000 00000000 00000000 41420F00 10000000 10000000 00000603 08 000000 4000100000000000"
+        "0200 0400 01000000 00000000 3C000000";
+    const std::string own =
+        "06000000 38000000 00000000 00000000 42420F00 09000000 09000000 00000703 01 000000 00 000000"
+        "0200 0400 02000000 00000000 38000000";
+    EXPECT_EQ(written(LogFormat::pcapng), bytes(section + " " + interface + " " + heard + " " + own));
+}
+
+TEST(FrameLog, PcapngFlagsExtendedAndRemoteFrames) {
+    std::ostringstream out;
+    FrameLog log{&out, LogFormat::pcapng};
+    log.write({Instant{}, "can0", parse_frame("1FFFFFFF#", "test")}, false);
+    log.write({Instant{}, "can0", parse_frame("703#R8", "test")}, false);
+    EXPECT_EQ(out.str().substr(28, 8), bytes("9FFFFFFF 00 000000"));
+    EXPECT_EQ(out.str().substr(52 + 28, 8), bytes("40000703 08 000000"));
+}
+
+}  // namespace canproof::host
