@@ -1,4 +1,4 @@
-#include "tests/support/frame_log.hpp"
+#include "tests/support/bench_frame_log.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "host/sim/bus/candump.hpp"
