@@ -1,11 +1,11 @@
+#include "host/register/check_references.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
-
-#include "host/register/checker.hpp"
 
 namespace canproof::host {
 

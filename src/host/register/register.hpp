@@ -270,22 +270,6 @@ struct Register {
     }
 };
 
-struct LoadResult {
-    Register content;
-    Faults faults;  ///< ascending by file and line
-};
-
-/// Files by path: "spec/devices/x/device.toml" → text.
-using SpecFiles = std::map<std::string, std::string>;
-
-/// The .toml files below a folder, as if it were named spec/.
-SpecFiles read_spec_files(const std::filesystem::path& spec);
-LoadResult load_register(const std::filesystem::path& spec);
-/// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
-LoadResult load_register(const SpecFiles& files);
-/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
-std::optional<Register> read_sound_register(const SpecFiles& files);
-
 /// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
 std::size_t type_size(const std::string& type);
 /// Smallest and largest value of an integer type (64-bit unsigned is cut at INT64_MAX).

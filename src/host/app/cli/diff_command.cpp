@@ -1,13 +1,15 @@
 // diff: the impact of what has changed since a revision.
+#include "host/app/cli/diff_command.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/register/load.hpp"
 
 namespace canproof::host {
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

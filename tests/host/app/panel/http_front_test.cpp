@@ -11,7 +11,8 @@
 
 #include <array>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/input_error.hpp"
 #include "tests/host/app/panel/panel_bench.hpp"
 
 namespace canproof::host::test {

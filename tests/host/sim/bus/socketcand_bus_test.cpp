@@ -15,6 +15,7 @@
 #include <cstring>
 #include <memory>
 
+#include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 
 namespace canproof::host::test {
