@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 
+from .cache import drop_unused
 from .callgraph import check_call_graph
 from .examples import prove_on_firmware, prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
@@ -42,6 +43,7 @@ class Progress:
 
 def check(build, output):
     progress, faults, rules = Progress(), Faults(), Rules()
+    drop_unused()
     generated = build / "generated"
     plan = read_plan(rules, faults)
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
