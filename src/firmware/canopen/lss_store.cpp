@@ -74,12 +74,13 @@ std::size_t LssStore::latest_of(const Slot& first, const Slot& second) noexcept 
     return is_first ? 0U : 1U;
 }
 
-static_assert(implements<req::CO_LSS_065>);
+static_assert(implements<req::CO_LSS_065> && implements<req::CO_LSS_066>);
 LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept {
     const Slot first = read(0U);
     const Slot second = read(1U);
     const Slot& latest = (latest_of(first, second) == 0U) ? first : second;
-    LssConfiguration found = (latest.state == BankState::sound) ? latest.configuration : shipped;
+    const bool counts = (latest.state == BankState::sound) && is_lss_node_id(latest.configuration.node_id);
+    LssConfiguration found = counts ? latest.configuration : shipped;
     found.damaged = (latest.state == BankState::doubtful) || (latest.state == BankState::damaged);
     return found;
 }

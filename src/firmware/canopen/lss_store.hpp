@@ -18,7 +18,8 @@ class LssStore {
 
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}
 
-    /// What was stored last, or `shipped` when nothing is stored or what is stored is damaged.
+    /// What was stored last, or `shipped` when nothing is stored, or when what is stored is damaged or has no node-ID
+    /// that LSS gives.
     LssConfiguration load(const LssConfiguration& shipped) const noexcept;
     /// LssError::storage_failed when the memory failed; what was stored before is then still stored.
     LssError store(const LssConfiguration& configuration) noexcept;
