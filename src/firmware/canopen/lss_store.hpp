@@ -35,7 +35,7 @@ class LssStore {
     Slot read(std::size_t slot) const noexcept;
     static std::size_t latest_of(const Slot& first, const Slot& second) noexcept;
     bool write(std::size_t slot, const Slot& content) noexcept;
-    bool mark(std::size_t slot, std::uint8_t marker) noexcept;
+    bool write_marker(std::size_t slot, std::uint8_t marker) noexcept;
 
     NonVolatileMemory& memory_;
 };
