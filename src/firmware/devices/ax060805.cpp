@@ -91,7 +91,7 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-/// Within the range of the sensor; what is no number is not.
+/// Within the range of the sensor; NaN is not.
 bool is_measurement(const float acceleration) noexcept {
     return std::fabs(acceleration) <= own::sensor_range;
 }
@@ -586,7 +586,7 @@ static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TE
 bool Device::is_temperature_outside() const noexcept {
     const float temperature = inputs_.sensor_temperature;
     const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
-    return !inside;  // what is no number is not inside
+    return !inside;  // NaN is not inside
 }
 
 Signal Device::acceleration_signal(const std::uint8_t axis) const noexcept {
