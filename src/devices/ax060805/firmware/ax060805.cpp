@@ -91,7 +91,7 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-/// Within the range of the sensor; what is no number is not.
+/// Within the range of the sensor; NaN is not.
 bool is_measurement(const float acceleration) noexcept {
     return std::fabs(acceleration) <= own::sensor_range;
 }
@@ -101,16 +101,16 @@ constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
 
-/// What a save is marked with, to tell later at which bit rate it was made: 1 and more by Table 21, 0 for a rate that
+/// The tag of a save, which tells later at which bit rate it was made: 1 and more by Table 21, 0 for a rate that
 /// is not there.
-constexpr std::uint8_t mark_of(const std::uint32_t bit_rate) noexcept {
-    std::uint8_t mark{0U};
+constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
+    std::uint8_t tag{0U};
     for (const own::t_inc_t21::Row& row : own::t_inc_t21::rows) {
         if (row.bit_rate == bit_rate) {
-            mark = static_cast<std::uint8_t>(row.index + 1U);
+            tag = static_cast<std::uint8_t>(row.index + 1U);
         }
     }
-    return mark;
+    return tag;
 }
 
 constexpr float reversed_if(const bool reversed, const float value) noexcept {
@@ -267,7 +267,7 @@ void Device::restart(const Instant now) {
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
     }
-    if (std::uint32_t{node_.saved_mark()} != mark_of(bit_rate_)) {
+    if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
         objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
     }
     drive_slew_rate();
@@ -306,7 +306,7 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
 
 void Device::use_bit_rate(const std::uint32_t bit_rate) noexcept {
     bit_rate_ = bit_rate;
-    node_.mark_saves(mark_of(bit_rate));
+    node_.tag_saves(tag_of(bit_rate));
 }
 
 LssError Device::store_configuration(const LssConfiguration& configuration) {
@@ -586,7 +586,7 @@ static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TE
 bool Device::is_temperature_outside() const noexcept {
     const float temperature = inputs_.sensor_temperature;
     const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
-    return !inside;  // what is no number is not inside
+    return !inside;  // NaN is not inside
 }
 
 Signal Device::acceleration_signal(const std::uint8_t axis) const noexcept {

@@ -342,7 +342,8 @@ void Device::restart(const Instant now) {
     wake(now);
 }
 
-static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002>);
+static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002> && implements<req::AOR_START_003> &&
+              implements<req::AOR_START_004>);
 void Device::booted(const Instant now) {
     if (objects_.get(field::o5555_start_in_operational_mode)) {
         node_.start_at(now);

@@ -64,7 +64,7 @@ struct CoverageRecord {
     unsigned line{0};  ///< of the record
 };
 
-/// Reads reports/coverage.toml. Throws InputError with file, line and mend.
+/// Reads reports/coverage.toml. Throws InputError with file, line and fix.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {
