@@ -275,7 +275,7 @@ struct LoadResult {
     Faults faults;  ///< ascending by file and line
 };
 
-/// Files by path: "spec/devices/x/device.toml" → text.
+/// Files by path: "spec/devices/NAME/device.toml" → text.
 using SpecFiles = std::map<std::string, std::string>;
 
 /// The .toml files below a folder, as if it were named spec/.

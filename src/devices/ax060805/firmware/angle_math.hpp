@@ -1,6 +1,7 @@
 // Trigonometry in degrees, in single precision and without libm: the same bits on every target.
 //
-// Errors against double precision, tested in tests/firmware/angle_math_test.cpp and properties/tilt_property.cpp:
+// Errors against double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and
+// properties/devices/ax060805/tilt_property.cpp:
 // atan2_degrees 0.00003 degree, sine and cosine 0.0000002, exp_of_negative 0.0000004.
 #pragma once
 
