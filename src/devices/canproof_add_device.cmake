@@ -24,6 +24,9 @@ function(canproof_device_simulation word)
   add_library(canproof_${word}_simulation STATIC ${simulation})
   target_link_libraries(canproof_${word}_simulation PUBLIC canproof_${word}_firmware canproof_report)
   target_compile_options(canproof_${word}_simulation PRIVATE ${CANPROOF_FUZZED_FLAGS})
+  if(NOT CANPROOF_FUZZED_FLAGS)
+    canproof_precompiled(canproof_${word}_simulation)
+  endif()
 endfunction()
 
 # BUILD/devices.txt: a line a device, with tabs: its name, its C++ name, its folder. Scripts read it.
