@@ -54,7 +54,7 @@ int write_new_project(const NewOptions& options) {
     }
     const auto files = project_files(project);
     check_register(files);
-    replace_folder(folder, files);
+    replace_folder(std::filesystem::absolute(folder), files);
     make_runnable(folder / "run");
     make_runnable(folder / "test");
     fmt::print("{} files in {}; next: cd {} && ./run && ./test\n", files.size(), folder.string(), folder.string());
