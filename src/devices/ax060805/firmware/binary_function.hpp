@@ -37,7 +37,7 @@ struct FunctionBlock {
 /// Table 9. Integer functions work on to_discrete(x) and give a whole number.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
-/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is no number.
+/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
 /// Equation 4.

@@ -11,10 +11,10 @@ struct CountScale {
 };
 
 /// `value` times the digits, plus the offset, rounded to nearest (halves away from zero) and saturated to INTEGER16.
-/// What is no number gives 0.
+/// NaN gives 0.
 std::int16_t count_value(float value, const CountScale& scale) noexcept;
 
-/// Rounded to nearest, halves up, 0…65535; what is no number gives 0.
+/// Rounded to nearest, halves up, 0…65535; NaN gives 0.
 std::uint16_t whole_milliseconds(float milliseconds) noexcept;
 
 /// How a received value is scaled (4.3.20, 4.3.21).

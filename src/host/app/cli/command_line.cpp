@@ -52,7 +52,7 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     static std::string folder = "spec";
     auto* spec = app.add_subcommand("spec", "the register");
     spec->require_subcommand(1);
-    auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and mend");
+    auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and fix");
     check->add_option("--spec", folder, "folder of the register")->capture_default_str();
     check->callback([&chosen] { chosen = [] { return check_spec(folder); }; });
     static ReviewOptions reviewing;

@@ -51,7 +51,7 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format("no file of src/firmware with mutants has `{}` in its path", file)};
+        throw InputError{fmt::format("no file of the firmware with mutants has `{}` in its path", file)};
     }
     return mutants;
 }

@@ -51,7 +51,7 @@ struct CoverageTotals {
 
 CoverageTotals totals_of(const std::vector<FileCoverage>& files);
 
-/// Reads what `llvm-cov export --format=text` wrote, for the files below root/src/firmware. Instantiations of a
+/// Reads what `llvm-cov export --format=text` wrote, for the files of the firmware below root. Instantiations of a
 /// template count together. Throws InputError when the file is no such export or a source is missing.
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root);
 
@@ -64,7 +64,7 @@ struct CoverageRecord {
     unsigned line{0};  ///< of the record
 };
 
-/// Reads reports/coverage.toml. Throws InputError with file, line and mend.
+/// Reads reports/coverage.toml. Throws InputError with file, line and fix.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {

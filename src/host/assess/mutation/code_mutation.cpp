@@ -114,7 +114,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     std::filesystem::create_directories(setup.folder);
     const auto told = setup.folder / "told.tsv";
     if (!run_unaltered(setup.program, setup.folder / "verdicts.xml", {"CANPROOF_TOLD=" + told.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; mend that first", setup.program.string())};
+        throw InputError{fmt::format("{} fails without any mutant; fix that first", setup.program.string())};
     }
     auto tests = read_told(told);
     const std::vector<bool> starting = told_at_startup(tests, count);

@@ -3,4 +3,5 @@
 
 #include "firmware/base/result.hpp"
 #include "firmware/canopen/frame.hpp"  // flagged
+#include "devices/cbx-ao412/firmware/voltage_output.hpp"  // flagged
 #include "generated/cbx_ao412/objects.hpp"  // flagged
