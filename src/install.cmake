@@ -6,9 +6,14 @@ install(TARGETS speccompiler canproof_base canproof_register canproof_datasheet 
                 canproof_report canproof_assess canproof_http canproof_app
         RUNTIME DESTINATION ${home}/prebuilt ARCHIVE DESTINATION ${home}/prebuilt)
 install(FILES CMakeLists.txt LICENSE DESTINATION ${home})
-install(DIRECTORY src/firmware src/target DESTINATION ${home}/src)
-install(DIRECTORY src/host DESTINATION ${home}/src
-        FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.cmake PATTERN *.hpp PATTERN main.cpp REGEX "/panel/page/[^/]*$")
+install(DIRECTORY src/firmware src/target DESTINATION ${home}/src USE_SOURCE_PERMISSIONS)
+install(DIRECTORY src/host DESTINATION ${home}/src USE_SOURCE_PERMISSIONS
+        FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.cmake PATTERN *.hpp PATTERN main.cpp PATTERN ccache_launcher REGEX "/panel/page/[^/]*$")
+# What an image of tests for the microcontroller compiles.
+foreach(file codegen/dictionary_rows sim/bus/candump sim/devices/generic_device sim/devices/memory)
+  get_filename_component(folder ${file} DIRECTORY)
+  install(FILES src/host/${file}.cpp DESTINATION ${home}/src/host/${folder})
+endforeach()
 file(GLOB device_files RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} src/devices/*.* src/*.cmake)
 foreach(file ${device_files})
   get_filename_component(folder ${file} DIRECTORY)
@@ -17,6 +22,7 @@ endforeach()
 install(DIRECTORY spec/canopen DESTINATION ${home}/spec)
 install(FILES tests/CMakeLists.txt DESTINATION ${home}/tests)
 install(DIRECTORY tests/support DESTINATION ${home}/tests)
+install(FILES tests/bench/frame_cost_main.cpp DESTINATION ${home}/tests/bench)
 install(FILES tests/mutation/main.cpp DESTINATION ${home}/tests/mutation)
 install(FILES properties/CMakeLists.txt DESTINATION ${home}/properties)
 install(DIRECTORY properties/support DESTINATION ${home}/properties)

@@ -209,9 +209,9 @@ void add_fuzz(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("--replay-build", options.replay_build, "build without either, for valgrind and frame logs")
         ->capture_default_str();
     command->add_option("--coverage-build", options.coverage_build, "build that counts lines")->capture_default_str();
-    command->add_option("--fuzz", options.fuzz, "folder of seeds and dictionaries")->capture_default_str();
-    command->add_option("--land", options.land, "findings become regression tests here; '' for nowhere")
-        ->capture_default_str();
+    command->add_option("--land", options.land,
+                        "findings become regression tests in TARGET below this folder; in the target's own corpus "
+                        "without it; '' for nowhere");
     command->add_flag("!--no-second-pass", options.second_pass, "no valgrind over the corpus");
     command->add_flag("!--no-coverage", options.coverage, "no lines measured");
     command->add_flag("--plain", options.plain, "lines instead of a table, on a terminal as well");
