@@ -59,6 +59,16 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     review->callback([&chosen] { chosen = [] { return review_spec(reviewing); }; });
 }
 
+void add_new(CLI::App& app, std::function<int()>& chosen) {
+    static NewOptions options;
+    auto* command = app.add_subcommand("new", "a folder with a device of your own, which builds and tests at once");
+    command->add_option("NAME", options.name, "of folder and device: small letters, digits, single dashes")->required();
+    command->add_option("--eds", options.eds, "EDS, DCF or XDD file: identity and objects come from there");
+    command->add_option("--manual", options.manual, "title of the device's manual");
+    command->add_option("--prefix", options.prefix, "of ids, in capital letters; from the name without it");
+    command->callback([&chosen] { chosen = [] { return write_new_project(options); }; });
+}
+
 void add_run(CLI::App& app, std::function<int()>& chosen) {
     static RunOptions running;
     auto* run = app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
@@ -264,6 +274,7 @@ int run_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     std::function<int()> chosen;
     add_catalogue(app, chosen);
+    add_new(app, chosen);
     add_running(app, chosen);
     add_fuzz(app, chosen);
     add_audit(app, chosen);

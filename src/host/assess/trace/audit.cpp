@@ -155,7 +155,9 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
     const SectionIndex sections{content};
     std::vector<PartAudit> all;
     for (const auto& part : content.parts) {
-        all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        if (!part.inherited) {
+            all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        }
     }
     return all;
 }
