@@ -194,14 +194,16 @@ class World {
         return tampering_.is_foreign(pair[0]) || tampering_.is_foreign(pair[1]);
     }
 
-    /// The other store of a memory, at its end.
-    void store_lss(const LssConfiguration& wanted, std::uint16_t place) {
+    /// The other store of a memory, at its end. A node-ID that is none of 1 to 127 and 255 counts as not stored.
+    void store_lss(const LssConfiguration& given, std::uint16_t place) {
         constexpr LssConfiguration shipped{127, 125000};
+        const bool counts = given.node_id == 255 || (given.node_id >= 1 && given.node_id <= 127);
+        const LssConfiguration& wanted = counts ? given : shipped;
         LssStore store{memory_};
         const LssConfiguration before = store.load(shipped);
         const fuzz::Image image = memory_.image();
         memory_.open_journal();
-        require(store.store(wanted) == LssError::none, "stored");
+        require(store.store(given) == LssError::none, "stored");
         require(is(store.load(shipped), wanted), "what is stored");
         if (place == uncut) {
             return tampering_.note_write(image, memory_.image());

@@ -1,4 +1,4 @@
-"""MISRA C++:2023 over src/firmware and the generated headers, by checkers that are themselves tested.
+"""MISRA C++:2023 over the firmware and the generated headers, by checkers that are themselves tested.
 
 misra/run BUILD_FOLDER [OUTPUT_FOLDER]
 misra/run review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
@@ -13,19 +13,20 @@ import sys
 import tempfile
 import time
 
+from .cache import drop_unused
 from .callgraph import check_call_graph
 from .examples import prove_on_firmware, prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
 from .reports import Outcome, lead, write_all
-from .rules import ROOT, Faults, Rules, short_path
-from .structure import check_layers, check_symbols
+from .rules import ROOT, Faults, Rules, firmware_files, short_path
+from .structure import archives, check_layers, check_symbols
 from .tools import TOOLS, find
 
 
 def scope(generated):
     """The firmware's units, and every header with the generated ones."""
-    units = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "src/firmware").rglob("*.cpp"))
-    headers = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "src/firmware").rglob("*.hpp"))
+    units = [str(path.relative_to(ROOT)) for path in firmware_files(ROOT / "src", "*.cpp")]
+    headers = [str(path.relative_to(ROOT)) for path in firmware_files(ROOT / "src", "*.hpp")]
     headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))
     return units, headers
 
@@ -42,6 +43,7 @@ class Progress:
 
 def check(build, output):
     progress, faults, rules = Progress(), Faults(), Rules()
+    drop_unused()
     generated = build / "generated"
     plan = read_plan(rules, faults)
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
@@ -97,7 +99,7 @@ def main(arguments):
     if missing:
         print(f"misra: not installed: {', '.join(missing)}; `./run setup` installs what is needed", file=sys.stderr)
         return 2
-    if not (build / "libcanproof_firmware.a").exists() or not (build / "generated").is_dir():
+    if not all(path.exists() for path in archives(build)) or not (build / "generated").is_dir():
         print(f"misra: {build} holds no built firmware; build it first: `./run build`, or name another build folder", file=sys.stderr)
         return 2
     return check(build, pathlib.Path(arguments[1] if len(arguments) == 2 else build / "misra"))

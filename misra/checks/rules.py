@@ -10,6 +10,12 @@ HERE = pathlib.Path(__file__).resolve().parent.parent
 ROOT = HERE.parent
 
 
+def firmware_files(sources, pattern):
+    """The firmware's files of that name in the folder of sources: firmware/** and devices/NAME/firmware/**."""
+    folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware"))]
+    return [path for folder in folders for path in sorted(folder.rglob(pattern))]
+
+
 class Finding(NamedTuple):
     rule: str
     path: str

@@ -4,26 +4,41 @@ import pathlib
 import re
 import tempfile
 
-from .rules import HERE, ROOT, run_tool
+from .rules import HERE, ROOT, firmware_files, run_tool
+
+
+LAYERS = {
+    "base": ("firmware/base/",),
+    "canopen": ("firmware/base/", "firmware/canopen/", "generated/"),
+    "blocks": ("firmware/base/", "firmware/blocks/", "generated/"),
+    "axiomatic": ("firmware/base/", "firmware/canopen/", "firmware/blocks/", "firmware/axiomatic/", "generated/"),
+}
+
+
+def may_include(path, name):
+    """Whether a firmware file may include a header; both are named from the folder of sources.
+
+    The arrows: base <- canopen, blocks <- axiomatic <- the devices. A device knows no other device and nothing outside the
+    firmware. Blocks know no object dictionary and no device. In a device's folder the files that carry the device's name
+    are the device; every other file there is a block of it."""
+    parts = path.split("/")
+    dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
+    if parts[0] == "firmware":
+        return name.startswith(LAYERS.get(parts[1], ())) and not (parts[1] == "blocks" and dictionary)
+    device = parts[1].replace("-", "_")
+    own = f"devices/{parts[1]}/firmware/"
+    if parts[-1].startswith(device):
+        return name.startswith(("firmware/", own, f"generated/{device}/", "generated/canopen/"))
+    return (name.startswith(("firmware/base/", "firmware/blocks/", own, f"generated/{device}/"))
+            and not dictionary and not name.startswith(own + device))
 
 
 def against_the_layers(folder):
-    """Includes against the arrows base ← canopen, blocks ← devices, under folder/firmware; blocks know no object dictionary."""
-    allowed = {
-        "base": ("firmware/base/",),
-        "canopen": ("firmware/base/", "firmware/canopen/", "generated/"),
-        "blocks": ("firmware/base/", "firmware/blocks/", "generated/"),
-        "devices": ("firmware/", "generated/"),
-    }
-    for path in sorted((folder / "firmware").rglob("*.?pp")):
-        layer = path.relative_to(folder / "firmware").parts[0]
+    """Includes against the arrows in folder/firmware and folder/devices/*/firmware."""
+    for path in firmware_files(folder, "*.?pp"):
         for at, text in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*"([^"]+)"', text)
-            if include is None:
-                continue
-            name = include.group(1)
-            dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
-            if not name.startswith(allowed.get(layer, ())) or (layer == "blocks" and dictionary):
+            if include is not None and not may_include(path.relative_to(folder).as_posix(), include.group(1)):
                 yield str(path), at
 
 
@@ -48,6 +63,14 @@ FORBIDDEN = re.compile(
     r"_Unwind_\w*|__dynamic_cast|_ZSt\d+__throw_\w*|_ZSt9terminatev|abort|exit|printf|puts|fe[a-z]\w*)$")
 
 
+def archives(build):
+    """The libraries of the firmware: that of all devices, and one a device."""
+    devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
+    source = pathlib.Path(build) / "src"
+    return [source / "firmware" / "libcanproof_firmware.a",
+            *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]
+
+
 def forbidden_symbols(archive):
     _, output = run_tool(["nm", "--undefined-only", "--format=just-symbols", str(archive)])
     return sorted({name for name in output.split() if FORBIDDEN.match(name)})
@@ -60,9 +83,9 @@ def check_symbols(build, faults):
         names = forbidden_symbols(seeded) if status == 0 else []
         if not {"_Znwm", "__cxa_throw", "__dynamic_cast", "feenableexcept"} <= set(names):
             faults.add(f"the symbol check misses what misra/symbols/bad.cpp holds: {names} {output}")
-    archive = pathlib.Path(build) / "libcanproof_firmware.a"
-    if not archive.exists():
-        faults.add(f"{archive} is not built: the symbols are unchecked")
-        return
-    for name in forbidden_symbols(archive):
-        faults.add(f"the firmware library needs {name}")
+    for archive in archives(build):
+        if not archive.exists():
+            faults.add(f"{archive} is not built: its symbols are unchecked")
+            continue
+        for name in forbidden_symbols(archive):
+            faults.add(f"the firmware library {archive.name} needs {name}")

@@ -3,10 +3,10 @@ import concurrent.futures
 import os
 import pathlib
 import re
-import tempfile
 
+from .cache import run_cached
 from .definitions import one_definition, same_aliases
-from .rules import ROOT, Finding, run_tool, short_path, without_comments_and_literals
+from .rules import ROOT, Finding, short_path, without_comments_and_literals
 
 LANGUAGE = ["-std=c++17", "-Isrc"]
 CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic"]
@@ -18,11 +18,9 @@ CHUNK = 6  # files a run of a tool: clang-query keeps all their syntax trees
 TOOLS = ["clang-query-19", "clang-tidy-19", "cppcheck", "g++", "nm", "c++filt"]
 
 
-def query(rules, files, generated, faults):
-    with tempfile.NamedTemporaryFile("w", suffix=".query") as script:
-        script.write("\n".join(rules.matchers) + "\n")
-        script.flush()
-        status, output = run_tool(["clang-query-19", "-f", script.name, *map(str, files), "--", *LANGUAGE, f"-I{generated}"])
+def query(rules, files, generated, scratch, faults):
+    status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *LANGUAGE, f"-I{generated}"],
+                                files, generated, script="\n".join(rules.matchers) + "\n", scratch=scratch)
     if status != 0:
         faults.add("clang-query-19 failed:\n" + output[-2000:])
     for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
@@ -42,18 +40,19 @@ def named_findings(rules, output, prefix, generated, faults):
                 yield Finding(rule, short_path(ROOT / path, generated), int(line))
 
 
-def tidy(rules, files, generated, faults):
+def tidy(rules, files, generated, scratch, faults):
     checks = "-*," + ",".join(sorted(name for name in rules.checks if not name.startswith(("cppcheck-", "gcc-"))))
-    _, output = run_tool(
+    _, output = run_cached(
         ["clang-tidy-19", "--quiet", f"--checks={checks}", "--header-filter=.*", "--config={}", *map(str, files), "--",
-         *LANGUAGE, *CLANG_WARNINGS, f"-I{generated}"])
+         *LANGUAGE, *CLANG_WARNINGS, f"-I{generated}"], files, generated, scratch=scratch)
     yield from named_findings(rules, output, "", generated, faults)
 
 
-def cppcheck(rules, files, generated, faults):
-    status, output = run_tool(
+def cppcheck(rules, files, generated, scratch, faults):
+    status, output = run_cached(
         ["cppcheck", "--quiet", "--enable=warning,performance,portability,style", "--std=c++17", "--language=c++", "-Isrc",
-         f"-I{generated}", "--template={file}:{line}:{column}: {severity}: {message} [{id}]", *map(str, files)])
+         f"-I{generated}", "--template={file}:{line}:{column}: {severity}: {message} [{id}]", *map(str, files)],
+        files, generated, scratch=scratch)
     if status != 0:
         faults.add("cppcheck failed:\n" + output[-2000:])
     yield from named_findings(rules, output, "cppcheck-", generated, faults)
@@ -63,7 +62,8 @@ def compile_with_gcc(rules, files, generated, graphs, faults):
     """g++'s warnings and analyzer; what it leaves in the folder `graphs` is the call graph with stack use."""
     for path in files:
         target = pathlib.Path(graphs) / (str(path).replace("/", "_") + ".o")
-        status, output = run_tool(["g++", *LANGUAGE, *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)])
+        status, output = run_cached(["g++", *LANGUAGE, *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)],
+                                    [path], generated, scratch=graphs, leaves=target.with_suffix(".ci"))
         if status != 0:
             faults.add("does not compile with g++:\n" + output[-2000:])
         output = re.sub(r"(?: \[CWE-\d+\])? \[-W([\w+=-]+)\]$", r" [\1]", output, flags=re.MULTILINE)
@@ -90,10 +90,9 @@ def find(rules, units, headers, generated, graphs, faults, progress=lambda done,
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts)}
     work = [(tool, chunk) for chunk in chunks for tool in (query, tidy)]
     work += [(cppcheck, [path for path in chunk if rules.concerns("cppcheck-", path)]) for chunk in chunks]
-    gcc = lambda r, c, g, f: compile_with_gcc(r, c, g, graphs, f)
-    work += [(gcc, [path for path in chunk if rules.concerns("gcc-", path)]) for chunk in chunks]
+    work += [(compile_with_gcc, [path for path in chunk if rules.concerns("gcc-", path)]) for chunk in chunks]
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        jobs = [pool.submit(lambda t=tool, c=chunk: list(t(rules, c, generated, faults))) for tool, chunk in work if chunk]
+        jobs = [pool.submit(lambda t=tool, c=chunk: list(t(rules, c, generated, graphs, faults))) for tool, chunk in work if chunk]
         for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
             found.update(job.result())
             progress(done, len(jobs))

@@ -174,4 +174,20 @@ TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
+// CiA 305, 6.4.2: 1 to 127, and 255 for none
+TEST(LssStore, ANodeIdThatLssNeverGivesCountsAsNothingStored) {
+    verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
+    for (int node_id = 0; node_id <= 255; ++node_id) {
+        host::Memory memory{64};
+        LssStore{memory}.store({9, 500000});  // older, and it stays unused
+        LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
+        const bool counts = (node_id >= 1 && node_id <= 127) || node_id == 255;
+        const LssConfiguration found = LssStore{memory}.load(shipped);
+        expect(found, counts ? node_id : 127, counts ? 20000 : 125000);
+        EXPECT_FALSE(found.damaged) << node_id;
+        EXPECT_EQ(LssStore{memory}.store({10, 10000}), LssError::none);
+        expect(LssStore{memory}.load(shipped), 10, 10000);
+    }
+}
+
 }  // namespace canproof::test

@@ -64,6 +64,13 @@ constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step,
 
 }  // namespace
 
+static_assert(implements<req::CO_K_LSS_LOWEST_NODE_ID> && implements<req::CO_K_LSS_HIGHEST_NODE_ID>);
+bool is_lss_node_id(const std::uint8_t node_id) noexcept {
+    const bool is_one =
+        (node_id >= generated::canopen::lss_lowest_node_id) && (node_id <= generated::canopen::lss_highest_node_id);
+    return is_one || (node_id == unconfigured_node_id);
+}
+
 std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
     for (const LssBitRate& row : bit_rates_) {
         if (std::uint32_t{row.index} == index) {
@@ -229,12 +236,9 @@ bool Lss::scan(const Request& request) noexcept {
     return outcome != LssFastscan::Outcome::silent;
 }
 
-static_assert(implements<req::CO_LSS_010> && implements<req::CO_E_LSS_ERROR> &&
-              implements<req::CO_K_LSS_LOWEST_NODE_ID> && implements<req::CO_K_LSS_HIGHEST_NODE_ID>);
+static_assert(implements<req::CO_LSS_010> && implements<req::CO_E_LSS_ERROR>);
 LssError Lss::configure_node_id(const std::uint8_t node_id) noexcept {
-    const bool is_one =
-        (node_id >= generated::canopen::lss_lowest_node_id) && (node_id <= generated::canopen::lss_highest_node_id);
-    if (!is_one && (node_id != unconfigured_node_id)) {
+    if (!is_lss_node_id(node_id)) {
         return LssError::not_supported;
     }
     pending_.node_id = node_id;

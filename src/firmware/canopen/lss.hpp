@@ -20,6 +20,9 @@ using generated::canopen::LssError;
 using generated::canopen::LssState;
 using generated::canopen::unconfigured_node_id;
 
+/// Whether LSS may give this node-ID: 1…127, and unconfigured_node_id to take it away (CiA 305, 6.4.2).
+bool is_lss_node_id(std::uint8_t node_id) noexcept;
+
 /// What LSS sets.
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id

@@ -43,7 +43,7 @@ LssStore::Slot LssStore::read(const std::size_t slot) const noexcept {
                 LssConfiguration{view[node_id_at], read_u32(view, bit_rate_at)}};
 }
 
-bool LssStore::mark(const std::size_t slot, const std::uint8_t marker) noexcept {
+bool LssStore::write_marker(const std::size_t slot, const std::uint8_t marker) noexcept {
     return memory_.write(address(slot) + commit_marker_at, ByteView{&marker, 1U});
 }
 
@@ -57,12 +57,12 @@ bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     view.set(node_id_at, content.configuration.node_id);
     write_le(view, crc_at, 4U, crc_of(bytes));
     view.set(commit_marker_at, void_marker);
-    bool done = mark(slot, void_marker);
+    bool done = write_marker(slot, void_marker);
     if (done) {
         done = memory_.write(address(slot), ByteView{bytes});
     }
     if (done) {
-        done = mark(slot, committed_marker);
+        done = write_marker(slot, committed_marker);
     }
     return done;
 }
@@ -74,12 +74,13 @@ std::size_t LssStore::latest_of(const Slot& first, const Slot& second) noexcept 
     return is_first ? 0U : 1U;
 }
 
-static_assert(implements<req::CO_LSS_065>);
+static_assert(implements<req::CO_LSS_065> && implements<req::CO_LSS_066>);
 LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept {
     const Slot first = read(0U);
     const Slot second = read(1U);
     const Slot& latest = (latest_of(first, second) == 0U) ? first : second;
-    LssConfiguration found = (latest.state == BankState::sound) ? latest.configuration : shipped;
+    const bool counts = (latest.state == BankState::sound) && is_lss_node_id(latest.configuration.node_id);
+    LssConfiguration found = counts ? latest.configuration : shipped;
     found.damaged = (latest.state == BankState::doubtful) || (latest.state == BankState::damaged);
     return found;
 }
@@ -94,7 +95,7 @@ LssError LssStore::store(const LssConfiguration& configuration) noexcept {
         return LssError::storage_failed;
     }
     // Without this the older of two sound slots would lie there as before: the sequence number still tells it.
-    static_cast<void>(mark(before, void_marker));
+    static_cast<void>(write_marker(before, void_marker));
     return memory_.commit() ? LssError::none : LssError::storage_failed;
 }
 

@@ -18,7 +18,8 @@ class LssStore {
 
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}
 
-    /// What was stored last, or `shipped` when nothing is stored or what is stored is damaged.
+    /// What was stored last, or `shipped` when nothing is stored, or when what is stored is damaged or has no node-ID
+    /// that LSS gives.
     LssConfiguration load(const LssConfiguration& shipped) const noexcept;
     /// LssError::storage_failed when the memory failed; what was stored before is then still stored.
     LssError store(const LssConfiguration& configuration) noexcept;
@@ -34,7 +35,7 @@ class LssStore {
     Slot read(std::size_t slot) const noexcept;
     static std::size_t latest_of(const Slot& first, const Slot& second) noexcept;
     bool write(std::size_t slot, const Slot& content) noexcept;
-    bool mark(std::size_t slot, std::uint8_t marker) noexcept;
+    bool write_marker(std::size_t slot, std::uint8_t marker) noexcept;
 
     NonVolatileMemory& memory_;
 };

@@ -134,9 +134,9 @@ class Node final : private ObjectAccess {
         tpdos_.value_changed(index, subindex, now);
     }
 
-    /// See ParameterStore::mark_saves().
-    void mark_saves(const std::uint8_t mark) noexcept { store_.mark_saves(mark); }
-    std::uint8_t saved_mark() const noexcept { return store_.saved_mark(); }
+    /// See ParameterStore::tag_saves().
+    void tag_saves(const std::uint8_t tag) noexcept { store_.tag_saves(tag); }
+    std::uint8_t saved_tag() const noexcept { return store_.saved_tag(); }
 
     NmtState state() const noexcept { return state_; }
     /// The active node-ID; unconfigured_node_id when there is none.

@@ -200,7 +200,7 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t val
     const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
     ParameterGroups kept = groups_ & ~groups;
     if (is_store && ((groups & group_bit(ParameterGroup::manufacturer)) != 0U)) {
-        kept = (kept & all_groups) | (ParameterGroups{mark_} << mark_shift);
+        kept = (kept & all_groups) | (ParameterGroups{tag_} << tag_shift);
     }
     return write_set(is_store ? groups : no_groups, kept);
 }
@@ -242,7 +242,7 @@ void ParameterStore::write_values(const ParameterGroups fresh, Writer& to) const
     }
 }
 
-bool ParameterStore::mark(const std::size_t bank, const std::uint8_t marker) noexcept {
+bool ParameterStore::write_marker(const std::size_t bank, const std::uint8_t marker) noexcept {
     return memory_.write(bank_address(bank) + commit_marker_at, ByteView{&marker, 1U});
 }
 
@@ -252,7 +252,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
         return AbortCode::hardware_error;
     }
     const std::size_t to_bank = 1U - bank_;
-    if (!mark(to_bank, void_marker)) {
+    if (!write_marker(to_bank, void_marker)) {
         return AbortCode::hardware_error;
     }
     Header header{};
@@ -274,11 +274,11 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!to.done() || !is_intact(to_bank)) {
         return AbortCode::hardware_error;
     }
-    if (!mark(to_bank, committed_marker)) {
+    if (!write_marker(to_bank, committed_marker)) {
         return AbortCode::hardware_error;
     }
     // Without this the older of two sound banks would lie there as before: the sequence number still tells it.
-    static_cast<void>(mark(bank_, void_marker));
+    static_cast<void>(write_marker(bank_, void_marker));
     if (!memory_.commit()) {
         return AbortCode::hardware_error;
     }

@@ -37,10 +37,10 @@ class ParameterStore {
     /// when the memory failed; what was stored before is then still stored.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
-    /// A number of the device's, 0…31, that a save of the manufacturer parameters keeps with them: what it was made at.
-    void mark_saves(const std::uint8_t mark) noexcept { mark_ = mark; }
-    /// The mark of the manufacturer parameters that are stored.
-    std::uint8_t saved_mark() const noexcept { return static_cast<std::uint8_t>(groups_ >> mark_shift); }
+    /// From now on each save of the manufacturer parameters keeps this number, 0…31, with them; the device chooses it.
+    void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
+    /// The tag of the manufacturer parameters that are stored.
+    std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
     /// Bytes of memory that this dictionary needs.
     std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
@@ -49,7 +49,7 @@ class ParameterStore {
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
-    static constexpr std::uint32_t mark_shift = 3U;  ///< of the mark in the header's byte of groups
+    static constexpr std::uint32_t tag_shift = 3U;  ///< of the tag in the header's byte of groups
     using Header = std::array<std::uint8_t, header_size>;
 
     /// Writes bytes one behind the other and keeps their CRC; after a failure nothing more.
@@ -87,7 +87,7 @@ class ParameterStore {
     void use(std::size_t bank, const Header& header) noexcept;
     AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
     void give_up() noexcept;
-    bool mark(std::size_t bank, std::uint8_t marker) noexcept;
+    bool write_marker(std::size_t bank, std::uint8_t marker) noexcept;
     void write_values(ParameterGroups fresh, Writer& to) const noexcept;
     void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
 
@@ -95,10 +95,10 @@ class ParameterStore {
     NonVolatileMemory& memory_;
     std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
     std::size_t payload_size_;  ///< bytes of all stored values
-    std::uint8_t mark_{0U};     ///< of the next save
+    std::uint8_t tag_{0U};      ///< of the next save
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the other takes the next save
     std::uint32_t sequence_{0U};
-    ParameterGroups groups_{no_groups};  ///< and the mark above them; none when nothing is stored
+    ParameterGroups groups_{no_groups};  ///< and the tag above them; none when nothing is stored
     std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< of the node that saved each group
     bool in_use_{false};
     bool damaged_{false};

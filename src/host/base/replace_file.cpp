@@ -18,10 +18,6 @@ constexpr const char* ending = ".new";
 constexpr mode_t everybody = 0666;  // less the umask
 constexpr mode_t permissions = 07777;
 
-[[noreturn]] void refuse(const fs::path& path) {
-    throw fs::filesystem_error{"cannot write", path, std::error_code{errno, std::generic_category()}};
-}
-
 fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path{"."};
 }
@@ -45,11 +41,15 @@ bool write_all(int file, std::string_view bytes) {
 void write_into(const fs::path& path, std::string_view bytes) {
     const Descriptor file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.is_open() || !write_all(file.number(), bytes)) {
-        refuse(path);
+        refuse_to_write(path);
     }
 }
 
 }  // namespace
+
+void refuse_to_write(const fs::path& path) {
+    throw fs::filesystem_error{"cannot write", path, std::error_code{errno, std::generic_category()}};
+}
 
 FileBeside::FileBeside(fs::path target) : target_{std::move(target)} {
     int number = 0;
@@ -81,7 +81,7 @@ FileBeside::~FileBeside() {
 }
 
 void FileBeside::fail() const {
-    refuse(target_);
+    refuse_to_write(target_);
 }
 
 void FileBeside::write(std::string_view bytes) {

@@ -10,6 +10,9 @@
 
 namespace canproof::host {
 
+/// Throws std::filesystem::filesystem_error: that `path` cannot be written, and why by errno.
+[[noreturn]] void refuse_to_write(const std::filesystem::path& path);
+
 /// A new file beside another one, to take its place. It is locked (flock) from its first byte on, and removed unless it
 /// took the place. Every function throws std::system_error, with the target's path, when the disk refuses.
 class FileBeside {

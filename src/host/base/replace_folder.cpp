@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "host/base/descriptor.hpp"
+#include "host/base/replace_file.hpp"
 
 namespace canproof::host {
 
@@ -16,24 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& path) {
-    throw fs::filesystem_error{"cannot write", path, std::error_code{errno, std::generic_category()}};
-}
-
 void write_plainly(const fs::path& path, const std::string& bytes) {
     fs::create_directories(path.parent_path());
     std::ofstream out{path, std::ios::binary};
     out << bytes;
     out.close();
     if (!out) {
-        refuse(path);
+        refuse_to_write(path);
     }
 }
 
 void sync_all(const fs::path& folder) {
     const Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
     if (!file.is_open() || syncfs(file.number()) != 0) {
-        refuse(folder);
+        refuse_to_write(folder);
     }
 }
 
@@ -43,7 +40,7 @@ void exchange(const fs::path& fresh, const fs::path& folder) {
         return;
     }
     if (errno != EINVAL && errno != ENOSYS) {
-        refuse(folder);
+        refuse_to_write(folder);
     }
     const fs::path old = fresh.string() + ".old";
     fs::rename(folder, old);

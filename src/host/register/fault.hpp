@@ -1,4 +1,4 @@
-// What is wrong in spec/, where, and how to mend it.
+// What is wrong in spec/, where, and how to fix it.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Fault {
     std::string what;
     std::string mend;
 
-    /// `file:line: what; mend`
+    /// `file:line: what; fix`
     std::string text() const;
 };
 

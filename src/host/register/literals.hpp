@@ -15,7 +15,7 @@ std::optional<double> number_of(const Value& value);
 /// Whether a number or boolean is a value of the type: whole for integers, within its limits, true/false/0/1 for
 /// BOOLEAN.
 bool fits_type(const Value& value, const std::string& type);
-/// "a whole number from 0 to 255": what `type` can hold, in words for a mend.
+/// "a whole number from 0 to 255": what `type` can hold, in words for a fix.
 std::string type_words(const std::string& type);
 /// May stand as a name in the generated C++: letters, digits, underscores, no C++ keyword.
 bool is_cpp_name(const std::string& name);

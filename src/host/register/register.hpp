@@ -238,6 +238,7 @@ struct Part {
     std::vector<Decision> decisions;
     std::map<std::string, Review> reviews;  ///< by id
     std::vector<std::string> files;
+    bool inherited{false};  ///< the shared rules as they come with canproof: proven there, not in this project
 
     /// `cbx-ao412` as C++ spells it: cbx_ao412.
     std::string cpp_name() const;

@@ -24,7 +24,7 @@ void read_toml_records(const std::filesystem::path& file, const std::function<vo
         whole.finish();
     } catch (const toml::parse_error& error) {
         faults.emplace_back(Place{file.string(), static_cast<unsigned>(error.source().begin.line)},
-                            std::string{error.description()}, "mend the TOML");
+                            std::string{error.description()}, "fix the TOML");
     }
     if (!faults.empty()) {
         throw InputError{faults.front().text()};

@@ -113,7 +113,7 @@ class Canvas {
         return grouped(std::fabs(told) < 1e5 ? fmt::format("{:.6g}", told) : fmt::format("{:.0f}", told));
     }
 
-    /// A gap where a value is no number.
+    /// A gap where a value is NaN or infinite.
     void draw(const Curve& curve, std::size_t i) {
         const char* colour = colours[i % std::size(colours)];
         std::string path;

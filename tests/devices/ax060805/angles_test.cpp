@@ -329,7 +329,7 @@ TEST_F(Angles, OffsetsTakeFloatsAndNothingElse) {
         EXPECT_EQ(refusal(index, 1, bits_of(4.3e9F), 4), "06090031");
         EXPECT_EQ(refusal(index, 1, bits_of(-4.3e9F), 4), "06090032");
         EXPECT_NE(refusal(index, 1, 0x7F800000U, 4), "");  // infinity
-        EXPECT_NE(refusal(index, 1, 0x7FC00000U, 4), "");  // no number
+        EXPECT_NE(refusal(index, 1, 0x7FC00000U, 4), "");  // NaN
         EXPECT_NE(refusal(index, 1, 0xFFC00000U, 4), "");
     }
 }

@@ -238,4 +238,27 @@ TEST_F(Ax130751Diagnostics, ErrorFieldCodesOfTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
+// 3.4.86 with 1.8: such a fault acts on the outputs, not on the state
+TEST_F(Ax130751Diagnostics, AFaultAtPowerOnHoldsOutputsAndNotTheState) {
+    verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
+    set8(0x5555, 0, 1);
+    set8(0x2342, 1, 0);
+    set16(0x7321, 1, 2000);  // 2 V at 0
+    store();
+    const ax130751::Inputs sound = inputs;
+    for (const bool hot : {false, true}) {
+        SCOPED_TRACE(hot);
+        inputs.supply = hot ? 24.0F : 7.5F;  // below 8 V, not below the 7 V of the hardware
+        inputs.cpu_temperature = hot ? 86.0F : 35.0F;
+        EXPECT_EQ(power_on().at(1), hot ? "0FF#0042010000000000" : "0FF#0031010000000000");
+        pass(2);
+        EXPECT_EQ(device->state(), NmtState::operational);
+        EXPECT_FLOAT_EQ(volts(1), 0.0F);
+        inputs = sound;
+        set_inputs();
+        pass(2);
+        EXPECT_FLOAT_EQ(volts(1), 2.0F);
+    }
+}
+
 }  // namespace canproof::test

@@ -36,7 +36,7 @@ TEST_F(Ax130751Dictionary, CommunicationObjects) {
         {0x1010, 4, u32, Access::rw, {1}, none, none, Map::no, false},
         {0x1011, 4, u32, Access::rw, {1}, none, none, Map::no, false},
         {0x1016, 4, u32, Access::rw, {0}, 0, 0x00FFFFFF},  // bits 24 to 31 are reserved
-        {0x1018, 4, u32, Access::ro, {0x55, 0xAA130751, 0x00010000, 0}, none, none},
+        {0x1018, 4, u32, Access::ro, {0x55, 0xAA130751, 0x00010000, 1}, none, none},
         {0x1020, 2, u32, Access::ro, {0x28072023, 0}, none, none},
         {0x1029, 5, u8, Access::rw, {1}, 0, 2},
     });

@@ -201,6 +201,32 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotTold) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
+// 3.4.86 with 3.2.13: a communication fault of 1029h:1 outranks 5555h
+TEST_F(Ax130751Errors, BusOffAtPowerOnHoldsANodeThatStartsByItself) {
+    verifies<req::AOR_START_003, req::AOR_ERR_006>();
+    const std::vector<std::pair<int, NmtState>> states{
+        {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};
+    EXPECT_EQ(write(0x5555, 0, 1, 1), "");
+    for (const auto& [behaviour, state] : states) {
+        SCOPED_TRACE(behaviour);
+        EXPECT_EQ(write(0x1029, 1, behaviour, 1), "");
+        store();
+        inputs.can_state = 3;  // bus-off
+        power_on();
+        pass(1000);
+        EXPECT_EQ(device->state(), state);
+        inputs.can_state = 0;
+        set_inputs();
+        pass(1000);
+        EXPECT_EQ(device->state(), state) << "the end of the fault starts nothing";
+        start();
+        EXPECT_EQ(device->state(), NmtState::operational);
+        power_on();
+        pass(1);
+        EXPECT_EQ(device->state(), NmtState::operational) << "without the fault";
+    }
+}
+
 // 3.2.7: the set in memory is damaged behind its header
 TEST_F(Ax130751Errors, ADamagedStoredSetIsToldAndDefaultsHold) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS>();

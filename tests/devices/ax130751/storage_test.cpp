@@ -320,6 +320,7 @@ TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
     EXPECT_EQ(read(0x1018, 3), 0x00010000U);
+    EXPECT_EQ(read(0x1018, 4), 1U);
     EXPECT_EQ(read(0x1020, 1), 0x28072023U);  // 28 July 2023
     EXPECT_EQ(read(0x1020, 2), 0U);
     factory.revision = 0x00010203;

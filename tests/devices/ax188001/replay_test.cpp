@@ -53,7 +53,7 @@ std::string ramp() {
 //  26      128 degC, first above 125; read at 158 * 165 = 26.070 told at 31.070
 //  39      258 degC, first above 250; read at 237 * 165 = 39.105 told at 44.105
 //  46      wire breaks; read at 279 * 165 = 46.035, two gains of 660 ms each: open at 47.355, told at 52.355
-//  55      mended; read at 334 * 165 = 55.110
+//  55      repaired; read at 334 * 165 = 55.110
 //  61      248 degC, first below 249; read at 370 * 165 = 61.050
 //  74      118 degC, first below 124; read at 449 * 165 = 74.085
 //  88      -22 degC, first below -20; read at 534 * 165 = 88.110 told at 93.110

@@ -1,4 +1,4 @@
-// Each [[object]] that must be refused: with which line, which words, and which mend.
+// Each [[object]] that must be refused: with which line, which words, and which fix.
 #include <gtest/gtest.h>
 
 #include "tests/host/register/broken_register.hpp"

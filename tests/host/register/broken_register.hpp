@@ -27,7 +27,7 @@ inline std::string case_name(const testing::TestParamInfo<Broken>& info) {
     return info.param.name;
 }
 
-/// Given a register with one fault, that fault is told: its line, what is wrong and how to mend it.
+/// Given a register with one fault, that fault is told: its line, what is wrong and how to fix it.
 class BrokenRegister : public testing::TestWithParam<Broken> {};
 
 }  // namespace canproof::host::test

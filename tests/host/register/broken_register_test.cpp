@@ -236,7 +236,7 @@ const std::vector<Broken> topic_cases{
 
 }  // namespace
 
-TEST_P(BrokenRegister, IsRefusedWithPlaceReasonAndMend) {
+TEST_P(BrokenRegister, IsRefusedWithPlaceReasonAndFix) {
     const Broken& broken = GetParam();
     const LoadResult loaded = load_register(with(broken.file, broken.text));
     ASSERT_EQ(loaded.faults.size(), 1U) << all_faults(loaded);
@@ -254,8 +254,8 @@ INSTANTIATE_TEST_SUITE_P(Topics, BrokenRegister, testing::ValuesIn(topic_cases),
 INSTANTIATE_TEST_SUITE_P(Others, BrokenRegister, testing::ValuesIn(other_cases), case_name);
 
 TEST(RegisterFaults, ReadAsFileLineWhatMend) {
-    const Fault fault{{"spec/devices/box/items.toml", 41}, "something is wrong", "mend it"};
-    EXPECT_EQ(fault.text(), "spec/devices/box/items.toml:41: something is wrong; mend it");
+    const Fault fault{{"spec/devices/box/items.toml", 41}, "something is wrong", "fix it"};
+    EXPECT_EQ(fault.text(), "spec/devices/box/items.toml:41: something is wrong; fix it");
 }
 
 TEST(RegisterFaults, SoundRegisterHasNone) {

@@ -1,4 +1,4 @@
-// Included before everything else in the program of mutants: what the operators and conditions of src/firmware are
+// Included before everything else in the program of mutants: what the operators and conditions of the firmware are
 // written as there (see schemata.py). Each does what stood in its place, unless its mutant is chosen. In a constant
 // expression none ever is.
 #pragma once

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes src/firmware anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
+"""Writes the firmware anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
 
 A comparison becomes true, false, and the one with equality moved, unless it chooses between two values that are then the
 same, as in `a < b ? a : b`; any other condition true and false; && becomes || and
@@ -8,8 +8,10 @@ mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Writes OUTPUT_FOLDER/src/firmware/… and OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
+Reads src/firmware and src/devices/NAME/firmware, writes them below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list for
+tests/mutation/main.cpp."""
 import collections
+import glob
 import json
 import os
 import re
@@ -338,7 +340,7 @@ def write_changed(path, text):
         out.write(text)
 
 
-LIST = """// Written by tests/mutation/code/schemata.py: the mutants of src/firmware.
+LIST = """// Written by tests/mutation/code/schemata.py: the mutants of the firmware.
 #include <iterator>
 
 #include "host/codegen/alteration.hpp"
@@ -366,15 +368,17 @@ Alterations generated_alterations() {{
 """
 
 
+def firmware_files(source):
+    """The sources and headers of the firmware: what all devices share, then that of each device."""
+    src = os.path.join(source, "src")
+    roots = [os.path.join(src, "firmware"), *sorted(glob.glob(os.path.join(src, "devices", "*", "firmware")))]
+    return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
+            if file.endswith((".cpp", ".hpp"))]
+
+
 def main():
     source, output, *arguments = sys.argv[1:]
-    root = os.path.join(source, "src", "firmware")
-    jobs = []
-    for folder, _, files in sorted(os.walk(root)):
-        for file in sorted(files):
-            if file.endswith((".cpp", ".hpp")):
-                path = os.path.join(folder, file)
-                jobs.append((path, os.path.relpath(path, source), arguments))
+    jobs = [(path, os.path.relpath(path, source), arguments) for path in firmware_files(source)]
     lines, first = [], 1
     with ProcessPoolExecutor(max_workers=2) as pool:
         for name, text, mutants in pool.map(rewrite, jobs, chunksize=4):

@@ -18,6 +18,7 @@ unsigned sum(unsigned a, unsigned b) noexcept;
 unsigned added(unsigned a, unsigned b) noexcept;
 unsigned of_a_template(unsigned a) noexcept;
 unsigned of_a_constant() noexcept;
+bool of_a_device(unsigned a, unsigned b) noexcept;
 }  // namespace canproof
 
 using namespace canproof;
@@ -64,6 +65,8 @@ const std::vector<Expected> expected{
     {"total += b -> -=", added, [](unsigned a, unsigned b) { return a - b; }},
     {"a * 2U -> /", [](unsigned, unsigned) { return of_a_constant(); }, [](unsigned, unsigned) { return 8U; }},
     {"a + N -> -", [](unsigned a, unsigned) { return of_a_template(a); }, [](unsigned a, unsigned) { return a - 4U; }},
+    {"a != b -> true", of(of_a_device), [](unsigned, unsigned) { return 1U; }},
+    {"a != b -> false", of(of_a_device), [](unsigned, unsigned) { return 0U; }},
 };
 
 unsigned faults(std::size_t number, const host::Alteration* mutant, const Function& run, const Function& meant) {

@@ -66,6 +66,7 @@ class Device final : private Application {
     LssError store_configuration(const LssConfiguration& configuration) override;
 
     // In the order in which a sample runs through them.
+    void restart_sensor(Instant now) noexcept;
     void measure_due(Instant now) noexcept;
     void take_sample() noexcept;
     void pass_filters(bool sampled, bool timed) noexcept;

@@ -9,7 +9,7 @@
 #include "devices/ax060805/firmware/signal.hpp"
 #include "generated/ax060805/tables.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 using UnaryFunction = generated::ax060805::t_inc_t9::Function;
 using BinaryFunction = generated::ax060805::t_inc_t10::Function;
@@ -37,10 +37,10 @@ struct FunctionBlock {
 /// Table 9. Integer functions work on to_discrete(x) and give a whole number.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
-/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is no number.
+/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
 /// Equation 4.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

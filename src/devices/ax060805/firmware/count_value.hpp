@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 struct CountScale {
     std::uint16_t digits{1U};  ///< counts of one unit
@@ -11,10 +11,10 @@ struct CountScale {
 };
 
 /// `value` times the digits, plus the offset, rounded to nearest (halves away from zero) and saturated to INTEGER16.
-/// What is no number gives 0.
+/// NaN gives 0.
 std::int16_t count_value(float value, const CountScale& scale) noexcept;
 
-/// Rounded to nearest, halves up, 0…65535; what is no number gives 0.
+/// Rounded to nearest, halves up, 0…65535; NaN gives 0.
 std::uint16_t whole_milliseconds(float milliseconds) noexcept;
 
 /// How a received value is scaled (4.3.20, 4.3.21).
@@ -26,4 +26,4 @@ struct ReceivedScale {
 /// A received value in its unit: the count plus the offset, divided by the counts of one unit.
 float value_of_count(std::int16_t count, const ReceivedScale& scale) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -29,8 +29,8 @@ std::uint32_t to_discrete(const float value) noexcept {
     if (value >= beyond_discrete) {
         return UINT32_MAX;
     }
-    // Not `value < 0`: a comparison with what is no number is false.
+    // Not `value < 0`: a comparison with NaN is false.
     return (value > 0.0F) ? static_cast<std::uint32_t>(value) : 0U;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

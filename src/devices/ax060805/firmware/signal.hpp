@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 enum class SignalKind : std::uint8_t { undefined, discrete, continuous };
 
@@ -30,7 +30,7 @@ constexpr bool is_defined(const Signal& signal) noexcept {
 /// 3.1.5: the same value, rounded to single precision; 0 for an undefined signal.
 float as_continuous(const Signal& signal) noexcept;
 
-/// 3.1.6: without fraction; negative values and what is no number become 0, too large ones FFFFFFFFh.
+/// 3.1.6: without fraction; negative values and NaN become 0, too large ones FFFFFFFFh.
 std::uint32_t to_discrete(float value) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

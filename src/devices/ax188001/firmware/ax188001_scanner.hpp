@@ -74,6 +74,10 @@ class Scanner {
         }
     };
 
+    /// Sub-index of a channel, which is counted from 0.
+    static constexpr std::uint8_t subindex(const std::size_t channel) noexcept {
+        return static_cast<std::uint8_t>(channel + 1U);
+    }
     double input_uv(const Inputs& inputs, std::size_t channel) const noexcept;
     bool is_enabled(std::size_t channel) const noexcept;
     double converted_uv(std::size_t channel) noexcept;

@@ -6,7 +6,7 @@
 #include "firmware/blocks/bounds.hpp"
 #include "generated/ax188001/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 namespace {
 
@@ -156,7 +156,7 @@ double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
             bracket.low_is_end = false;
         }
         const float way = way_to_root(rough(excess), point);
-        // Not `way > …`: no number is not within reach either.
+        // Not `way > …`: NaN is not within reach either.
         const bool within_reach = std::fabs(way) <= rough(bracket.high - bracket.low);
         Fixed next = within_reach ? (guess + to_fixed(way)) : bracket.high;
         const bool inside = within_reach && (next >= bracket.low) && (next <= bracket.high);
@@ -175,4 +175,4 @@ double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
     return from_fixed(guess);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

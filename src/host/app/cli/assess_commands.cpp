@@ -37,9 +37,9 @@ class FuzzCommand : Command {
             ->capture_default_str();
         command->add_option("--coverage-build", options_.coverage_build, "build that counts lines")
             ->capture_default_str();
-        command->add_option("--fuzz", options_.fuzz, "folder of seeds and dictionaries")->capture_default_str();
-        command->add_option("--land", options_.land, "findings become regression tests here; '' for nowhere")
-            ->capture_default_str();
+        command->add_option("--land", options_.land,
+                            "findings become regression tests in TARGET below this folder; in the target's own corpus "
+                            "without it; '' for nowhere");
         command->add_flag("!--no-second-pass", options_.second_pass, "no valgrind over the corpus");
         command->add_flag("!--no-coverage", options_.coverage, "no lines measured");
         command->add_flag("--plain", options_.plain, "lines instead of a table, on a terminal as well");

@@ -15,6 +15,7 @@
 #include "host/datasheet/write_dictionary.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
+#include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
 #include "host/sim/devices/simulated_device.hpp"
@@ -99,7 +100,7 @@ int check_spec(const std::string& spec) {
     if (files.empty()) {
         throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
     }
-    const LoadResult loaded = load_register(files);
+    const LoadResult loaded = load_register(with_shared_rules(files, embedded_spec()));
     for (const auto& fault : loaded.faults) {
         tell(fault.text());
     }

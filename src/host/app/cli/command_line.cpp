@@ -12,10 +12,12 @@
 #include "host/app/cli/command.hpp"
 #include "host/app/cli/demo_command.hpp"
 #include "host/app/cli/figures_command.hpp"
+#include "host/app/cli/new_command.hpp"
 #include "host/app/cli/panel_command.hpp"
 #include "host/app/cli/plot_command.hpp"
 #include "host/app/cli/replay_command.hpp"
 #include "host/app/cli/review_command.hpp"
+#include "host/app/cli/run_arguments.hpp"
 #include "host/app/cli/run_command.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
@@ -25,13 +27,6 @@ namespace canproof::host {
 namespace {
 
 constexpr int wrong_use = 2;
-
-constexpr const char* node_help =
-    "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
-
-constexpr const char* factory_help =
-    "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
-    "one";
 
 /// Beyond it a double no longer holds microseconds.
 constexpr double most_seconds = 4.0e9;
@@ -72,7 +67,7 @@ class SpecCommands : Command {
     SpecCommands(CLI::App& app, Chosen& chosen) {
         auto* spec = app.add_subcommand("spec", "the register");
         spec->require_subcommand(1);
-        auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and mend");
+        auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and fix");
         check->add_option("--spec", checked_, "folder of the register")->capture_default_str();
         check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
         auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
@@ -89,28 +84,21 @@ class SpecCommands : Command {
     ReviewOptions review_;
 };
 
-/// What `run` and `panel` have in common.
-void add_run_options(CLI::App& command, RunOptions& running) {
-    command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
-    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
-    command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
-    command
-        .add_option("--bus", running.bus,
-                    "inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 (serves; has no remote frames) or "
-                    "socketcand-client:127.0.0.1:29536/can0 (joins such a server)")
-        ->capture_default_str();
-    command.add_option("--bus-faults", running.bus_faults,
-                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
-    command.add_flag("--control-interface", running.control_interface,
-                     "may set the interface's bit rate when LSS asks, and restart it after bus-off");
-    command.add_option("--log", running.log, "all frames as `candump -L` writes them; FILE.pcapng for Wireshark");
-    command.add_flag("--log-marks", running.log_marks,
-                     "T behind the devices' frames and R behind the others, as `candump -L -x` has");
-    command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
-    command.add_option("--stimulus", running.stimulus,
-                       "CSV seconds,signal,value; device.signal for one of several devices");
-    command.add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
-}
+class NewCommand : Command {
+  public:
+    NewCommand(CLI::App& app, Chosen& chosen) {
+        auto* command = app.add_subcommand("new", "a folder with a device of your own, which builds and tests at once");
+        command->add_option("NAME", options_.name, "of folder and device: small letters, digits, single dashes")
+            ->required();
+        command->add_option("--eds", options_.eds, "EDS, DCF or XDD file: identity and objects come from there");
+        command->add_option("--manual", options_.manual, "title of the device's manual");
+        command->add_option("--prefix", options_.prefix, "of ids, in capital letters; from the name without it");
+        command->callback([this, &chosen] { chosen = [this] { return write_new_project(options_); }; });
+    }
+
+  private:
+    NewOptions options_;
+};
 
 class RunCommands : Command {
   public:
@@ -223,6 +211,7 @@ int run_command_line(int argc, char** argv) {
     Chosen chosen;
     CatalogueCommands catalogue_command{app, chosen};
     SpecCommands spec_command{app, chosen};
+    NewCommand new_command{app, chosen};
     ReplayCommand replay_command{app, chosen};
     RunCommands run_command{app, chosen};
     DrawingCommands drawing_command{app, chosen};

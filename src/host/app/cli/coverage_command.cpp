@@ -25,7 +25,7 @@ void print_row(const std::string& name, const CoverageTotals& counts) {
     const auto cell = [](const CoverageCount& count) {
         return fmt::format("{:6.2f} % {:>11}", count.percent(), fmt::format("({}/{})", count.covered, count.total));
     };
-    fmt::print("{:<24}{:>22}{:>22}{:>22}\n", name, cell(counts.lines), cell(counts.branches), cell(counts.conditions));
+    fmt::print("{:<32}{:>22}{:>22}{:>22}\n", name, cell(counts.lines), cell(counts.branches), cell(counts.conditions));
 }
 
 void print_counts(const std::vector<FileCoverage>& files) {
@@ -33,7 +33,7 @@ void print_counts(const std::vector<FileCoverage>& files) {
     for (const auto& file : files) {
         folders[folder_of(file.file)].add(file);
     }
-    fmt::print("{:<24}{:>22}{:>22}{:>22}\n", "", "lines", "branches", "MC/DC");
+    fmt::print("{:<32}{:>22}{:>22}{:>22}\n", "", "lines", "branches", "MC/DC");
     for (const auto& [folder, counts] : folders) {
         print_row(folder, counts);
     }

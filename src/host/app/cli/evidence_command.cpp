@@ -66,16 +66,14 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
 
 /// What was measured before a source that it speaks of was written.
 std::map<std::string, std::string> stale_ones(const Places& places) {
-    auto with_target = firmware_sources();
-    with_target.emplace_back("src/target");
-    auto with_host = firmware_sources();
-    with_host.insert(with_host.end(), {"src/host/bus", "src/host/run", "tests/socketcan"});
+    const auto& root = places.root;
+    const auto tests = firmware_and_tests(root);
     std::map<std::string, std::string> stale{
-        {"tests", newer_source(places.root, firmware_and_tests(), oldest_file(places.verdicts))},
-        {"coverage", newer_source(places.root, firmware_and_tests(), places.coverage)},
-        {"mutation", newer_source(places.root, firmware_and_tests(), places.mutation)},
-        {"socketcan", newer_source(places.root, with_host, oldest_file(places.socketcan))},
-        {"target", newer_source(places.root, with_target, places.target / "footprint.json")}};
+        {"tests", newer_source(root, tests, oldest_file(places.verdicts))},
+        {"coverage", newer_source(root, tests, places.coverage)},
+        {"mutation", newer_source(root, tests, places.mutation)},
+        {"socketcan", newer_source(root, socketcan_sources(root), oldest_file(places.socketcan))},
+        {"target", newer_source(root, target_sources(root), places.target / "footprint.json")}};
     for (auto one = stale.begin(); one != stale.end();) {
         one = one->second.empty() ? stale.erase(one) : std::next(one);
     }
@@ -87,7 +85,8 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     for (const auto& folder : exhibit_folders(places.exhibits)) {
         all.push_back(read_exhibit(folder));
         // What notices a mutant are the tests.
-        const auto sources = all.back().key == "code-mutation" ? firmware_and_tests() : firmware_sources();
+        const auto sources =
+            all.back().key == "code-mutation" ? firmware_and_tests(places.root) : firmware_sources(places.root);
         mark_stale(all.back(), newer_source(places.root, sources, folder / "exhibit.json"));
     }
     return all;

@@ -60,7 +60,7 @@ std::string write_cobertura(const std::vector<FileCoverage>& files) {
     coverage.append_attribute("timestamp") = "0";  // the same bytes from the same commit
     coverage.append_child("sources").append_child("source").text() = ".";
     auto package = coverage.append_child("packages").append_child("package");
-    package.append_attribute("name") = "src.firmware";
+    package.append_attribute("name") = "firmware";
     package.append_attribute("line-rate") = rate(lines).c_str();
     package.append_attribute("branch-rate") = rate(branches).c_str();
     package.append_attribute("complexity") = "0";

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "host/assess/coverage/coverage.hpp"
+#include "host/assess/firmware_scope.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/reading.hpp"
 
@@ -309,13 +310,11 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
         const Functions functions = functions_of(data);
         for (const auto& source : data.at("files")) {
             const std::filesystem::path path = source.at("filename").get<std::string>();
-            const std::string marker = "src/firmware/";
             const std::string whole = path.generic_string();
-            const auto at = whole.find(marker);
-            if (at == std::string::npos) {
+            const std::string name = firmware_path(whole);
+            if (name.empty()) {
                 continue;
             }
-            const std::string name = whole.substr(at);
             const auto known = functions.find(whole);
             files.push_back(FileReader{source, name, lines_of(root / name, file)}.read(
                 known == functions.end() ? Functions::mapped_type{} : known->second));
@@ -324,7 +323,7 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
         throw InputError{fmt::format("{} is no export of llvm-cov ({}); measure again", file.string(), error.what())};
     }
     if (files.empty()) {
-        throw InputError{fmt::format("{} measures no file of src/firmware; measure again", file.string())};
+        throw InputError{fmt::format("{} measures no file of the firmware; measure again", file.string())};
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
     return files;

@@ -45,7 +45,7 @@ struct Argument {
     std::vector<Tool> tools;
 };
 
-/// Throws InputError with file, line and mend.
+/// Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
 
 }  // namespace canproof::host

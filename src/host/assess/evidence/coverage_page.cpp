@@ -26,7 +26,7 @@ std::string coverage_page(const MeasuredCoverage& coverage) {
                          cell(file.branches), cell(file.conditions)});
     }
     files.insert(files.begin(),
-                 {"<b>src/firmware</b>", cell(totals.lines), cell(totals.branches), cell(totals.conditions)});
+                 {"<b>all firmware</b>", cell(totals.lines), cell(totals.branches), cell(totals.conditions)});
     std::vector<std::vector<std::string>> gaps;
     for (const auto& [gap, reason] : coverage.verdict.gaps) {
         gaps.push_back({fmt::format("<code>{}:{}</code>", escaped(gap.file), gap.line), gap.kind,

@@ -1,5 +1,7 @@
 #include "host/assess/evidence/freshness.hpp"
 
+#include "host/assess/firmware_scope.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -21,14 +23,29 @@ std::string first_newer(const fs::path& root, const fs::path& folder, const fs::
     return first;
 }
 
-}  // namespace
-
-std::vector<std::string> firmware_sources() {
-    return {"src/firmware", "spec"};
+std::vector<std::string> with(std::vector<std::string> folders, const std::vector<std::string>& more) {
+    folders.insert(folders.end(), more.begin(), more.end());
+    return folders;
 }
 
-std::vector<std::string> firmware_and_tests() {
-    return {"src/firmware", "spec", "tests", "properties"};
+}  // namespace
+
+std::vector<std::string> firmware_sources(const fs::path& root) {
+    std::vector<std::string> folders = firmware_folders(root);
+    folders.emplace_back("spec");
+    return folders;
+}
+
+std::vector<std::string> firmware_and_tests(const fs::path& root) {
+    return with(firmware_sources(root), {"tests", "properties"});
+}
+
+std::vector<std::string> socketcan_sources(const fs::path& root) {
+    return with(firmware_sources(root), {"src/host/sim/bus", "src/host/sim/run", "tests/socketcan"});
+}
+
+std::vector<std::string> target_sources(const fs::path& root) {
+    return with(firmware_sources(root), {"src/target"});
 }
 
 std::string newer_source(const fs::path& root, const std::vector<std::string>& folders, const fs::path& measured) {

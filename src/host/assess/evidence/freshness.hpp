@@ -7,10 +7,14 @@
 
 namespace canproof::host {
 
-/// What the firmware is made of.
-std::vector<std::string> firmware_sources();
-/// … and what tests it.
-std::vector<std::string> firmware_and_tests();
+/// The folders that the firmware is made of, from `root`: its own and the register.
+std::vector<std::string> firmware_sources(const std::filesystem::path& root);
+/// … and those that test it.
+std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
+/// … and those of the buses on a real kernel.
+std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
+/// … and that of the microcontroller.
+std::vector<std::string> target_sources(const std::filesystem::path& root);
 
 /// The first file below these folders of `root`, by name, that was written after `measured`; empty when there is none,
 /// or nothing was measured. Reviews and READMEs change no measurement.

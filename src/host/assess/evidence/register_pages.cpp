@@ -20,7 +20,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// Places in code without the folder that all of them are in.
 std::string places_of(const std::vector<std::string>& places) {
-    const std::string common = "src/firmware/";
+    const std::string common = "src/";
     std::string text;
     for (const auto& place : places) {
         const bool inside = place.rfind(common, 0) == 0;

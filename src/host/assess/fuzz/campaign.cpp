@@ -199,7 +199,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
 
 int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     options.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-    const auto targets = find_fuzz_targets(options.build, options.fuzz, options.targets);
+    const auto targets = find_fuzz_targets(options.build, options.targets);
     require_programs(options, targets);
     const CampaignFiles files{options.corpus};
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};

@@ -56,7 +56,7 @@ struct LinePoint {
 
 /// Lines of one source, by all targets together.
 struct FileLines {
-    std::string path;  ///< `src/firmware/…`
+    std::string path;  ///< as firmware_path() gives it
     std::uint64_t lines{0};
     std::uint64_t hit{0};
     std::string unreached;               ///< `12-15, 30`

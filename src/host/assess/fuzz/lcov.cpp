@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
+#include "host/assess/firmware_scope.hpp"
+
 namespace canproof::host {
 
 namespace {
-
-const std::string firmware = "src/firmware/";
 
 /// A C++ function as its source names it, without arguments.
 std::string demangled(const std::string& name) {
@@ -58,8 +58,8 @@ std::vector<FileLines> read_lcov(const std::string& text) {
         const std::string rest = line.size() > kind.size() ? line.substr(kind.size() + 1) : "";
         const auto comma = rest.find(',');
         if (kind == "SF") {
-            const auto at = rest.rfind(firmware);
-            source = at == std::string::npos ? nullptr : &sources[rest.substr(at)];
+            const std::string path = firmware_path(rest);
+            source = path.empty() ? nullptr : &sources[path];
         } else if (source != nullptr && kind == "DA" && comma != std::string::npos) {
             bool& hit = source->lines[static_cast<unsigned>(std::stoul(rest))];
             hit = hit || std::stod(rest.substr(comma + 1)) > 0.0;

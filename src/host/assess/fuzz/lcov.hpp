@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Only files below src/firmware, in alphabetical order, with their paths in this project.
+/// Only files of the firmware, in alphabetical order, with their paths in this project.
 std::vector<FileLines> read_lcov(const std::string& text);
 
 }  // namespace canproof::host

@@ -46,7 +46,7 @@ std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcom
     const nlohmann::ordered_json exhibit{
         {"title", "Mutation of the firmware's operators and conditions"},
         {"state", all.open() == 0 ? "holds" : "open"},
-        {"says", fmt::format("{} mutants of src/firmware, {:.1f} % noticed by a test; {} survive without a reason.",
+        {"says", fmt::format("{} mutants of the firmware, {:.1f} % noticed by a test; {} survive without a reason.",
                              all.altered, share, all.open())},
         {"figures",
          {{"mutants", all.altered},

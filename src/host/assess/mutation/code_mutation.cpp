@@ -10,6 +10,8 @@
 
 #include "host/assess/mutation/killer_log.hpp"
 #include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/reading.hpp"
 
@@ -116,7 +118,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     std::filesystem::create_directories(setup.folder);
     const auto told = setup.folder / "told.tsv";
     if (!run_unaltered(setup.program, setup.folder / "verdicts.xml", {"CANPROOF_TOLD=" + told.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; mend that first", setup.program.string())};
+        throw InputError{fmt::format("{} fails without any mutant; fix that first", setup.program.string())};
     }
     auto tests = read_told(told);
     const std::vector<bool> starting = told_at_startup(tests, count);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "host/assess/firmware_scope.hpp"
 #include "host/base/reading.hpp"
 
 namespace canproof::host {
@@ -30,7 +31,7 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// `firmware/blocks/ramp` for src/firmware/blocks/ramp.hpp and ramp.cpp.
+/// `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
 }
@@ -120,7 +121,7 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     std::set<std::string> firmware;
     for (const auto& file : sources_below(source)) {
         const std::string name = file.lexically_relative(source).generic_string();
-        if (name.rfind("firmware/", 0) == 0) {
+        if (!firmware_path("src/" + name).empty()) {
             firmware.insert(name);
         }
         for (const auto& other : includes_of(file)) {
@@ -135,7 +136,7 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
         }
     }
     for (const auto& [unit, others] : included) {
-        if (unit.rfind("host/speccompiler/write_", 0) == 0) {
+        if (unit.rfind("host/codegen/write_", 0) == 0) {
             open.insert(open.end(), others.begin(), others.end());  // what generated code includes
         }
     }
@@ -163,6 +164,8 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
     std::map<std::string, std::vector<std::string>> uses;
     for (const auto& file : sources_below(root / "src")) {
         const std::string name = file.lexically_relative(root).generic_string();
+        std::string path_word = name;  // src/devices/cbx-ao412/… is code of cbx_ao412
+        std::replace(path_word.begin(), path_word.end(), '-', '_');
         std::ifstream in{file};
         std::vector<std::string> lines;
         std::string all;
@@ -175,7 +178,7 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
             // Only code that names the part can mean its names.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&
                 all.find("generated/" + part.cpp_name()) == std::string::npos &&
-                name.find(part.cpp_name()) == std::string::npos) {
+                path_word.find(part.cpp_name()) == std::string::npos) {
                 continue;
             }
             std::set<std::string> seen;

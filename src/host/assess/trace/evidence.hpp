@@ -37,7 +37,7 @@ struct TestCase {
 struct Evidence {
     std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
-    std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/firmware/…:line`
+    std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/…:line`
     std::map<std::string, std::vector<std::string>> used;  ///< by id: where code names what was generated from it
     std::vector<TestRun> runs;
     std::vector<std::string> untraced;  ///< files of the firmware that serve no requirement, directly or by inclusion

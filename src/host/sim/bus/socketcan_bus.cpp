@@ -21,19 +21,6 @@ namespace {
 constexpr std::size_t reads_at_once = 4096;  // a socket, in one turn: a flood on one cannot starve the others
 constexpr std::size_t lines_held = 256;
 constexpr Duration clock_tolerance = milliseconds(50);  // beyond that somebody has set the clock
-constexpr Duration load_window = milliseconds(1000);
-constexpr Duration losses_period = milliseconds(1000);
-
-std::string remedy(const std::string& interface, int error) {
-    if (error == EAFNOSUPPORT) {
-        return "this kernel has no SocketCAN; use --bus socketcand:127.0.0.1:29536 or --bus inproc";
-    }
-    if (error == ENODEV) {
-        return fmt::format("make it with `ip link add dev {0} type vcan; ip link set {0} up`, or name another",
-                           interface);
-    }
-    return "check the interface and your rights";
-}
 
 bool is_gone(int error) {
     return error == ENETDOWN || error == ENODEV || error == ENXIO || error == ENOENT;
@@ -44,13 +31,7 @@ bool is_gone(int error) {
 SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceControl control, Instant now)
     : interface_{std::move(interface)}, system_{system}, control_{control} {
     ports_.emplace_back();
-    const CanOpening opening = system_.open(interface_, false);
-    if (opening.error != 0) {
-        throw InputError{fmt::format("{} cannot be opened ({}); {}", interface_, std::strerror(opening.error),
-                                     remedy(interface_, opening.error))};
-    }
-    ports_.front().descriptor = opening.descriptor;
-    roomy_ = opening.roomy;
+    open_socket(ports_.front());
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
     if (!system_.is_up(interface_)) {
@@ -70,30 +51,6 @@ void SocketCanBus::attach(BusNode& node) {
     open_socket(port);
     if (down_) {
         set_state(port, CanState::bus_off, Instant{});
-    }
-}
-
-void SocketCanBus::open_socket(Port& port) {
-    const CanOpening opening = system_.open(interface_, port.node != nullptr);
-    if (opening.error != 0) {
-        throw InputError{fmt::format("{} cannot be opened ({}); {}", interface_, std::strerror(opening.error),
-                                     remedy(interface_, opening.error))};
-    }
-    port.descriptor = opening.descriptor;
-    port.dropped = 0;
-    roomy_ = roomy_ && opening.roomy;
-    if (port.node != nullptr) {
-        port.filters = port.node->filters();
-        static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(port.filters)));
-    }
-}
-
-void SocketCanBus::close_sockets() {
-    for (Port& port : ports_) {
-        if (port.descriptor >= 0) {
-            system_.close(port.descriptor);
-            port.descriptor = -1;
-        }
     }
 }
 
@@ -163,30 +120,6 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
         }
     }
     return last;
-}
-
-void SocketCanBus::count_losses(Port& port, std::uint32_t dropped) {
-    port.lost += dropped - port.dropped;  // the kernel's count may wrap
-    losses_are_news_ = losses_are_news_ || dropped != port.dropped;
-    port.dropped = dropped;
-}
-
-void SocketCanBus::tell_losses(Instant now) {
-    if (!losses_are_news_ || (losses_told_ != never && now < losses_told_ + losses_period)) {
-        return;
-    }
-    losses_are_news_ = false;
-    losses_told_ = now;
-    for (const Port& port : ports_) {
-        if (port.lost != 0) {
-            notice(fmt::format("{}: {} frames came faster than they were read and are lost to {}", interface_,
-                               port.lost, port.node == nullptr ? "the log" : port.node->name()));
-        }
-    }
-    if (!roomy_) {
-        notice(fmt::format("more of them can wait after `sysctl -w net.core.rmem_max={}`, or with CAP_NET_ADMIN",
-                           receive_room));
-    }
 }
 
 /// The kernel's stamp on the run's clock; one that lies before what was already delivered is due at once.
@@ -280,42 +213,6 @@ void SocketCanBus::set_state(Port& port, CanState state, Instant now) {
     }
 }
 
-/// Without node-ID or with another configuration a node listens to other frames, at another rate.
-void SocketCanBus::follow_node(Port& port) {
-    if (port.descriptor >= 0) {
-        const std::vector<AcceptanceFilter>& wanted = port.node->filters();
-        if (!(wanted == port.filters)) {
-            static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(wanted)));
-            port.filters = wanted;
-        }
-    }
-    const std::uint32_t rate = port.node->bit_rate();
-    if (rate != port.bit_rate) {
-        port.bit_rate = rate;
-        if (rate != 0) {
-            change_bit_rate(port);
-        }
-    }
-}
-
-void SocketCanBus::change_bit_rate(const Port& port) {
-    const std::string wish = fmt::format("{}: LSS sets {} bit/s", port.node->name(), port.bit_rate);
-    const std::string commands =
-        fmt::format("would have done: ip link set {0} down; ip link set {0} type can bitrate {1}; ip link set {0} up",
-                    interface_, port.bit_rate);
-    if (control_ == InterfaceControl::none) {
-        notice(fmt::format("{}; {} was left as it is without --control-interface; {}", wish, interface_, commands));
-        return;
-    }
-    const BitRateOutcome outcome = system_.set_bit_rate(interface_, port.bit_rate);
-    if (outcome.done) {
-        bit_rate_ = port.bit_rate;
-        notice(fmt::format("{}; {} has it now", wish, interface_));
-    } else {
-        notice(fmt::format("{}; {}; {}", wish, outcome.why, commands));
-    }
-}
-
 const Frame* SocketCanBus::next_frame(const Port& port) const {
     return port.node != nullptr ? port.node->next_frame() : port.waiting.empty() ? nullptr : &port.waiting.front();
 }
@@ -352,79 +249,6 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
     port.retry = never;
 }
 
-/// The kernel reports a change of the interface even when it is over: what counts is how things are now.
-void SocketCanBus::lose_interface(Instant now) {
-    const bool same = system_.interface_number(interface_) == number_;
-    if (down_ || (same && system_.is_up(interface_))) {
-        return;
-    }
-    down_ = true;
-    look_at_ = now + search_period;
-    notice(fmt::format("{} is {}; waiting for it", interface_,
-                       system_.interface_number(interface_) == 0 ? "gone" : "down"));
-    for (Port& port : ports_) {
-        port.retry = never;
-        port.pause = Duration{};
-        port.waiting.clear();
-        if (port.node != nullptr) {
-            set_state(port, CanState::bus_off, now);
-        }
-    }
-}
-
-void SocketCanBus::look_for_interface(Instant now) {
-    look_at_ = now + search_period;
-    const unsigned number = system_.interface_number(interface_);
-    if (number == 0 || !system_.is_up(interface_)) {
-        return;
-    }
-    if (number != number_) {
-        close_sockets();
-        try {
-            for (Port& port : ports_) {
-                open_socket(port);
-            }
-        } catch (const InputError&) {
-            return;  // gone again: the next look will tell
-        }
-        number_ = number;
-    }
-    down_ = false;
-    look_at_ = never;
-    bit_rate_ = system_.bit_rate(interface_);
-    notice(fmt::format("{} is up again", interface_));
-    for (Port& port : ports_) {
-        if (port.node != nullptr) {
-            set_state(port, CanState::error_active, now);
-        }
-    }
-}
-
-void SocketCanBus::restart_controller(Instant now) {
-    restart_at_ = never;
-    if (control_ == InterfaceControl::none) {
-        notice(fmt::format(
-            "{0} is bus-off and was left so without --control-interface; would have done: ip link set {0} type can "
-            "restart",
-            interface_));
-    } else if (!system_.restart(interface_)) {
-        restart_at_ = now + restart_after;
-    }
-}
-
-void SocketCanBus::count(const Frame& frame, Instant now) {
-    ++frames_;
-    if (bit_rate_ != 0) {
-        const std::uint64_t us = (std::uint64_t{frame_bits(frame)} + intermission_bits) * 1000000U / bit_rate_;
-        busy_.push_back({now, us});
-        busy_us_ += us;
-    }
-    while (!busy_.empty() && busy_.front().end + load_window < now) {
-        busy_us_ -= busy_.front().us;
-        busy_.pop_front();
-    }
-}
-
 Instant SocketCanBus::next_deadline() const {
     Instant next = earliest(look_at_, restart_at_);
     if (!arrived_.empty()) {
@@ -434,24 +258,6 @@ Instant SocketCanBus::next_deadline() const {
         next = earliest(next, port.retry);
     }
     return next;
-}
-
-BusReport SocketCanBus::report(Instant now) const {
-    BusReport report;
-    std::uint64_t used = 0;
-    for (const Busy& one : busy_) {
-        used += now <= one.end + load_window ? one.us : 0U;
-    }
-    report.frames = frames_;
-    report.errors = errors_;
-    for (const Port& port : ports_) {
-        const std::uint32_t dropped = port.descriptor >= 0 ? system_.dropped(port.descriptor) : port.dropped;
-        (port.node == nullptr ? report.lost : report.missed) += port.lost + (dropped - port.dropped);
-    }
-    report.load = static_cast<double>(used) / static_cast<double>(load_window.us);
-    report.worst_latency = worst_latency_;
-    report.bit_rate = bit_rate_;
-    return report;
 }
 
 }  // namespace canproof::host

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Image = std::vector<std::uint8_t>;
 
 [[noreturn]] void refuse_to_read(const fs::path& path, const std::string& why) {
-    throw InputError{fmt::format("cannot read {}: {}; mend it or name another file", path.string(), why)};
+    throw InputError{fmt::format("cannot read {}: {}; fix it or name another file", path.string(), why)};
 }
 
 std::string last_error() {

@@ -86,7 +86,7 @@ TEST(ThermocoupleFigures, TheRampMarksEachEmergencyMessage) {
             EXPECT_NEAR(celsius, 58.0, 0.1);  // sent at 20.100; last read at 19.965: -32 + 9 * 10
         }
     }
-    EXPECT_EQ(gaps, 8);  // TPDOs at 47.1 (before the break is known) … 48.1 to 55.1, the mend read at 55.11
+    EXPECT_EQ(gaps, 8);  // TPDOs at 47.1 (before the break is known) … 48.1 to 55.1, the repair read at 55.11
 }
 
 }  // namespace canproof::host::test

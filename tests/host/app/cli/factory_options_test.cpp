@@ -49,8 +49,12 @@ TEST(FactoryData, IdentityOfEveryDevice) {
     }
 }
 
+/// CiA 301 reserves the serial number 0; the manuals print no default, the CAN-CBX-AO412's an example (7.9.18).
 TEST(FactoryData, WithoutAnyItIsAsTheRegisterHasIt) {
     EXPECT_EQ(entry_of(device_with("cbx-ao412", {}), 0x1018, 4), 0xC1C20105U);
+    for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
+        EXPECT_EQ(entry_of(device_with(name, {}), 0x1018, 4), 1U) << name;
+    }
     EXPECT_EQ(entry_of(device_with("ax060805", {}), 0x1018, 3), 0x00010101U);
 }
 

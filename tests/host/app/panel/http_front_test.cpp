@@ -2,23 +2,21 @@
 // moves on; what a client sends has arrived when the front says so.
 #include "host/app/panel/http_front.hpp"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <array>
+#include <memory>
 
 #include "firmware/base/time.hpp"
 #include "host/base/input_error.hpp"
 #include "tests/host/app/panel/panel_bench.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace canproof::host::test {
 
 namespace {
 
+using canproof::test::TcpClient;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -26,46 +24,6 @@ using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
 constexpr int most_looks = 12000;  // only a broken test waits so long
-
-class Visitor {
-  public:
-    explicit Visitor(std::uint16_t port) : descriptor_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
-        const int room = 32 * 1024;  // so that the way of one that does not read is full soon
-        setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_port = htons(port);
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        EXPECT_EQ(connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    }
-    ~Visitor() { close(descriptor_); }
-    Visitor(const Visitor&) = delete;
-    Visitor& operator=(const Visitor&) = delete;
-
-    void say(const std::string& text) const {
-        EXPECT_EQ(send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
-    }
-    /// Everything that has come until the front closed; `ended` says whether it has.
-    bool ended() {
-        std::array<char, 65536> piece{};
-        for (ssize_t count = 1; count > 0;) {
-            count = recv(descriptor_, piece.data(), piece.size(), MSG_DONTWAIT);
-            heard_.append(piece.data(), count > 0 ? static_cast<std::size_t>(count) : 0U);
-            ended_ = ended_ || count == 0 || (count < 0 && errno != EAGAIN);
-        }
-        return ended_;
-    }
-    const std::string& heard() const { return heard_; }
-    void wait() const {
-        pollfd waiting{descriptor_, POLLIN, 0};
-        ::poll(&waiting, 1, look_again_ms);
-    }
-
-  private:
-    int descriptor_;
-    std::string heard_;
-    bool ended_{false};
-};
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {
@@ -87,16 +45,16 @@ class Front : public testing::Test {
   protected:
     bool until(const std::function<bool()>& done) { return turn_until(front, now, done); }
     std::string exchange(const std::string& request) {
-        Visitor visitor{front.port()};
+        TcpClient visitor{front.port()};
         visitor.say(request);
         EXPECT_TRUE(until([&] { return visitor.ended(); }));
         return visitor.heard();
     }
     /// Clients that have begun a request, and go no further.
-    std::vector<std::unique_ptr<Visitor>> slow_ones(std::size_t count) {
-        std::vector<std::unique_ptr<Visitor>> all;
+    std::vector<std::unique_ptr<TcpClient>> slow_ones(std::size_t count) {
+        std::vector<std::unique_ptr<TcpClient>> all;
         for (std::size_t i = 0; i < count; ++i) {
-            all.push_back(std::make_unique<Visitor>(front.port()));
+            all.push_back(std::make_unique<TcpClient>(front.port()));
             all.back()->say("GET /");
             const std::size_t expected = std::min(i + 1, HttpFront::most_connections);
             EXPECT_TRUE(until([&] { return front.connections() == expected; }));
@@ -119,7 +77,7 @@ const std::string plain_get = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\n";
 class PanelOverHttp : public testing::Test {
   protected:
     std::string exchange(const std::string& request) {
-        Visitor visitor{front.port()};
+        TcpClient visitor{front.port()};
         visitor.say(request);
         EXPECT_TRUE(turn_until(front, Instant{}, [&] { return visitor.ended(); }));
         return visitor.heard();
@@ -156,7 +114,7 @@ TEST_F(Front, ConnectionsAreBounded_AndALateClientStillGetsIn) {
 }
 
 TEST_F(Front, RequestThatDripsInEndsAtItsDeadline) {
-    Visitor drip{front.port()};
+    TcpClient drip{front.port()};
     ASSERT_TRUE(until([&] { return front.connections() == 1; }));
     EXPECT_EQ(front.next_deadline(), now + HttpFront::request_limit);
     const Instant end = now + HttpFront::request_limit;
@@ -173,7 +131,7 @@ TEST_F(Front, RequestThatDripsInEndsAtItsDeadline) {
 
 TEST_F(Front, ClientThatDoesNotReadEndsAtItsDeadline) {
     answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel holds for it
-    const Visitor deaf{front.port()};
+    const TcpClient deaf{front.port()};
     deaf.say(plain_get);
     ASSERT_TRUE(until([&] { return asked == 1; }));
     now = now + Duration{HttpFront::response_limit.us - 1};
@@ -185,7 +143,7 @@ TEST_F(Front, ClientThatDoesNotReadEndsAtItsDeadline) {
 }
 
 TEST_F(Front, ClientThatNeverClosesEndsAtItsDeadline) {
-    Visitor stays{front.port()};
+    TcpClient stays{front.port()};
     stays.say(plain_get);
     ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has all, and keeps its side open
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
@@ -223,13 +181,13 @@ TEST_F(Front, RangesAreNeverAnswered) {
 
 TEST(FrontThatEnds, WaitsForNobody) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
-    Visitor slow{front->port()};
+    TcpClient slow{front->port()};
     slow.say("GET /");
     ASSERT_TRUE(turn_until(*front, Instant{}, [&] { return front->connections() == 1; }));
     front.reset();
     int looks = 0;
     while (!slow.ended() && ++looks < most_looks) {
-        slow.wait();
+        slow.wait(look_again_ms);
     }
     EXPECT_TRUE(slow.ended());
 }

@@ -94,12 +94,32 @@ std::vector<std::string> words(const std::vector<CoverageGap>& gaps) {
 
 TEST_F(Coverage, TellsWhatNoRunReachedByItsText) {
     const auto files = read();
-    ASSERT_THAT(files, SizeIs(1));  // nothing but src/firmware
+    ASSERT_THAT(files, SizeIs(1));  // nothing but the firmware
     EXPECT_EQ(files[0].file, "src/firmware/base/one.cpp");
     EXPECT_THAT(words(files[0].gaps),
                 ElementsAre("2 condition a: not shown to decide alone", "2 condition b: not shown to decide alone",
                             "3 line return 1;: never run", "5 branch a: never false", "8 line return 3;: never run",
                             "10 function canproof::idle: never called"));
+}
+
+TEST_F(Coverage, MeasuresTheFirmwareOfADeviceAndNotItsSimulation) {
+    const auto renamed = [this](const std::string& to) {
+        std::string text = measured;
+        const std::string from = "src/firmware/base/one.cpp";
+        for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+            text.replace(at, from.size(), to);
+        }
+        std::filesystem::create_directories((root_ / to).parent_path());
+        write(to, source);
+        write("measured.json", text);
+    };
+    renamed("src/devices/ax130751/firmware/one.cpp");
+    const auto files = read();
+    ASSERT_THAT(files, SizeIs(1));
+    EXPECT_EQ(files[0].file, "src/devices/ax130751/firmware/one.cpp");
+    EXPECT_THAT(files[0].gaps, SizeIs(6));
+    renamed("src/devices/ax130751/simulation/one.cpp");
+    EXPECT_THAT(told("measured.json"), HasSubstr("measures no file of the firmware"));
 }
 
 TEST_F(Coverage, CountsLinesBranchesConditionsAndFunctions) {
@@ -197,7 +217,7 @@ TEST_F(Coverage, BadFilesAreToldWithTheirRemedy) {
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));
     write("empty.json", R"({"data": [{"files": [], "functions": []}]})");
-    EXPECT_THAT(told("empty.json"), HasSubstr("measures no file of src/firmware"));
+    EXPECT_THAT(told("empty.json"), HasSubstr("measures no file of the firmware"));
     write("src/firmware/base/one.cpp", source);
     std::filesystem::last_write_time(
         root_ / "src/firmware/base/one.cpp",

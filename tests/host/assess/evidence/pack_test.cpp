@@ -359,6 +359,27 @@ TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
     EXPECT_EQ(oldest_file(root).string(), "");
 }
 
+TEST(Freshness, SpeaksOfTheFirmwareOfDevicesToo) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_devices";
+    const fs::path file = "src/devices/ax130751/firmware/ramp.cpp";
+    fs::create_directories((root / file).parent_path());
+    std::ofstream{root / "measured.json"} << "measured";
+    std::ofstream{root / file} << "code";
+    const auto measured = fs::last_write_time(root / "measured.json");
+    fs::last_write_time(root / file, measured - std::chrono::seconds{1});
+    for (const auto& sources :
+         {firmware_sources(root), firmware_and_tests(root), socketcan_sources(root), target_sources(root)}) {
+        EXPECT_EQ(newer_source(root, sources, root / "measured.json"), "");
+    }
+    fs::last_write_time(root / file, measured + std::chrono::seconds{1});
+    for (const auto& sources :
+         {firmware_sources(root), firmware_and_tests(root), socketcan_sources(root), target_sources(root)}) {
+        EXPECT_EQ(newer_source(root, sources, root / "measured.json"), file.generic_string());
+    }
+    fs::remove_all(root);
+}
+
 TEST(Verdicts, AreThoseOfTheLastRun) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "verdicts";

@@ -18,6 +18,16 @@ TEST(Lcov, KeepsTheFirmwareOnly) {
     EXPECT_EQ(files[0].functions, std::vector<std::string>{"canproof::crc16(int)"});
 }
 
+TEST(Lcov, KeepsTheFirmwareOfADeviceAndNotItsSimulation) {
+    const auto files = read_lcov(
+        "SF:/w/src/devices/ax130751/simulation/model.cpp\nDA:1,1\nend_of_record\n"
+        "SF:/w/src/devices/ax130751/firmware/ramp.cpp\nDA:1,1\nDA:2,0\nend_of_record\n");
+    ASSERT_EQ(files.size(), 1U);
+    EXPECT_EQ(files[0].path, "src/devices/ax130751/firmware/ramp.cpp");
+    EXPECT_EQ(files[0].lines, 2U);
+    EXPECT_EQ(files[0].hit, 1U);
+}
+
 TEST(Lcov, AFileInTwoProgramsIsOne) {
     const auto files = read_lcov(
         "SF:/w/src/firmware/a.hpp\nDA:1,0\nDA:2,4\nend_of_record\nSF:/w/src/firmware/a.hpp\nDA:1,1\nend_of_record\n");

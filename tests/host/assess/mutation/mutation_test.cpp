@@ -248,7 +248,7 @@ TEST(CodeMutation, ExhibitSaysWhatSurvives) {
                                           {{2, "src/a.cpp", "f, line 3", "x -> true"}, "", true, &record}};
     auto files = code_exhibit(outcomes);
     EXPECT_THAT(files.at("exhibit.json"), HasSubstr(R"("state": "open")"));
-    EXPECT_THAT(files.at("exhibit.json"), HasSubstr("3 mutants of src/firmware, 33.3 % noticed by a test; 1 survive"));
+    EXPECT_THAT(files.at("exhibit.json"), HasSubstr("3 mutants of the firmware, 33.3 % noticed by a test; 1 survive"));
     EXPECT_EQ(files.at("survivors.csv"),
               "file,place,change,reason\r\nsrc/a.cpp,\"f, line 2\",\"a, b -> false\",open\r\n"
               "src/a.cpp,\"f, line 3\",x -> true,the same either way\r\n");

@@ -161,6 +161,15 @@ TEST_F(AuditOfASmallRegister, ATestOfTheFirmwareWithoutARequirementIsAnOrphan) {
                                                "S.Stray (tests/firmware/stray_test.cpp): claims no requirement"));
 }
 
+TEST_F(AuditOfASmallRegister, AStrayTestPropertyOrCorpusOfADeviceIsAnOrphan) {
+    evidence.runs = {{"S.A", "tests/devices/ax130751/ramp_test.cpp", true, false},
+                     {"S.B", "properties/devices/ax130751/ramp_property.cpp", true, false},
+                     {"S.C", "fuzz/devices/ax130751/ax130751_fuzz.cpp", true, false},
+                     {"S.D", "properties/host/candump_property.cpp", true, false},
+                     {"S.E", "tests/devices/ax130751/other_test.cpp", true, true}};
+    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("S.A"), HasSubstr("S.B"), HasSubstr("S.C")));
+}
+
 TEST_F(AuditOfASmallRegister, FiltersTakeASectionAndWhatLiesBelowIt) {
     part().requirements[1].sources = {"M:2.1 Table 7"};
     const PartAudit all = audit();

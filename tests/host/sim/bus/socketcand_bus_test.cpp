@@ -2,26 +2,24 @@
 // when poll() says so: no test waits for a clock. Virtual time passes only while the bus has something to do.
 #include "host/sim/bus/socketcand_bus.hpp"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstring>
 #include <memory>
 
 #include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace canproof::host::test {
 
 namespace {
 
+using canproof::test::TcpClient;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -29,55 +27,6 @@ using testing::SizeIs;
 constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
 constexpr int most_looks = 12000;  // only a broken test waits so long
 constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
-
-class TcpClient {
-  public:
-    explicit TcpClient(std::uint16_t port) : descriptor_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
-        const int room = 32 * 1024;  // so that the way of a client that does not read fills soon
-        setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_port = htons(port);
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        EXPECT_EQ(connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    }
-    ~TcpClient() { hang_up(); }
-    TcpClient(const TcpClient&) = delete;
-    TcpClient& operator=(const TcpClient&) = delete;
-
-    void say(const std::string& text) {
-        EXPECT_EQ(send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
-    }
-    /// Sends what fits without waiting. False when the way is full.
-    bool push(const std::string& text) {
-        return send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT) > 0;
-    }
-    /// What has come so far.
-    std::string heard() {
-        std::array<char, 65536> piece{};
-        for (ssize_t count = 1; count > 0;) {
-            count = recv(descriptor_, piece.data(), piece.size(), MSG_DONTWAIT);
-            heard_.append(piece.data(), count > 0 ? static_cast<std::size_t>(count) : 0U);
-            ended_ = ended_ || count == 0;
-        }
-        return heard_;
-    }
-    bool ended() {
-        heard();
-        return ended_;
-    }
-    void hang_up() {
-        if (descriptor_ >= 0) {
-            close(descriptor_);
-            descriptor_ = -1;
-        }
-    }
-
-  private:
-    int descriptor_;
-    std::string heard_;
-    bool ended_{false};
-};
 
 class SocketcandServer : public testing::Test {
   protected:

@@ -112,6 +112,16 @@ TEST_P(AcknowledgedByLss, LssStoreThatTheMemoryRefusesIsRefusedWithError2) {
     EXPECT_EQ(device->node_id(), node);
 }
 
+TEST_P(AcknowledgedByLss, AStoredNodeIdOf200IsNotObeyed) {
+    verifies<req::CO_LSS_066>();
+    const std::string name = GetParam();
+    const bool is_generic = name == "generic";  // its node-ID as shipped is the one that it was given
+    EXPECT_EQ(LssStore{device->memory()}.store({200, 20000}), LssError::none);
+    device->power_on(Instant{});
+    EXPECT_EQ(sent(), Frames{is_generic ? "703#00" : "77F#00"});  // 127 as shipped
+    EXPECT_EQ(device->bit_rate(), 125000U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, AcknowledgedByLss, testing::Values("ax060805", "ax130751", "ax188001", "generic"));
 
 }  // namespace canproof::host::test

@@ -1,12 +1,13 @@
-// The conformance slave from its generated tables: what tests/support/slave.hpp reads from its register on the host.
-#pragma once
+// The conformance slave from its generated tables: no register is read on the microcontroller.
+#include "tests/support/slave.hpp"
 
 #include "generated/slave/objects.hpp"
-#include "host/sim/devices/generic_device.hpp"
 
 namespace canproof::test {
 
-inline host::GenericDescription make_slave() {
+namespace {
+
+host::GenericDescription make_slave() {
     const DictionaryTables& tables = generated::slave::tables;
     host::GenericDescription slave;
     slave.rows.objects.assign(tables.objects.begin(), tables.objects.end());
@@ -26,7 +27,9 @@ inline host::GenericDescription make_slave() {
     return slave;
 }
 
-inline const host::GenericDescription& slave() {
+}  // namespace
+
+const host::GenericDescription& slave() {
     static const host::GenericDescription description = make_slave();
     return description;
 }

@@ -1,4 +1,0 @@
-#pragma once
-
-#include "firmware/canopen/node.hpp"
-#include "host/sim/bus/bus.hpp"  // flagged

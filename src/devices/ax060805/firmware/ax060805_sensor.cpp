@@ -1,0 +1,246 @@
+// From the sensor to the angles and accelerations of the dictionary, in the order in which a sample runs through them.
+
+#include <cmath>
+
+#include "devices/ax060805/firmware/ax060805.hpp"
+#include "devices/ax060805/firmware/count_value.hpp"
+#include "devices/ax060805/firmware/low_pass.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax060805/constants.hpp"
+#include "generated/ax060805/requirements.hpp"
+
+namespace canproof::ax060805 {
+
+namespace {
+
+namespace own = generated::ax060805;
+namespace field = generated::ax060805::field;
+
+constexpr std::uint32_t supply_index = 0x5020U;
+constexpr std::uint32_t processor_temperature_index = 0x5030U;
+const Duration sample_period = microseconds(own::sample_period_us);
+
+/// Within the range of the sensor; NaN is not.
+bool is_measurement(const float acceleration) noexcept {
+    return std::fabs(acceleration) <= own::sensor_range;
+}
+
+constexpr float reversed_if(const bool reversed, const float value) noexcept {
+    return reversed ? -value : value;
+}
+
+}  // namespace
+
+/// The first sample of a new life.
+void Device::restart_sensor(const Instant now) noexcept {
+    inclination_.restart();
+    for (AngleFilter& filter : filters_) {
+        filter.forget();
+    }
+    take_sample();
+    restart_filters(now);
+    publish();
+    run_functions();
+    next_sample_ = now + sample_period;
+}
+
+static_assert(implements<req::INC_FILTER_001> && implements<req::INC_AVG_004> && implements<req::INC_K_SAMPLE_PERIOD>);
+void Device::measure_due(const Instant now) noexcept {
+    const bool samples = next_sample_ <= now;
+    const bool filters = next_filter_ <= now;
+    const bool had_failed = !inclination_.is_measuring();
+    if (!samples && !filters) {
+        return;
+    }
+    if (samples) {
+        take_sample();
+        next_sample_ = ((next_sample_ + sample_period) > now) ? (next_sample_ + sample_period) : (now + sample_period);
+    }
+    if (filters) {
+        const Duration rate = milliseconds(objects_.get(field::o2052_angular_filter_rate));
+        next_filter_ = ((next_filter_ + rate) > now) ? (next_filter_ + rate) : (now + rate);
+    }
+    pass_filters(samples, filters);
+    if (had_failed && inclination_.is_measuring()) {
+        restart_filters(now);
+    }
+    if (samples) {
+        publish();
+        run_functions();
+        if (node_.state() != NmtState::initialising) {
+            tell_errors(now);
+        }
+    } else {
+        publish_angles();  // nothing else was measured
+    }
+}
+
+static_assert(implements<req::INC_ERR_006> && implements<req::INC_K_SENSOR_RANGE>);
+bool Device::has_sensor_fault() const noexcept {
+    return inputs_.accelerometer_fault || !is_measurement(inputs_.acceleration_x) ||
+           !is_measurement(inputs_.acceleration_y) || !is_measurement(inputs_.acceleration_z);
+}
+
+static_assert(implements<req::INC_FV_007>);
+void Device::take_sample() noexcept {
+    if (has_sensor_fault()) {
+        inclination_.fail();
+    } else {
+        inclination_.sample(Vector3{inputs_.acceleration_x, inputs_.acceleration_y, inputs_.acceleration_z}, settings_);
+    }
+}
+
+static_assert(implements<req::INC_AVG_005>);
+void Device::pass_filters(const bool sampled, const bool timed) noexcept {
+    if (!inclination_.is_measuring()) {
+        return;
+    }
+    for (std::size_t angle = 0U; angle < angle_count; ++angle) {
+        const bool unfiltered = filter_kind(static_cast<std::uint8_t>(angle + 1U)) == AngleFilterKind::none;
+        if (unfiltered ? sampled : timed) {
+            filters_[angle].add(inclination_.angles()[angle]);
+        }
+    }
+}
+
+static_assert(implements<req::INC_FILTER_002> && implements<req::INC_FILTER_004>);
+void Device::take_input_filter() noexcept {
+    const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
+    const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
+    settings_.filter_share = filtered ? low_pass_coefficient(cut_off, sample_period) : 1.0F;
+}
+
+static_assert(implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
+void Device::take_settings() noexcept {
+    settings_.calibration = PitchRoll{objects_.get(field::o2400_calibrated_pitch_angle_data),
+                                      objects_.get(field::o2401_calibrated_roll_angle_data)};
+    settings_.installation =
+        PitchRoll{objects_.get(field::o2200_initial_pitch_angle), objects_.get(field::o2210_initial_roll_angle)};
+    settings_.euler = objects_.get(field::o2100_pitch_and_roll_angle_type) == 0U;
+    settings_.gimbal_lock_cone = own::gimbal_lock_cone;
+    settings_.least_gravity = own::least_gravity;
+    inclination_.update(settings_);
+}
+
+void Device::restart_filters(const Instant now) noexcept {
+    for (std::size_t angle = 0U; angle < angle_count; ++angle) {
+        restart_filter(angle);
+    }
+    next_filter_ = now + milliseconds(objects_.get(field::o2052_angular_filter_rate));
+}
+
+void Device::restart_filter(const std::size_t angle) noexcept {
+    const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
+    filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]));
+    if (inclination_.is_measuring()) {
+        filters_[angle].add(inclination_.angles()[angle]);
+    }
+}
+
+static_assert(implements<req::INC_T4>);
+AngleFilterKind Device::filter_kind(const std::uint8_t subindex) const noexcept {
+    using own::t_inc_t4::Filter;
+    const std::uint8_t type = objects_.get(field::o2050_angular_filter_type[subindex]);
+    switch (cell_or(own::t_inc_t4::find(type), &own::t_inc_t4::Row::filter, Filter::none)) {
+        case Filter::moving_average:
+            return AngleFilterKind::moving_average;
+        case Filter::repeating:
+            return AngleFilterKind::repeating;
+        case Filter::none:
+        default:
+            return AngleFilterKind::none;
+    }
+}
+
+static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TEMPERATURE_HIGH>);
+bool Device::is_temperature_outside() const noexcept {
+    const float temperature = inputs_.sensor_temperature;
+    const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
+    return !inside;  // NaN is not inside
+}
+
+// No TPDO has to hear of changes: their type is fixed at 254, whose event is the timer (4.2.15).
+void Device::publish() noexcept {
+    publish_accelerations();
+    publish_angles();
+    publish_diagnostics();
+}
+
+static_assert(implements<req::INC_FV_001> && implements<req::INC_FV_002> && implements<req::INC_FV_003> &&
+              implements<req::INC_FV_004> && implements<req::INC_FV_005> && implements<req::INC_ANGLE_001>);
+void Device::publish_accelerations() noexcept {
+    for (std::uint8_t axis = 1U; axis <= angle_count; ++axis) {
+        const CountScale scale{objects_.get(field::o2010_accelerometer_data_decimal_digits[axis]),
+                               objects_.get(field::o2020_accelerometer_data_offset[axis])};
+        objects_.set(field::o4000_accelerometer_axis_data_field_value[axis],
+                     count_value(given_acceleration(axis), scale));
+    }
+}
+
+void Device::publish_angles() noexcept {
+    constexpr std::array<Field<std::int16_t>, angle_count> shown{{field::o4030_pitch_angle_data_field_value,
+                                                                  field::o4040_roll_angle_data_field_value,
+                                                                  field::o4050_gravity_angle_data_field_value}};
+    for (std::uint8_t sub = 1U; sub <= angle_count; ++sub) {
+        const CountScale scale{objects_.get(field::o2030_angular_data_decimal_digits[sub]),
+                               objects_.get(field::o2040_angular_data_offset[sub])};
+        objects_.set(shown[sub - 1U], count_value(given_angle(sub - 1U), scale));
+    }
+}
+
+static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && implements<req::INC_FV_006> &&
+              implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
+void Device::publish_diagnostics() noexcept {
+    namespace merit = own::t_inc_t5;
+    const auto* const row = merit::find(!inclination_.is_measuring(), is_temperature_outside(),
+                                        inclination_.is_weightless(), inclination_.is_roll_unsure());
+    const std::uint8_t worst = merit::rows[0U].state;
+    objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
+    objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
+    if (!std::isnan(inputs_.sensor_temperature)) {
+        objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
+    }
+    show_if_valid(supply_index, inputs_.supply_voltage);
+    show_if_valid(processor_temperature_index, inputs_.processor_temperature);
+}
+
+/// A value that its object cannot hold is no measurement: the last one stays.
+void Device::show_if_valid(const std::uint16_t index, const float value) noexcept {
+    const auto entry = objects_.find(index, 0U);
+    std::array<std::uint8_t, sizeof(float)> bytes{};
+    write_le(MutableBytes{bytes}, 0U, sizeof(float), bit_cast<std::uint32_t>(value));
+    if (entry.ok() && (objects_.check_value(entry.value(), ByteView{bytes}) == AbortCode::none)) {
+        static_cast<void>(objects_.put(entry.value(), ByteView{bytes}));
+    }
+}
+
+/// Reversed in sign where 2011h says so, in g.
+float Device::given_acceleration(const std::uint8_t axis) const noexcept {
+    const Vector3& sensed = inclination_.acceleration();
+    const std::array<float, angle_count> axes{{sensed.x, sensed.y, sensed.z}};
+    return reversed_if(objects_.get(field::o2011_accelerometer_data_inversion[axis]) != 0U, axes[axis - 1U]);
+}
+
+static_assert(implements<req::INC_RANGE_001> && implements<req::INC_RANGE_003> && implements<req::INC_FV_004>);
+/// Filtered, in its range and reversed in sign where 2031h says so, in degrees.
+float Device::given_angle(const std::size_t angle) const noexcept {
+    const float measured = filters_[angle].output();
+    const float ranged = (angle == gravity_tilt) ? measured : in_span(measured, span_);
+    const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
+    return reversed_if(objects_.get(field::o2031_angular_data_inversion[sub]) != 0U, ranged);
+}
+
+float Device::latency_ms() const noexcept {
+    const std::uint16_t rate = objects_.get(field::o2052_angular_filter_rate);
+    float slowest{0.0F};
+    for (std::uint8_t sub = 1U; sub <= angle_count; ++sub) {
+        const std::uint16_t samples = objects_.get(field::o2051_angular_filter_constant[sub]);
+        slowest = std::fmax(slowest, angle_filter_delay_ms(filter_kind(sub), samples, rate));
+    }
+    const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
+    const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
+    return filtered ? (slowest + low_pass_delay_ms(cut_off)) : slowest;
+}
+
+}  // namespace canproof::ax060805

@@ -1,0 +1,70 @@
+// What a new value of a parameter must be and sets off.
+
+#include "devices/ax130751/firmware/ax130751.hpp"
+
+namespace canproof::ax130751 {
+
+namespace {
+
+constexpr std::uint32_t override_value_index = 0x2300U;
+constexpr std::uint32_t output_type_index = 0x6310U;
+constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
+constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
+constexpr std::uint32_t fault_value_index = 0x7341U;
+constexpr std::uint32_t point_response_offset = 5U;
+constexpr std::uint32_t point_x_offset = 6U;
+
+bool is_field_value(const std::uint16_t index) noexcept {
+    return (index == override_value_index) || (index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
+           (index == fault_value_index);
+}
+
+std::int16_t to_int16(const ByteView value) noexcept {
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(read_le(value, 0U, sizeof(std::int16_t))));
+}
+
+std::int32_t to_int32(const ByteView value) noexcept {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(read_le(value, 0U, sizeof(std::int32_t))));
+}
+
+}  // namespace
+
+AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
+    const TableEntry place = table_entry(entry.index);
+    if (place.offset == point_x_offset) {
+        return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
+    }
+    return is_field_value(entry.index) ? universal_[entry.row->subindex - 1U].check_field_value(to_int16(value))
+                                       : AbortCode::none;
+}
+
+void Device::after_write(const EntryRef& entry, const Instant) {
+    const TableEntry place = table_entry(entry.index);
+    if (place.table != 0U) {
+        if ((place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
+            is_over_time(objects_, place.table)) {
+            begin_time_response(objects_, place.table);
+        }
+        tables_[place.table - 1U].reread();
+    }
+    if (entry.index == output_type_index) {
+        const std::uint8_t output = entry.row->subindex;
+        const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
+        if (std::uint32_t{type} != types_[output - 1U]) {
+            types_[output - 1U] = type;
+            universal_[output - 1U].take_type_defaults();
+        }
+    }
+    follow_minima(entry);
+}
+
+/// Once a write, and not in each cycle: a minimum depends on parameters alone.
+void Device::follow_minima(const EntryRef& entry) noexcept {
+    for (std::uint8_t table = 1U; table <= table_count; ++table) {
+        if (first_points_[table - 1U].follow(table, entry, objects_, sources_)) {
+            tables_[table - 1U].reread();
+        }
+    }
+}
+
+}  // namespace canproof::ax130751

@@ -1,0 +1,156 @@
+// From the terminals to voltages and temperatures: what the Scanner reads and how it converts that.
+
+#include <cmath>
+#include <limits>
+
+#include "devices/ax188001/firmware/ax188001_scanner.hpp"
+#include "devices/ax188001/firmware/thermocouple_curves.hpp"
+#include "firmware/base/requirement.hpp"
+#include "firmware/base/table_row.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/objects.hpp"
+#include "generated/ax188001/requirements.hpp"
+#include "generated/ax188001/tables.hpp"
+
+namespace canproof::ax188001 {
+
+namespace {
+
+namespace own = generated::ax188001;
+namespace field = generated::ax188001::field;
+
+constexpr double microvolts_per_millivolt = 1000.0;
+constexpr double millivolts_per_microvolt = 0.001;  // a product costs half of a quotient
+constexpr std::uint32_t filter_50_hz = 50U;
+constexpr std::uint32_t filter_60_hz = 60U;
+
+static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
+              implements<req::TCS_K_GAIN_BACK>);
+constexpr ConverterCircuit make_circuit() noexcept {
+    ConverterCircuit circuit{};
+    for (const auto& row : own::t_tcs_t_gain::rows) {
+        circuit.gains[row.step] = ConverterGain{row.gain, static_cast<double>(row.full_scale_uv)};
+    }
+    circuit.codes = static_cast<double>(own::converter_codes);
+    circuit.raise_fraction = static_cast<double>(own::gain_raise_fraction);
+    circuit.settling_conversions = own::settling_conversions;
+    return circuit;
+}
+const ConverterCircuit circuit = make_circuit();
+
+// From the highest gain to the lowest, each change settled: what the start of the module waits for.
+const std::size_t conversions_to_settle =
+    1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
+
+static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
+double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
+    namespace table = own::t_tcs_t_rejection;
+    const table::FilterHz selected = (filter == filter_50_hz) ? table::FilterHz::hz_50 : table::FilterHz::hz_60;
+    table::MainsHz frequency = table::MainsHz::none;
+    if (mains == filter_50_hz) {
+        frequency = table::MainsHz::hz_50;
+    } else if (mains == filter_60_hz) {
+        frequency = table::MainsHz::hz_60;
+    } else {
+        // no hum
+    }
+    return static_cast<double>(cell_or(table::find(selected, frequency), &table::Row::left, 0.0F));
+}
+
+}  // namespace
+
+static_assert(implements<req::TCS_IN_001> && implements<req::TCS_LIM_006>);
+void Scanner::restart(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].reset();
+        for (DelayedFault& fault : faults_[channel]) {
+            fault.clear();
+        }
+    }
+    for (DelayedFault& fault : unit_faults_) {
+        fault.clear();
+    }
+    hum_rises_ = true;
+    for (std::size_t i = 0U; i < conversions_to_settle; ++i) {
+        read(inputs);
+    }
+    schedule();
+}
+
+static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST> && implements<req::TCS_IN_002> &&
+              implements<req::TCS_IN_003> && implements<req::TCS_IN_004> && implements<req::TCS_IN_005>);
+void Scanner::read(const Inputs& inputs) noexcept {
+    for (std::size_t channel = 0U; channel < channel_count; ++channel) {
+        converters_[channel].convert(input_uv(inputs, channel), circuit);
+    }
+    hum_rises_ = !hum_rises_;
+    cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
+                                 own::cold_junction_highest_c);
+    cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);
+    supply_v_ = static_cast<double>(inputs.supply);
+}
+
+/// What the converter sees: the detection current pulls a broken wire up beyond every gain; what is left of hum falls
+/// on the one side of the voltage and on the other in turn, the worst that a beat with the readings can do.
+static_assert(implements<req::TCS_IN_006>);
+double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
+    if (inputs.tc_open[channel]) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double left = static_cast<double>(inputs.tc_hum[channel]) *
+                        hum_left(objects_.get(field::o2020_adc_filter_frequency), inputs.mains_frequency);
+    const double voltage = static_cast<double>(inputs.tc_microvolts[channel]);
+    return hum_rises_ ? (voltage + left) : (voltage - left);
+}
+
+void Scanner::change_filter() noexcept {
+    for (GainRanging& converter : converters_) {
+        converter.unsettle(circuit);
+    }
+}
+
+static_assert(implements<req::TCS_IN_014>);
+SensorType Scanner::sensor_type(const std::size_t channel) const noexcept {
+    // 6110h takes the numbers of the enumeration only (table TCS-T1).
+    return static_cast<SensorType>(objects_.get(field::o6110_tc_sensor_type[subindex(channel)]));
+}
+
+std::uint8_t Scanner::gain(const std::size_t channel) const noexcept {
+    return converters_[channel].gain(circuit);
+}
+
+static_assert(implements<req::TCS_CJ_003> && implements<req::TCS_IN_009> && implements<req::TCS_IN_010>);
+double Scanner::converted_uv(const std::size_t channel) noexcept {
+    const double measured = converters_[channel].microvolts();
+    if (objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) == 0U) {
+        return measured;
+    }
+    Kept<double>& kept = compensations_[channel];
+    const SensorType type = sensor_type(channel);
+    if (!kept.is_of(type, cold_junction_c_)) {
+        const double millivolts = reference_mv(thermocouple_curve(type), cold_junction_c_);
+        kept = Kept<double>{type, cold_junction_c_, millivolts * microvolts_per_millivolt};
+    }
+    return measured + kept.value;
+}
+
+static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_006> && implements<req::TCS_K_RANGE_MARGIN>);
+Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) noexcept {
+    const SensorType type = sensor_type(channel);
+    Kept<Conversion>& kept = conversions_[channel];
+    if (kept.is_of(type, microvolts)) {
+        return kept.value;
+    }
+    Conversion result{};
+    result.celsius = exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt);
+    namespace table = own::t_tcs_t1;
+    const auto* const range = table::find(type);
+    const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
+    const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));
+    result.above = microvolts > (highest + own::range_margin_uv);
+    result.below = microvolts < (lowest - own::range_margin_uv);
+    kept = Kept<Conversion>{type, microvolts, result};
+    return result;
+}
+
+}  // namespace canproof::ax188001

@@ -1,0 +1,201 @@
+// What the node says to an access to its objects, and what a write sets off.
+
+#include "firmware/base/requirement.hpp"
+#include "firmware/canopen/node.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint32_t store_index = 0x1010U;
+
+}  // namespace
+
+AbortCode Node::check_program(const EntryRef& entry) noexcept {
+    return application_.check_access(entry);
+}
+
+static_assert(implements<req::CO_SDO_009>);
+Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
+    using Read = Result<ByteView, AbortCode>;
+    const EntryRef entry = objects_.lookup(index, subindex);
+    const AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return Read::failure(code);
+    }
+    if (!entry.may(rights::read)) {
+        return Read::failure(AbortCode::write_only);
+    }
+    return (entry.row->type == DataType::domain) ? application_.domain_value(entry)
+                                                 : Read::success(objects_.value(entry));
+}
+
+Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const std::uint8_t subindex) {
+    using Place = Result<WritePlace, AbortCode>;
+    const EntryRef entry = objects_.lookup(index, subindex);
+    const AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return Place::failure(code);
+    }
+    if (!entry.may(rights::write)) {
+        return Place::failure(AbortCode::read_only);
+    }
+    if (entry.row->type == DataType::domain) {
+        const MutableBytes staging = application_.staging(entry);
+        return (staging.size() > 0U) ? Place::success(WritePlace{staging.size(), staging})
+                                     : Place::failure(AbortCode::out_of_memory);
+    }
+    const bool is_long = entry.row->size > SdoServer::buffer_size;
+    return Place::success(WritePlace{entry.row->size, is_long ? application_.staging(entry) : MutableBytes{}});
+}
+
+static_assert(implements<req::CO_SDO_033>);
+AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
+    MutableBytes staging = application_.staging(entry);
+    if (staging.size() == 0U) {
+        return AbortCode::out_of_memory;
+    }
+    if (value.size() > staging.size()) {
+        return AbortCode::too_long;
+    }
+    if (value.data() != staging.view().data()) {
+        staging.copy(0U, value);  // an expedited download: its bytes are still in the frame
+    }
+    return application_.commit(entry, value.size(), now);
+}
+
+static_assert(implements<req::CO_SDO_016>);
+AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
+    const EntryRef entry = objects_.lookup(index, subindex);
+    AbortCode code = check_access(entry, index);
+    if (code != AbortCode::none) {
+        return code;
+    }
+    const bool is_number = !has_variable_length(entry.row->type);
+    if (!is_number && (entry.row->type == DataType::domain) && entry.may(rights::write)) {
+        return write_domain(entry, value, now);
+    }
+    std::uint64_t number{0U};
+    code = objects_.check_length(*entry.row, value.size());
+    if ((code == AbortCode::none) && is_number) {
+        number = read_le(value, 0U, value.size());
+        code = objects_.check_bits(*entry.row, number);
+    }
+    if (code != AbortCode::none) {
+        return code;
+    }
+    if (entry.row->service == Service::store) {
+        return store(entry, static_cast<std::uint32_t>(number));  // a signature is obeyed, not kept
+    }
+    if (entry.row->service != Service::none) {
+        code = before_write(entry, value);
+        if (code != AbortCode::none) {
+            return code;
+        }
+    }
+    const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
+    after_put(entry, changes, now);
+    if (changes && entry.may(rights::stored) && !entry.may(rights::rpdo)) {
+        forget_verification(index);
+    }
+    return AbortCode::none;
+}
+
+/// Date and time of the configuration tool mean the configuration that it left, no other. Process values, which an RPDO
+/// may carry, are none.
+static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
+void Node::forget_verification(const std::uint16_t changed_index) noexcept {
+    constexpr std::uint32_t verify_index = 0x1020U;
+    constexpr std::uint32_t parts = 2U;  // date, time
+    for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
+        const EntryRef found = objects_.lookup(verify_index, subindex);
+        if (found.exists() && found.may(rights::write)) {
+            static_cast<void>(objects_.put_bits(*found.row, 0U));
+        }
+    }
+}
+
+AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept {
+    const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
+    if (wrong_state && (entry.index == store_index)) {
+        return AbortCode::device_state;
+    }
+    const AbortCode code = store_.execute(entry, value);
+    return ((code == AbortCode::none) && (entry.index == store_index)) ? application_.save(entry) : code;
+}
+
+AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {
+    std::array<std::uint8_t, sizeof(bits)> bytes{};
+    MutableBytes{bytes}.put_le<sizeof(bits)>(0U, bits);
+    return before_write(entry, ByteView{bytes.data(), entry.row->size});
+}
+
+AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
+    const bool is_devices = (entry.row->service == Service::device) || (entry.row->service == Service::program);
+    return is_devices ? application_.before_write(entry, value)
+                      : check_parameter(entry, static_cast<std::uint32_t>(read_le(value, 0U, value.size())));
+}
+
+/// What the service that owns a parameter, which is a number of at most 32 bits, says of a new value.
+AbortCode Node::check_parameter(const EntryRef& entry, const std::uint32_t value) const noexcept {
+    switch (entry.row->service) {
+        case Service::sync:
+            return sync_.before_write(entry, value);
+        case Service::emcy:
+            return emcy_.before_write(entry, value);
+        case Service::heartbeat:
+            return (entry.index == HeartbeatConsumer::index) ? heartbeats_.before_write(entry, value) : AbortCode::none;
+        case Service::guarding:
+            return error_control_.before_write(entry, value);
+        case Service::pdo:
+            return check_pdo_write(objects_, entry, value);
+        case Service::none:
+        case Service::store:
+        case Service::nmt:
+        case Service::error_behaviour:
+        case Service::program:
+        case Service::lss:
+        case Service::device:
+        default:
+            return AbortCode::none;
+    }
+}
+
+void Node::after_write(const EntryRef& entry, const Instant now) noexcept {
+    switch (entry.row->service) {
+        case Service::sync:
+            sync_.after_write(now);
+            break;
+        case Service::emcy:
+            emcy_.after_write(entry);
+            break;
+        case Service::heartbeat:
+            if (entry.index == HeartbeatConsumer::index) {
+                heartbeats_.after_write(entry);
+            } else {
+                error_control_.after_write(entry, now);
+            }
+            break;
+        case Service::guarding:
+            error_control_.after_write(entry, now);
+            break;
+        case Service::program:
+        case Service::device:
+            application_.after_write(entry, now);
+            break;
+        case Service::pdo:
+            rpdos_.after_write(entry);
+            tpdos_.after_write(entry, now);
+            break;
+        case Service::none:
+        case Service::store:
+        case Service::nmt:
+        case Service::error_behaviour:
+        case Service::lss:
+        default:
+            break;
+    }
+}
+
+}  // namespace canproof

@@ -1,0 +1,115 @@
+// Errors of the bus and of the device: what the node tells of them, and the state that 1029h (error behaviour) asks
+// for.
+
+#include "firmware/canopen/node.hpp"
+
+namespace canproof {
+
+namespace {
+
+constexpr std::uint32_t error_behaviour_index = 0x1029U;
+constexpr std::uint32_t communication_error_subindex = 1U;
+// Values of 1029h (CiA 301, 7.5.2.32).
+constexpr std::uint32_t to_pre_operational = 0U;
+constexpr std::uint32_t no_change = 1U;
+constexpr std::uint32_t to_stopped = 2U;
+
+}  // namespace
+
+void Node::start_at(const Instant at) noexcept {
+    wake();
+    const bool held = communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
+    start_at_ = held ? never : at;
+}
+
+void Node::change_error(const ErrorId error, const bool present, const Instant now) noexcept {
+    emcy_.set(error, present, now);
+    wake();
+}
+
+void Node::set_overrun(const bool lost, const Instant now) noexcept {
+    overrun_ = lost;
+    set_error(ErrorId::can_overrun, lost, now);
+}
+
+void Node::set_controller(const std::uint8_t state, const bool overrun, const Instant now) noexcept {
+    constexpr std::uint32_t worst = static_cast<std::uint8_t>(CanState::bus_off);
+    set_can_state(static_cast<CanState>((state < worst) ? state : worst), now);
+    set_overrun(overrun, now);
+}
+
+void Node::set_can_state(const CanState state, const Instant now) noexcept {
+    if (state == can_state_) {
+        return;
+    }
+    const bool was_off = can_state_ == CanState::bus_off;
+    const bool is_off = state == CanState::bus_off;
+    can_state_ = state;
+    wake();
+    if (may_send()) {
+        queue_.open();
+    } else {
+        queue_.close();
+    }
+    if (state_ == NmtState::initialising) {
+        return;
+    }
+    if (is_off) {
+        sdo_.abandon();
+    }
+    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
+    if (was_off) {
+        emcy_.report(ErrorId::bus_off_recovered, now);
+    }
+    emcy_.set(ErrorId::error_passive, state >= CanState::error_passive, now);
+    watch_communication(now);
+}
+
+void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
+    wake();
+    faults_ = faults;
+    announce(faults, now);
+    const bool failed = faults.is_error();
+    if (failed == communication_failed_) {
+        return;
+    }
+    communication_failed_ = failed;
+    if (failed) {
+        apply_error_behaviour(communication_error_subindex, now);
+    }
+    application_.communication_failed(failed, now);
+}
+
+void Node::announce(const CommunicationFaults faults, const Instant now) noexcept {
+    using Faults = CommunicationFaults;
+    emcy_.set(ErrorId::guard_or_heartbeat, faults.has(Faults::guarding | Faults::silent_producers), now);
+    emcy_.set(ErrorId::life_guarding, faults.has(Faults::guarding), now);
+    for (std::size_t slot = 0U; slot < HeartbeatConsumer::max_producers; ++slot) {
+        const bool silent = faults.has(1U << slot);
+        emcy_.set(error_after(ErrorId::heartbeat_1, slot), silent, now, heartbeats_.producer(slot));
+    }
+    emcy_.set(ErrorId::rpdo_length, faults.has(Faults::rpdo_short), now);
+    emcy_.set(ErrorId::rpdo_value, faults.has(Faults::rpdo_refused), now);
+    emcy_.set(ErrorId::rpdo_timeout, faults.has(Faults::rpdo_overdue), now);
+}
+
+/// An entry that is absent reads as zero: to pre-operational.
+std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
+    return objects_.read(error_behaviour_index, subindex);
+}
+
+void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {
+    const std::uint32_t wanted = error_behaviour(subindex);
+    if (wanted != no_change) {
+        start_at_ = never;  // 1029h outranks the self-start
+    }
+    if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
+        enter(NmtState::pre_operational, now);
+    } else if (wanted == to_stopped) {
+        enter(NmtState::stopped, now);
+    } else {
+        // no change of state
+    }
+}
+
+}  // namespace canproof

@@ -1,0 +1,66 @@
+#include "host/assess/firmware_scope.hpp"
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string shared = "src/firmware/";
+const std::string devices = "src/devices/";
+const std::string part = "/firmware/";
+const std::string device_tests = "tests/devices/";
+const std::string simulation = "/simulation/";
+
+/// Whether a path from the project's folder names a file of the firmware.
+bool is_firmware(const std::string& path) {
+    if (path.rfind(shared, 0) == 0) {
+        return path.size() > shared.size();
+    }
+    const auto name_end = path.rfind(devices, 0) == 0 ? path.find('/', devices.size()) : std::string::npos;
+    return name_end != std::string::npos && name_end > devices.size() &&
+           path.compare(name_end, part.size(), part) == 0 && path.size() > name_end + part.size();
+}
+
+}  // namespace
+
+std::string firmware_path(const std::string& file) {
+    // The last `src/` that fits: the project's own folder may lie below another `src/`.
+    for (auto at = file.rfind("src/"); at != std::string::npos;
+         at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {
+        if ((at == 0 || file[at - 1] == '/') && is_firmware(file.substr(at))) {
+            return file.substr(at);
+        }
+    }
+    return "";
+}
+
+std::vector<std::string> firmware_folders(const fs::path& root) {
+    std::vector<std::string> folders;
+    if (fs::is_directory(root / "src" / "devices")) {
+        for (const auto& device : fs::directory_iterator{root / "src" / "devices"}) {
+            if (fs::is_directory(device.path() / "firmware")) {
+                folders.push_back((device.path() / "firmware").lexically_relative(root).generic_string());
+            }
+        }
+    }
+    std::sort(folders.begin(), folders.end());
+    if (fs::is_directory(root / "src" / "firmware")) {
+        folders.insert(folders.begin(), "src/firmware");
+    }
+    return folders;
+}
+
+bool tests_the_firmware(const std::string& file) {
+    const auto below = [&file](const std::string& folder) { return file.rfind(folder, 0) == 0; };
+    if (below(device_tests)) {
+        const auto name_end = file.find('/', device_tests.size());
+        return name_end == std::string::npos || file.compare(name_end, simulation.size(), simulation) != 0;
+    }
+    return below("tests/conformance/") || below("tests/firmware/") || below("fuzz/") ||
+           (below("properties/") && !below("properties/host/"));
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,148 @@
+// The interface below the SocketCanBus: its sockets, its bit rate, and its coming and going.
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host/base/input_error.hpp"
+#include "host/sim/bus/kernel_frame.hpp"
+#include "host/sim/bus/socketcan_bus.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string remedy(const std::string& interface, int error) {
+    if (error == EAFNOSUPPORT) {
+        return "this kernel has no SocketCAN; use --bus socketcand:127.0.0.1:29536 or --bus inproc";
+    }
+    if (error == ENODEV) {
+        return fmt::format("make it with `ip link add dev {0} type vcan; ip link set {0} up`, or name another",
+                           interface);
+    }
+    return "check the interface and your rights";
+}
+
+}  // namespace
+
+void SocketCanBus::open_socket(Port& port) {
+    const CanOpening opening = system_.open(interface_, port.node != nullptr);
+    if (opening.error != 0) {
+        throw InputError{fmt::format("{} cannot be opened ({}); {}", interface_, std::strerror(opening.error),
+                                     remedy(interface_, opening.error))};
+    }
+    port.descriptor = opening.descriptor;
+    port.dropped = 0;
+    roomy_ = roomy_ && opening.roomy;
+    if (port.node != nullptr) {
+        port.filters = port.node->filters();
+        static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(port.filters)));
+    }
+}
+
+void SocketCanBus::close_sockets() {
+    for (Port& port : ports_) {
+        if (port.descriptor >= 0) {
+            system_.close(port.descriptor);
+            port.descriptor = -1;
+        }
+    }
+}
+
+/// Without node-ID or with another configuration a node listens to other frames, at another rate.
+void SocketCanBus::follow_node(Port& port) {
+    if (port.descriptor >= 0) {
+        const std::vector<AcceptanceFilter>& wanted = port.node->filters();
+        if (!(wanted == port.filters)) {
+            static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(wanted)));
+            port.filters = wanted;
+        }
+    }
+    const std::uint32_t rate = port.node->bit_rate();
+    if (rate != port.bit_rate) {
+        port.bit_rate = rate;
+        if (rate != 0) {
+            change_bit_rate(port);
+        }
+    }
+}
+
+void SocketCanBus::change_bit_rate(const Port& port) {
+    const std::string wish = fmt::format("{}: LSS sets {} bit/s", port.node->name(), port.bit_rate);
+    const std::string commands =
+        fmt::format("would have done: ip link set {0} down; ip link set {0} type can bitrate {1}; ip link set {0} up",
+                    interface_, port.bit_rate);
+    if (control_ == InterfaceControl::none) {
+        notice(fmt::format("{}; {} was left as it is without --control-interface; {}", wish, interface_, commands));
+        return;
+    }
+    const BitRateOutcome outcome = system_.set_bit_rate(interface_, port.bit_rate);
+    if (outcome.done) {
+        bit_rate_ = port.bit_rate;
+        notice(fmt::format("{}; {} has it now", wish, interface_));
+    } else {
+        notice(fmt::format("{}; {}; {}", wish, outcome.why, commands));
+    }
+}
+
+/// The kernel reports a change of the interface even when it is over: what counts is how things are now.
+void SocketCanBus::lose_interface(Instant now) {
+    const bool same = system_.interface_number(interface_) == number_;
+    if (down_ || (same && system_.is_up(interface_))) {
+        return;
+    }
+    down_ = true;
+    look_at_ = now + search_period;
+    notice(fmt::format("{} is {}; waiting for it", interface_,
+                       system_.interface_number(interface_) == 0 ? "gone" : "down"));
+    for (Port& port : ports_) {
+        port.retry = never;
+        port.pause = Duration{};
+        port.waiting.clear();
+        if (port.node != nullptr) {
+            set_state(port, CanState::bus_off, now);
+        }
+    }
+}
+
+void SocketCanBus::look_for_interface(Instant now) {
+    look_at_ = now + search_period;
+    const unsigned number = system_.interface_number(interface_);
+    if (number == 0 || !system_.is_up(interface_)) {
+        return;
+    }
+    if (number != number_) {
+        close_sockets();
+        try {
+            for (Port& port : ports_) {
+                open_socket(port);
+            }
+        } catch (const InputError&) {
+            return;  // gone again: the next look will tell
+        }
+        number_ = number;
+    }
+    down_ = false;
+    look_at_ = never;
+    bit_rate_ = system_.bit_rate(interface_);
+    notice(fmt::format("{} is up again", interface_));
+    for (Port& port : ports_) {
+        if (port.node != nullptr) {
+            set_state(port, CanState::error_active, now);
+        }
+    }
+}
+
+void SocketCanBus::restart_controller(Instant now) {
+    restart_at_ = never;
+    if (control_ == InterfaceControl::none) {
+        notice(fmt::format(
+            "{0} is bus-off and was left so without --control-interface; would have done: ip link set {0} type can "
+            "restart",
+            interface_));
+    } else if (!system_.restart(interface_)) {
+        restart_at_ = now + restart_after;
+    }
+}
+
+}  // namespace canproof::host
