@@ -1,7 +1,7 @@
 // The arguments that commands with devices on a bus have in common.
 #pragma once
 
-#include "host/app/cli/commands.hpp"
+#include "host/app/cli/run_command.hpp"
 
 namespace CLI {
 class App;

@@ -7,7 +7,8 @@
 #include <pugixml.hpp>
 
 #include "host/assess/trace/code_links.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
