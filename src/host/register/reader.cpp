@@ -278,10 +278,10 @@ Part& part_named(Register& content, const std::string& name) {
     return content.parts.back();
 }
 
-/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` → canopen, else nothing.
+/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` and `canproof/spec/canopen/…` → canopen, else nothing.
 std::string part_of(const std::string& path) {
     const std::string devices = "spec/devices/";
-    if (path.rfind("spec/canopen/", 0) == 0) {
+    if (path.rfind(shared_rules, 0) == 0 || path.rfind(from_package + shared_rules, 0) == 0) {
         return "canopen";
     }
     if (path.rfind(devices, 0) != 0) {
@@ -305,6 +305,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
             part_named(content, part).files.push_back(path);
         }
         read_items(item, part_named(content, part));
+        part_named(content, part).inherited = path.rfind(from_package, 0) == 0;
     }
 }
 

@@ -94,6 +94,21 @@ SpecFiles read_spec_files(const std::filesystem::path& spec) {
     return files;
 }
 
+SpecFiles with_shared_rules(SpecFiles own, const SpecFiles& package) {
+    const auto first = own.lower_bound(shared_rules);
+    if (first != own.end() && first->first.rfind(shared_rules, 0) == 0) {
+        return own;
+    }
+    for (const auto& [path, text] : package) {
+        if (path.rfind(shared_rules, 0) == 0) {
+            own.emplace(from_package + path, text);
+        } else if (path.rfind(from_package + shared_rules, 0) == 0) {
+            own.emplace(path, text);
+        }
+    }
+    return own;
+}
+
 namespace {
 
 struct TypeFacts {

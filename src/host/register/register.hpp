@@ -238,6 +238,7 @@ struct Part {
     std::vector<Decision> decisions;
     std::map<std::string, Review> reviews;  ///< by id
     std::vector<std::string> files;
+    bool inherited{false};  ///< the shared rules as they come with canproof: proven there, not in this project
 
     /// `cbx-ao412` as C++ spells it: cbx_ao412.
     std::string cpp_name() const;
@@ -275,11 +276,18 @@ struct LoadResult {
     Faults faults;  ///< ascending by file and line
 };
 
-/// Files by path: "spec/devices/x/device.toml" → text.
+/// Begins the paths of the shared rules.
+inline const std::string shared_rules = "spec/canopen/";
+/// Begins the path of a file that comes with canproof itself, in a project without spec/canopen.
+inline const std::string from_package = "canproof/";
+/// Files by path: "spec/devices/NAME/device.toml" → text.
 using SpecFiles = std::map<std::string, std::string>;
 
 /// The .toml files below a folder, as if it were named spec/.
 SpecFiles read_spec_files(const std::filesystem::path& spec);
+/// `own`, with the shared rules of `package` when it has no spec/canopen of its own: paths of these begin with
+/// canproof/.
+SpecFiles with_shared_rules(SpecFiles own, const SpecFiles& package);
 LoadResult load_register(const std::filesystem::path& spec);
 /// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
 LoadResult load_register(const SpecFiles& files);

@@ -11,6 +11,7 @@
 #include "host/app/cli/factory_options.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/codegen/writers.hpp"
+#include "host/register/embedded_spec.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
@@ -94,7 +95,7 @@ int check_spec(const std::string& spec) {
     if (files.empty()) {
         throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
     }
-    const LoadResult loaded = load_register(files);
+    const LoadResult loaded = load_register(with_shared_rules(files, embedded_spec()));
     for (const auto& fault : loaded.faults) {
         tell(fault.text());
     }

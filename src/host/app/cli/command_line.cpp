@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "host/app/cli/commands.hpp"
+#include "host/app/cli/run_arguments.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/sim/bus/candump.hpp"
 
@@ -13,13 +14,6 @@ namespace canproof::host {
 namespace {
 
 constexpr int wrong_use = 2;
-
-constexpr const char* node_help =
-    "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
-
-constexpr const char* factory_help =
-    "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
-    "one";
 
 /// Beyond it a double no longer holds microseconds.
 constexpr double most_seconds = 4.0e9;
@@ -65,27 +59,14 @@ void add_catalogue(CLI::App& app, std::function<int()>& chosen) {
     review->callback([&chosen] { chosen = [] { return review_spec(reviewing); }; });
 }
 
-/// What `run` and `panel` have in common.
-void add_run_options(CLI::App& command, RunOptions& running) {
-    command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
-    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
-    command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
-    command
-        .add_option("--bus", running.bus,
-                    "inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 (serves; has no remote frames) or "
-                    "socketcand-client:127.0.0.1:29536/can0 (joins such a server)")
-        ->capture_default_str();
-    command.add_option("--bus-faults", running.bus_faults,
-                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
-    command.add_flag("--control-interface", running.control_interface,
-                     "may set the interface's bit rate when LSS asks, and restart it after bus-off");
-    command.add_option("--log", running.log, "all frames as `candump -L` writes them; FILE.pcapng for Wireshark");
-    command.add_flag("--log-marks", running.log_marks,
-                     "T behind the devices' frames and R behind the others, as `candump -L -x` has");
-    command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
-    command.add_option("--stimulus", running.stimulus,
-                       "CSV seconds,signal,value; device.signal for one of several devices");
-    command.add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
+void add_new(CLI::App& app, std::function<int()>& chosen) {
+    static NewOptions options;
+    auto* command = app.add_subcommand("new", "a folder with a device of your own, which builds and tests at once");
+    command->add_option("NAME", options.name, "of folder and device: small letters, digits, single dashes")->required();
+    command->add_option("--eds", options.eds, "EDS, DCF or XDD file: identity and objects come from there");
+    command->add_option("--manual", options.manual, "title of the device's manual");
+    command->add_option("--prefix", options.prefix, "of ids, in capital letters; from the name without it");
+    command->callback([&chosen] { chosen = [] { return write_new_project(options); }; });
 }
 
 void add_run(CLI::App& app, std::function<int()>& chosen) {
@@ -293,6 +274,7 @@ int run_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     std::function<int()> chosen;
     add_catalogue(app, chosen);
+    add_new(app, chosen);
     add_running(app, chosen);
     add_fuzz(app, chosen);
     add_audit(app, chosen);

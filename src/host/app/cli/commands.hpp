@@ -54,6 +54,13 @@ struct AuditOptions {
     AuditFilter filter;
 };
 
+struct NewOptions {
+    std::string name;    ///< of folder and device
+    std::string eds;     ///< file: EDS, DCF or XDD; empty: the template's objects
+    std::string manual;  ///< title; empty: from the device
+    std::string prefix;  ///< of its ids; empty: from the name
+};
+
 struct ReviewOptions {
     std::string spec{"spec"};
     std::vector<std::string> subjects;  ///< ids or devices
@@ -110,6 +117,7 @@ struct MisraOptions {
     std::string judgement;
 };
 
+int write_new_project(const NewOptions& options);
 int list_devices();
 int list_signals(const std::string& device);
 int print_eds(const std::string& device, const std::string& format);

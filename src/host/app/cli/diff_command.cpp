@@ -7,13 +7,14 @@
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
+#include "host/register/embedded_spec.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 
 int diff(const DiffOptions& options) {
     const std::filesystem::path root{options.root};
-    const LoadResult before = load_register(spec_files_at(root, options.revision));
+    const LoadResult before = load_register(with_shared_rules(spec_files_at(root, options.revision), embedded_spec()));
     const Register after = sound_register(root / "spec");
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, after);

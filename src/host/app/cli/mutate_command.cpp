@@ -18,9 +18,20 @@ namespace canproof::host {
 
 namespace {
 
-/// The cells of one item or of one device; all without a subject.
+/// Shared rules that come with canproof are tested there: their cells are left alone.
+void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
+    const auto inherited = [&](const AlteredCell& cell) {
+        return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
+            return part.inherited && cell.item.rfind(part.prefix + "-", 0) == 0;
+        });
+    };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), inherited), cells.end());
+}
+
+/// The cells of one item or of one device; all of the project without a subject.
 std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Register& content,
                                       const std::string& subject) {
+    drop_inherited(cells, content);
     if (subject.empty()) {
         return cells;
     }

@@ -57,7 +57,7 @@ int review_spec(const ReviewOptions& options) {
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;
     for (const auto& part : content.parts) {
-        const auto chosen = chosen_of(part, options, names);
+        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(part, options, names);
         if (chosen.empty()) {
             continue;
         }

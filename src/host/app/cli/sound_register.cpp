@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "host/register/embedded_spec.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
@@ -10,7 +11,7 @@ Register sound_register(const std::filesystem::path& spec) {
     if (!std::filesystem::is_directory(spec)) {
         throw InputError{fmt::format("{} is no folder; name the project with --root", spec.string())};
     }
-    LoadResult loaded = load_register(read_spec_files(spec));
+    LoadResult loaded = load_register(with_shared_rules(read_spec_files(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
         throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
                                      loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "host/assess/firmware_scope.hpp"
 #include "host/assess/trace/review.hpp"
 
 namespace canproof::host {
@@ -137,13 +138,6 @@ class PartAuditor {
     PartAudit audit_;
 };
 
-bool tests_the_firmware(const std::string& file) {
-    static const std::vector<std::string> folders{"tests/conformance/", "tests/devices/", "tests/firmware/",
-                                                  "properties/", "fuzz/"};
-    return file.rfind("properties/host/", 0) != 0 &&
-           std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return file.rfind(folder, 0) == 0; });
-}
-
 }  // namespace
 
 std::string AuditedItem::status() const {
@@ -161,7 +155,9 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
     const SectionIndex sections{content};
     std::vector<PartAudit> all;
     for (const auto& part : content.parts) {
-        all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        if (!part.inherited) {
+            all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        }
     }
     return all;
 }

@@ -16,6 +16,7 @@ namespace canproof::test {
 
 namespace {
 
+using ax060805::Vector3;
 using host::ChosenDevice;
 using host::FactoryOptions;
 using host::InputError;
