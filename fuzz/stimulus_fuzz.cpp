@@ -3,10 +3,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "firmware/base/time.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
+#include "host/base/input_error.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
 #include "host/sim/replay/stimulus.hpp"
 
 CANPROOF_FUZZ_CLAIMS()

@@ -10,6 +10,7 @@
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
+#include "host/base/time_text.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 #include "host/sim/replay/replay.hpp"

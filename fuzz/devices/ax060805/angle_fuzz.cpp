@@ -14,6 +14,7 @@
 namespace {
 
 using namespace canproof;
+using namespace canproof::ax060805;
 using fuzz::require;
 using Exact = long double;
 

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace canproof;
+using namespace canproof::ax188001;
 using fuzz::require;
 using generated::ax188001::SensorType;
 

@@ -15,6 +15,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 float from_bits(std::uint32_t bits) {
     float value = 0.0F;
     std::memcpy(&value, &bits, sizeof value);

@@ -16,6 +16,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }

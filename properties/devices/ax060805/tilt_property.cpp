@@ -15,6 +15,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 constexpr double radians = 3.14159265358979323846 / 180.0;
 constexpr double stated_error = 1.0e-4;  // degrees
 

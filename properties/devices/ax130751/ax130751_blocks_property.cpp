@@ -17,6 +17,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 PointResponse some_response() {
     return static_cast<PointResponse>(*rc::gen::weightedElement<int>({{1, 0}, {6, 1}, {6, 2}}));
 }

@@ -18,6 +18,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 /// Hundredths, so that nothing depends on the last bit of a double.
 double hundredths(int low, int high) {
     return *rc::gen::inRange(low * 100, (high * 100) + 1) / 100.0;

@@ -19,6 +19,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 const Its90Type& any_type() {
     return its90_types()[static_cast<std::size_t>(*rc::gen::inRange(0, 8))];
 }

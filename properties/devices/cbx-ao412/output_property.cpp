@@ -13,6 +13,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace cbx_ao412;
+
 // 4.096 V * 30.9 / 12.4 = 10.20697 V at 32768; 4096 steps of 8 codes
 constexpr VoltageOutputCircuit circuit{4.096F * 30.9F / 12.4F, 4096, 8};
 

@@ -11,6 +11,8 @@ namespace fs = std::filesystem;
 const std::string shared = "src/firmware/";
 const std::string devices = "src/devices/";
 const std::string part = "/firmware/";
+const std::string device_tests = "tests/devices/";
+const std::string simulation = "/simulation/";
 
 /// Whether a path from the project's folder names a file of the firmware.
 bool is_firmware(const std::string& path) {
@@ -49,6 +51,16 @@ std::vector<std::string> firmware_folders(const fs::path& root) {
         folders.insert(folders.begin(), "src/firmware");
     }
     return folders;
+}
+
+bool tests_the_firmware(const std::string& file) {
+    const auto below = [&file](const std::string& folder) { return file.rfind(folder, 0) == 0; };
+    if (below(device_tests)) {
+        const auto name_end = file.find('/', device_tests.size());
+        return name_end == std::string::npos || file.compare(name_end, simulation.size(), simulation) != 0;
+    }
+    return below("tests/conformance/") || below("tests/firmware/") || below("fuzz/") ||
+           (below("properties/") && !below("properties/host/"));
 }
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Which files are firmware: src/firmware/** and src/devices/NAME/firmware/**. Whatever judges the firmware asks here.
+// Which files are firmware: src/firmware/** and src/devices/NAME/firmware/**. What judges it asks here.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,17 @@
 
 namespace canproof::host {
 
-/// The path of a firmware file from the project's folder, as in `src/firmware/base/crc.cpp` or
-/// `src/devices/NAME/firmware/ramp.cpp`. `file` is that path or ends with it behind a `/`, as compilers write it.
+/// The path of a firmware file from the project's folder, as in `src/firmware/base/crc16.hpp` or
+/// `src/devices/ax130751/firmware/ramp.cpp`. `file` is that path or ends with it behind a `/`, as compilers write it.
 /// Empty for every other file.
 std::string firmware_path(const std::string& file);
 
 /// The folders of the firmware that exist in the project: `src/firmware` and each `src/devices/NAME/firmware`, in
 /// alphabetical order of the devices.
 std::vector<std::string> firmware_folders(const std::filesystem::path& root);
+
+/// Whether a test, a property or a fuzz target is one of the firmware, and so has to claim what it shows. `file` is
+/// named from the project's folder. Those of the host are not, nor those of a device's simulation.
+bool tests_the_firmware(const std::string& file);
 
 }  // namespace canproof::host

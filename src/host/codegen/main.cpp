@@ -2,7 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
+#include "host/codegen/write_all.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 int main(int argc, char** argv) {
     using namespace canproof::host;

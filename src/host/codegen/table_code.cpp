@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,3 +1,5 @@
+#include "host/register/check_references.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "host/register/checker.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

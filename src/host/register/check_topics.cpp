@@ -1,11 +1,11 @@
+#include "host/register/check_topics.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
-
-#include "host/register/checker.hpp"
 
 namespace canproof::host {
 

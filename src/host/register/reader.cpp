@@ -1,10 +1,16 @@
+// What cannot be read is told as a fault; what can be is read all the same, so that one run tells everything.
 #include "host/register/reader.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <tuple>
 
+#include "host/register/read_item.hpp"
+#include "host/register/read_object.hpp"
+#include "host/register/read_table.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/register/toml_depth.hpp"
 
 namespace canproof::host {
@@ -310,22 +316,6 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
 }
 
 }  // namespace
-
-void read_id(TomlItem& item, Item& into) {
-    into.id = item.text("id");
-    into.id_place = item.place("id");
-}
-
-void read_common(TomlItem& item, Item& into, bool text_required) {
-    into.place = item.place();
-    into.text = text_required ? item.text("text") : item.text_or("text", "");
-    const bool derived = item.boolean_or("derived", false);
-    if (derived) {
-        into.derived = item.text("reason");
-    }
-    into.sources = item.texts("source", !derived);
-    into.source_place = item.place(item.has("source") ? "source" : "derived");
-}
 
 Register read_register(const SpecFiles& files, Faults& faults) {
     Register content;

@@ -271,29 +271,6 @@ struct Register {
     }
 };
 
-struct LoadResult {
-    Register content;
-    Faults faults;  ///< ascending by file and line
-};
-
-/// Begins the paths of the shared rules.
-inline const std::string shared_rules = "spec/canopen/";
-/// Begins the path of a file that comes with canproof itself, in a project without spec/canopen.
-inline const std::string from_package = "canproof/";
-/// Files by path: "spec/devices/x/device.toml" → text.
-using SpecFiles = std::map<std::string, std::string>;
-
-/// The .toml files below a folder, as if it were named spec/.
-SpecFiles read_spec_files(const std::filesystem::path& spec);
-/// `own`, with the shared rules of `package` when it has no spec/canopen of its own: paths of these begin with
-/// canproof/.
-SpecFiles with_shared_rules(SpecFiles own, const SpecFiles& package);
-LoadResult load_register(const std::filesystem::path& spec);
-/// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
-LoadResult load_register(const SpecFiles& files);
-/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
-std::optional<Register> read_sound_register(const SpecFiles& files);
-
 /// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
 std::size_t type_size(const std::string& type);
 /// Smallest and largest value of an integer type (64-bit unsigned is cut at INT64_MAX).

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -17,6 +18,14 @@ Value literal(const toml::node& node) {
     if (const auto s = node.as_string())
         return s->get();
     return {};
+}
+
+Place TomlItem::place() const {
+    return Place{file_, static_cast<unsigned>(table_.source().begin.line)};
+}
+
+bool TomlItem::has(const std::string& key) const {
+    return table_.contains(key);
 }
 
 Place TomlItem::place(const std::string& key) const {

@@ -1,5 +1,5 @@
 // Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127. Their
-// arithmetic is tested in tests/firmware/binary_function_test.cpp.
+// arithmetic is tested in tests/devices/ax060805/blocks/binary_function_test.cpp.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"

@@ -7,8 +7,9 @@
 #include <sstream>
 
 #include "generated/ax130751/requirements.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/datasheet/write_eds.hpp"
 #include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {

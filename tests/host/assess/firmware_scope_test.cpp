@@ -36,6 +36,20 @@ TEST(FirmwareScope, NamesAFileFromTheProjectsFolderHoweverTheBuildNamesIt) {
     EXPECT_EQ(firmware_path("/src/firmware/project/src/firmware/a.hpp"), "src/firmware/a.hpp");
 }
 
+TEST(FirmwareScope, TestsOfTheFirmwareAreThoseThatMustClaimSomething) {
+    for (const char* one :
+         {"tests/conformance/sdo_test.cpp", "tests/firmware/bytes_test.cpp",
+          "tests/devices/ax130751/blocks/ramp_test.cpp", "tests/devices/shared_test.cpp",
+          "tests/devices/ax130751/other/simulation/x_test.cpp", "properties/lss_property.cpp",
+          "properties/devices/ax130751/ramp_property.cpp", "fuzz/devices/ax130751/ax130751_fuzz.cpp"}) {
+        EXPECT_TRUE(tests_the_firmware(one)) << one;
+    }
+    for (const char* other : {"tests/host/base/reading_test.cpp", "tests/devices/ax130751/simulation/figures_test.cpp",
+                              "properties/host/replay_property.cpp", ""}) {
+        EXPECT_FALSE(tests_the_firmware(other)) << other;
+    }
+}
+
 TEST(FirmwareScope, ListsTheFoldersThatExist) {
     const fs::path root = fs::path{testing::TempDir()} / "firmware_scope";
     fs::remove_all(root);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "host/register/fingerprint.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host::test {
 

@@ -5,7 +5,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -154,4 +154,4 @@ float angle_filter_delay_ms(const AngleFilterKind kind, const std::uint16_t samp
     }
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

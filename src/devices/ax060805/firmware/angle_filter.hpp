@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 enum class AngleFilterKind : std::uint8_t {
     none,            ///< the latest sample
@@ -54,4 +54,4 @@ class AngleFilter {
 /// Delay of slow changes in milliseconds: half the window, and for the repeating filter the mean time of repetition.
 float angle_filter_delay_ms(AngleFilterKind kind, std::uint16_t samples, std::uint16_t period_ms) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -98,4 +98,4 @@ float exp_of_negative(const float x) noexcept {
     return fourth * fourth;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -1,10 +1,11 @@
 // Trigonometry in degrees, in single precision and without libm: the same bits on every target.
 //
-// Errors against double precision, tested in tests/firmware/angle_math_test.cpp and properties/tilt_property.cpp:
+// Errors against double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and
+// properties/devices/ax060805/tilt_property.cpp:
 // atan2_degrees 0.00003 degree, sine and cosine 0.0000002, exp_of_negative 0.0000004.
 #pragma once
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 /// Direction of (x, y) in degrees, -180…180, for finite operands of which one at least is not 0; 0 for (0, 0). A y of
 /// either zero counts as positive, so that an exact half turn is +180.
@@ -17,4 +18,4 @@ float cosine_of_degrees(float degrees) noexcept;
 /// e to the power of -x, for x from 0 to 4.
 float exp_of_negative(float x) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

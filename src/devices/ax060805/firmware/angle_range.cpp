@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -24,4 +24,4 @@ float in_span(const float degrees, const AngleSpan& span) noexcept {
     return degrees;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 /// Degrees. A whole turn, -180…180 or 0…360, gives every angle; a smaller span, 0…90, the distance from the level.
 struct AngleSpan {
@@ -16,4 +16,4 @@ struct AngleSpan {
 /// itself does not occur.
 float in_span(float degrees, const AngleSpan& span) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

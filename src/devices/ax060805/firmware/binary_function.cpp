@@ -7,7 +7,7 @@
 #include "firmware/base/table_row.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -139,4 +139,4 @@ Signal evaluate(const FunctionBlock& block) noexcept {
     return defined_unless_nan((block.output.scale * result.continuous) + block.output.offset);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

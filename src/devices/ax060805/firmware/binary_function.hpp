@@ -9,7 +9,7 @@
 #include "devices/ax060805/firmware/signal.hpp"
 #include "generated/ax060805/tables.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 using UnaryFunction = generated::ax060805::t_inc_t9::Function;
 using BinaryFunction = generated::ax060805::t_inc_t10::Function;
@@ -43,4 +43,4 @@ Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 /// Equation 4.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

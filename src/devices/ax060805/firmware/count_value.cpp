@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -33,4 +33,4 @@ float value_of_count(const std::int16_t count, const ReceivedScale& scale) noexc
     return ((static_cast<float>(count) + scale.offset) * static_cast<float>(scale.digits)) / digits_of_whole_units;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 struct CountScale {
     std::uint16_t digits{1U};  ///< counts of one unit
@@ -26,4 +26,4 @@ struct ReceivedScale {
 /// A received value in its unit: the count plus the offset, divided by the counts of one unit.
 float value_of_count(std::int16_t count, const ReceivedScale& scale) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -4,7 +4,7 @@
 #include "generated/ax060805/constants.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 static_assert(implements<req::INC_INSTALL_007> && implements<req::INC_FILTER_002> && implements<req::INC_FILTER_005>);
 void Inclination::sample(const Vector3& acceleration, const InclinationSettings& settings) noexcept {
@@ -60,4 +60,4 @@ std::optional<PitchRoll> Inclination::nulling_angles(const InclinationSettings& 
     return euler_angles(gravity);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

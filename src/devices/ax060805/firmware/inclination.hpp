@@ -9,7 +9,7 @@
 #include "devices/ax060805/firmware/low_pass.hpp"
 #include "devices/ax060805/firmware/tilt.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 struct InclinationSettings {
     float filter_share{1.0F};      ///< of low_pass_coefficient(); 1 switches the filter off
@@ -64,4 +64,4 @@ class Inclination {
     bool roll_unsure_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

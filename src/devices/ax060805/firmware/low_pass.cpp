@@ -4,7 +4,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -39,4 +39,4 @@ const Vector3& LowPass::update(const Vector3& sample, const float coefficient) n
     return output_;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -4,7 +4,7 @@
 #include "devices/ax060805/firmware/tilt.hpp"
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 /// Share of the remaining step that one sample covers, 1 - exp(-2 pi f T), for f T up to 0.5.
 float low_pass_coefficient(float cut_off_hz, Duration period) noexcept;
@@ -25,4 +25,4 @@ class LowPass {
     bool started_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

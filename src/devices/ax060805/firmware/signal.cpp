@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::uint32_t to_discrete(const float value) noexcept {
     return (value > 0.0F) ? static_cast<std::uint32_t>(value) : 0U;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

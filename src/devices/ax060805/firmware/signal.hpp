@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 enum class SignalKind : std::uint8_t { undefined, discrete, continuous };
 
@@ -33,4 +33,4 @@ float as_continuous(const Signal& signal) noexcept;
 /// 3.1.6: without fraction; negative values and NaN become 0, too large ones FFFFFFFFh.
 std::uint32_t to_discrete(float value) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

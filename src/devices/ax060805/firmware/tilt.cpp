@@ -7,7 +7,7 @@
 #include "generated/ax060805/constants.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 namespace {
 
@@ -65,4 +65,4 @@ Vector3 undo_rotation(const Vector3& vector, const PitchRoll& installation) noex
     return Vector3{(cos_pitch * vector.x) + (sin_pitch * down), y, (cos_pitch * down) - (sin_pitch * vector.x)};
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

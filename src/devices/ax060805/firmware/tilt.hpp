@@ -3,7 +3,7 @@
 // Every angle lies within 0.0001 degree of the same formula in double precision.
 #pragma once
 
-namespace canproof {
+namespace canproof::ax060805 {
 
 /// Along X (forward), Y (right) and Z (down): accelerations or gravity in g.
 struct Vector3 {
@@ -44,4 +44,4 @@ bool in_gimbal_lock(const Vector3& gravity, float cone) noexcept;
 /// 3.4).
 Vector3 undo_rotation(const Vector3& vector, const PitchRoll& installation) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax060805

@@ -5,11 +5,15 @@
 
 #include "devices/ax060805/firmware/tilt.hpp"
 #include "devices/ax060805/simulation/simulation.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 
 namespace {
+
+using namespace ax060805;
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double turn_seconds = 20.0;

@@ -28,7 +28,7 @@ class InclinometerPlant {
     double normal();
 
     SensorErrors errors_{};
-    Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< what a sensor without noise and errors feels, in g
+    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< what a sensor without noise and errors feels, in g
     std::mt19937 noise_{1U};
 };
 

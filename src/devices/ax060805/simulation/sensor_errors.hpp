@@ -22,6 +22,6 @@ std::uint16_t model_of(const std::string& part_number);
 SensorErrors greatest_errors(std::uint16_t model);
 
 /// Acceleration in g with the errors, at that temperature of the sensor in degC.
-Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temperature);
+ax060805::Vector3 with_errors(const ax060805::Vector3& felt, const SensorErrors& errors, double temperature);
 
 }  // namespace canproof::host

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_OUT_009> && implements<req::AOR_OUT_010> && implements<req::AOR_OUT_011> &&
               implements<req::AOR_OUT_014> && implements<req::AOR_OUT_015> && implements<req::AOR_OUT_016> &&
@@ -41,4 +41,4 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
     return AnalogueOutputState{target, range.nearest(ramp_.value_at(now))};
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -4,7 +4,7 @@
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "devices/ax130751/firmware/ramp.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// What an output can be driven to. 0 is OFF and always allowed.
 struct OutputRange {
@@ -49,4 +49,4 @@ class AnalogueOutput {
     Ramp ramp_{};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -3,7 +3,7 @@
 
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// Begins with ON at `since` and changes every `half_period`; 0 stays ON.
 constexpr bool blinks_on(const Instant since, const Duration half_period, const Instant now) noexcept {
@@ -17,4 +17,4 @@ constexpr Instant next_blink(const Instant since, const Duration half_period, co
                : (since + Duration{((elapsed(since, now).us / half_period.us) + 1U) * half_period.us});
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

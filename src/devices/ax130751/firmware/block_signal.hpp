@@ -7,7 +7,7 @@
 
 #include "firmware/blocks/bounds.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 enum class SignalState : std::uint8_t {
     valid,
@@ -69,4 +69,4 @@ inline std::int16_t process_value(const double value, const std::uint8_t digits)
     return static_cast<std::int16_t>(std::round(lesser(greater(scaled, least), most)));
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

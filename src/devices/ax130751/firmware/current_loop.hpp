@@ -1,7 +1,7 @@
 // The current that an output with a limited voltage drives through a load (AX130751, chapter 4).
 #pragma once
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// mA. `per_ampere` turns volts by ohms to the unit of the current.
 constexpr double loop_current(const double commanded, const double load_ohm, const double compliance_v,
@@ -10,4 +10,4 @@ constexpr double loop_current(const double commanded, const double load_ohm, con
     return limited ? ((compliance_v * per_ampere) / load_ohm) : commanded;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -3,7 +3,7 @@
 
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 class DelayedState {
   public:
@@ -38,4 +38,4 @@ class DelayedState {
     Instant due_{never};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

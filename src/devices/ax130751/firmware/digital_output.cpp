@@ -4,7 +4,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_006> && implements<req::AOR_DO_008>);
 DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
@@ -65,4 +65,4 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
     return memory_;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -5,7 +5,7 @@
 #include "devices/ax130751/firmware/switch_polarity.hpp"
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// The states that are asked for; which of them counts is the drive's choice.
 struct DigitalDemand {
@@ -39,4 +39,4 @@ class DigitalOutput {
     Instant next_blink_{never};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

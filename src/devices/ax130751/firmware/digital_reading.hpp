@@ -3,7 +3,7 @@
 
 #include "devices/ax130751/firmware/block_signal.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// OFF at or below the signal's lower limit, ON at or above its upper one, and as before in between. Where the limits
 /// coincide the signal is OFF at them.
@@ -32,4 +32,4 @@ class DigitalReading {
     bool on_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -1,7 +1,7 @@
 // A fault with hysteresis: a measured value beyond its limit (AX130751, 1.8).
 #pragma once
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 class LimitFault {
   public:
@@ -25,4 +25,4 @@ class LimitFault {
     bool present_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

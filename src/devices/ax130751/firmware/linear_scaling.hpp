@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// y1 at x1 and y2 at x2, where x1 < x2; y1 may lie above y2.
 struct LinearScaling {
@@ -34,4 +34,4 @@ constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
     return scaling.y1 + (((x - scaling.x1) * (scaling.y2 - scaling.y1)) / (scaling.x2 - scaling.x1));
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -6,7 +6,7 @@
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 namespace {
 
@@ -63,4 +63,4 @@ double percentage_of_limits(const BlockSignal& table) noexcept {
     return scale(table.value, LinearScaling{table.lower, table.upper, 0.0, 100.0});
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

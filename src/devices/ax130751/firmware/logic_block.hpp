@@ -7,7 +7,7 @@
 #include "devices/ax130751/firmware/block_signal.hpp"
 #include "generated/ax130751/enumerations.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 using generated::ax130751::ConditionResult;
 
@@ -49,4 +49,4 @@ std::size_t select_function(const FunctionAt& function_at) noexcept {
 /// A value as a percentage of its limits, 0…100; 0 where they coincide.
 double percentage_of_limits(const BlockSignal& table) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -6,7 +6,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_LT_001> && implements<req::AOR_LT_002> && implements<req::AOR_LT_003> &&
               implements<req::AOR_LT_004> && implements<req::AOR_LT_005> && implements<req::AOR_LT_006>);
@@ -96,4 +96,4 @@ double LookupTable::follow_time(const BlockSignal& input, const LookupConfig& co
     return lookup_in_time(gone, config.points, config.repeat);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -6,7 +6,7 @@
 #include "devices/ax130751/firmware/digital_reading.hpp"
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 constexpr std::size_t lookup_points = 11U;
 
@@ -68,4 +68,4 @@ class LookupTable {
     bool running_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

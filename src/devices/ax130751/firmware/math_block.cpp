@@ -8,7 +8,7 @@
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 namespace {
 
@@ -184,4 +184,4 @@ double math_output(const double fraction, const double scaling_1, const double s
     return scaling_1 + (held * (scaling_2 - scaling_1));
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

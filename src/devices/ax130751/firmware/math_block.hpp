@@ -6,7 +6,7 @@
 
 #include "devices/ax130751/firmware/block_signal.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 constexpr std::size_t math_inputs = 4U;
 constexpr std::size_t math_functions = 3U;
@@ -60,4 +60,4 @@ class MathBlock {
 /// The output between the block's two scalings.
 double math_output(double fraction, double scaling_1, double scaling_2) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -3,7 +3,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 namespace {
 
@@ -37,4 +37,4 @@ OutputDrive choose_drive(const OutputConditions& conditions) noexcept {
     return drive_of(conditions.enable);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

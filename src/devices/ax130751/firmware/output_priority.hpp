@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// What the enable input asks for (Tables 7 and 11).
 enum class EnableAction : std::uint8_t { run, shut_off, ramp_off, keep };
@@ -24,4 +24,4 @@ enum class OutputDrive : std::uint8_t { control, shutdown, fault_value, override
 
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

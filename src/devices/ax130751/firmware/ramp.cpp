@@ -5,7 +5,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 namespace {
 
@@ -58,4 +58,4 @@ bool Ramp::is_moving(const Instant now) const noexcept {
     return !is_same(value_at(now), target_);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -3,7 +3,7 @@
 
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// `span` is passed in `up` when rising and in `down` when falling. A time or a span of 0 steps.
 struct RampTimes {
@@ -33,4 +33,4 @@ class Ramp {
     RampTimes times_{};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

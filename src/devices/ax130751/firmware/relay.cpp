@@ -4,7 +4,7 @@
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011> &&
               implements<req::AOR_RELAY_014> && implements<req::AOR_RELAY_017>);
@@ -99,4 +99,4 @@ bool Relay::force(const bool state) noexcept {
     return state;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

@@ -5,7 +5,7 @@
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "devices/ax130751/firmware/switch_polarity.hpp"
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 /// What the unlatch input does to a relay of some polarity, and where its latch rests.
 enum class UnlatchEffect : std::uint8_t { ignored, to_off, to_on };
@@ -63,4 +63,4 @@ class Relay {
     bool state_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

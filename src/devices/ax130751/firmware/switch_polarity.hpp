@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax130751 {
 
 enum class SwitchDrive : std::uint8_t { off, on, keep, change, blink };
 
@@ -19,4 +19,4 @@ struct SwitchPolarity {
     }
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax130751

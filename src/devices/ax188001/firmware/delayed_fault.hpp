@@ -3,7 +3,7 @@
 
 #include "firmware/base/time.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// What the last measurement says. Between its two thresholds a value neither begins a fault nor ends one.
 struct FaultCondition {
@@ -48,4 +48,4 @@ class DelayedFault {
     bool told_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// A number in steps of 2^-40, within ±2^23.
 using Fixed = std::int64_t;
@@ -105,4 +105,4 @@ constexpr FixedPolynomial<Size> fixed_polynomial(std::array<double, Size> c, con
     return made;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

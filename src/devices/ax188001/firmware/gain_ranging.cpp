@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
     if (settling_left_ > 0U) {
@@ -37,4 +37,4 @@ void GainRanging::choose(const std::size_t step, const ConverterCircuit& circuit
     unsettle(circuit);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

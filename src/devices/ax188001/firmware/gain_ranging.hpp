@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 struct ConverterGain {
     std::uint8_t gain{1U};
@@ -46,4 +46,4 @@ class GainRanging {
     bool open_{false};
 };
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

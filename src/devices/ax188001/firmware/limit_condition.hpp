@@ -3,7 +3,7 @@
 
 #include "devices/ax188001/firmware/delayed_fault.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// A fault above `set`, cleared at `clear` or below it. `set` is not less than `clear`.
 constexpr FaultCondition high_limit(const double value, const double set, const double clear) noexcept {
@@ -15,4 +15,4 @@ constexpr FaultCondition low_limit(const double value, const double set, const d
     return FaultCondition{value < set, value >= clear};
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

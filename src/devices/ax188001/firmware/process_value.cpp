@@ -6,7 +6,7 @@
 #include "firmware/blocks/bounds.hpp"
 #include "generated/ax188001/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 static_assert(implements<req::TCS_VAL_004>);
 std::int16_t process_value(const double field_value, const Scaling& scaling) noexcept {
@@ -23,4 +23,4 @@ std::int16_t measured_process_value(const double field_value, const Scaling& sca
     return taken ? static_cast<std::int16_t>(value + 1) : value;
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// process value = field value · factor + offset
 struct Scaling {
@@ -45,4 +45,4 @@ Measurement average(const std::array<Measurement, Count>& all) noexcept {
     return (count == 0U) ? Measurement{} : Measurement{sum / static_cast<double>(count), true};
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

@@ -6,7 +6,7 @@
 #include "firmware/blocks/bounds.hpp"
 #include "generated/ax188001/requirements.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 namespace {
 
@@ -175,4 +175,4 @@ double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
     return from_fixed(guess);
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

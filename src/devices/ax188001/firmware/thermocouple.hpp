@@ -8,7 +8,7 @@
 
 #include "devices/ax188001/firmware/fixed_point.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// a0·exp(a1·(t − a2)²), a1 negative; type K only. As a power of two: a0·2^−whole·2^−rest.
 struct ExponentialTerm {
@@ -121,4 +121,4 @@ double exact_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 /// The exponential term in mV at `celsius`, to 1e-11 mV.
 double exponential_mv(const ExponentialTerm& term, double celsius) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

@@ -5,7 +5,7 @@
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 namespace {
 
@@ -88,4 +88,4 @@ const ThermocoupleCurve& thermocouple_curve(const SensorType type) noexcept {
     }
 }
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

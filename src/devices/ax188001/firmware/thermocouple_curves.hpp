@@ -4,9 +4,9 @@
 #include "devices/ax188001/firmware/thermocouple.hpp"
 #include "generated/ax188001/enumerations.hpp"
 
-namespace canproof {
+namespace canproof::ax188001 {
 
 /// The functions of one type; they lie in flash.
 const ThermocoupleCurve& thermocouple_curve(generated::ax188001::SensorType type) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::ax188001

@@ -16,6 +16,8 @@ namespace canproof::host {
 
 namespace {
 
+using namespace ax188001;
+
 using generated::ax188001::SensorType;
 
 struct NamedType {

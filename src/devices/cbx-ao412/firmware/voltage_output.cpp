@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace canproof {
+namespace canproof::cbx_ao412 {
 
 namespace {
 
@@ -26,4 +26,4 @@ float step_voltage(const std::int32_t step, const VoltageOutputCircuit& circuit)
     return (static_cast<float>(step) / static_cast<float>(circuit.steps)) * circuit.full_scale_v;
 }
 
-}  // namespace canproof
+}  // namespace canproof::cbx_ao412

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace canproof {
+namespace canproof::cbx_ao412 {
 
 /// What describes the output circuit; the device fills it from the register.
 struct VoltageOutputCircuit {
@@ -24,4 +24,4 @@ std::int32_t output_step(std::int16_t value, const VoltageOutputCircuit& circuit
 /// Volts at the terminal for a step.
 float step_voltage(std::int32_t step, const VoltageOutputCircuit& circuit) noexcept;
 
-}  // namespace canproof
+}  // namespace canproof::cbx_ao412

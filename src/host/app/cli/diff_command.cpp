@@ -1,14 +1,17 @@
 // diff: the impact of what has changed since a revision.
+#include "host/app/cli/diff_command.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
+#include "host/assess/trace/evidence.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

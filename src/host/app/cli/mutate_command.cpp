@@ -1,18 +1,24 @@
 // mutate: every generated cell altered, or every operator and condition of the firmware, one at a time; survivors
 // without a recorded reason by item.
+#include "host/app/cli/mutate_command.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
 #include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/mutation/mutation_json.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/survivor_records.hpp"
+#include "host/assess/mutation/test_server.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

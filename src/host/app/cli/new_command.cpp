@@ -1,16 +1,18 @@
-// new: a folder with one device that builds and tests at once.
+#include "host/app/cli/new_command.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <ctime>
 #include <filesystem>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/eds_device.hpp"
 #include "host/app/new/new_project.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
 #include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

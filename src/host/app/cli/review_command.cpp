@@ -1,4 +1,6 @@
 // spec review: records that items were read as they are now, together with their code and tests.
+#include "host/app/cli/review_command.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -7,11 +9,10 @@
 #include <ctime>
 #include <regex>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/trace/review.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

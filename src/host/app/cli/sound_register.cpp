@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "host/base/input_error.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "host/assess/fuzz/campaign_display.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

@@ -7,7 +7,8 @@
 #include <map>
 #include <regex>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 

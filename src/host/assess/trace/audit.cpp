@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "host/assess/firmware_scope.hpp"
 #include "host/assess/trace/review.hpp"
 
 namespace canproof::host {
@@ -136,13 +137,6 @@ class PartAuditor {
     std::map<std::string, const Requirement*> requirements_;
     PartAudit audit_;
 };
-
-bool tests_the_firmware(const std::string& file) {
-    static const std::vector<std::string> folders{"tests/conformance/", "tests/devices/", "tests/firmware/",
-                                                  "properties/", "fuzz/"};
-    return file.rfind("properties/host/", 0) != 0 &&
-           std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return file.rfind(folder, 0) == 0; });
-}
 
 }  // namespace
 

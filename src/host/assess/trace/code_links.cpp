@@ -31,7 +31,7 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// `firmware/blocks/ramp` for src/firmware/blocks/ramp.hpp and ramp.cpp.
+/// `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
 }

@@ -7,7 +7,8 @@
 #include <pugixml.hpp>
 
 #include "host/assess/trace/code_links.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
@@ -18,7 +19,7 @@ std::string id_of(std::string cpp_name) {
     return cpp_name;
 }
 
-/// `../../tests/x.cpp`, as the build names it, to `tests/x.cpp`.
+/// `../../tests/NAME_test.cpp`, as the build names it, to `tests/NAME_test.cpp`.
 std::string from_project(std::string file) {
     for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
         const auto at = file.find(folder);

@@ -14,6 +14,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 constexpr double pi = 3.14159265358979323846;
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float

@@ -13,6 +13,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 constexpr Duration period = milliseconds(5);
 
 /// What the filter gives after each sample.

@@ -13,6 +13,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax060805;
+
 constexpr float half_root_3 = 0.8660254F;  // cos 30°
 constexpr float half_root_2 = 0.70710678F;
 constexpr float close = 1e-4F;

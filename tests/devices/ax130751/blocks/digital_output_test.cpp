@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 using Row = std::array<SwitchDrive, 2>;
 constexpr SwitchPolarity normal{Row{SwitchDrive::off, SwitchDrive::on}, Row{SwitchDrive::off, SwitchDrive::on}};
 constexpr SwitchPolarity inverse{Row{SwitchDrive::on, SwitchDrive::off}, Row{SwitchDrive::on, SwitchDrive::off}};

@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 /// Under-voltage below 8 V until 13 V: thresholds as shipped.
 bool under(LimitFault& fault, double volts, bool enabled = true) {
     return fault.advance(enabled, volts < 8.0, volts >= 13.0);

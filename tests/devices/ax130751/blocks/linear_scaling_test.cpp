@@ -8,6 +8,8 @@
 
 namespace canproof::test {
 
+using namespace ax130751;
+
 TEST(LinearScaling, RisesBetweenItsPointsAndHoldsOutside) {
     verifies<req::AOR_OUT_003>();
     const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA a volt

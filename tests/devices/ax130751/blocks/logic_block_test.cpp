@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 constexpr auto no = ConditionResult::not_fulfilled;
 constexpr auto yes = ConditionResult::fulfilled;
 constexpr auto err = ConditionResult::error;

@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 constexpr auto ramp = PointResponse::ramp;
 constexpr auto jump = PointResponse::jump;
 constexpr auto ignore = PointResponse::ignore;

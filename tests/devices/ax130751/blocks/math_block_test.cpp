@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 constexpr std::uint8_t plus = 12;
 constexpr std::uint8_t minus = 13;
 constexpr std::uint8_t times = 14;

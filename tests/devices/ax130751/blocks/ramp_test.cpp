@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 Instant at(std::uint64_t ms) {
     return Instant{} + milliseconds(ms);
 }

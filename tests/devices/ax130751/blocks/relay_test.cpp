@@ -8,6 +8,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax130751;
+
 using Row = std::array<SwitchDrive, 2>;
 constexpr auto off = SwitchDrive::off;
 constexpr auto on = SwitchDrive::on;

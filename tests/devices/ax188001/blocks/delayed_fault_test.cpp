@@ -11,6 +11,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 constexpr FaultCondition there{true, false};
 constexpr FaultCondition between{false, false};
 constexpr FaultCondition gone{false, true};

@@ -12,6 +12,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 /// As long as those of the firmware, whose functions are then the ones that run here.
 using Coefficients = std::array<double, InversePiece::size>;
 

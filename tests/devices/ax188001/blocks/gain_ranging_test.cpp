@@ -11,6 +11,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 constexpr ConverterCircuit circuit{{{{128, 19531.25}, {64, 39062.5}, {32, 78125.0}}}, 32768.0, 0.9, 4};
 
 class Converter : public testing::Test {

@@ -10,6 +10,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 constexpr Scaling shipped{16.0, 4368.0};
 constexpr Scaling fahrenheit{18.0, 320.0};
 constexpr ReservedValues reserved{-1, -512};

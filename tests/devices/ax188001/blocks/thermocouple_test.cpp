@@ -15,6 +15,8 @@ namespace canproof::test {
 
 namespace {
 
+using namespace ax188001;
+
 const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/input_error.hpp"
+#include "host/codegen/write_literals.hpp"
+#include "host/codegen/write_objects.hpp"
+#include "host/datasheet/write_eds.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host::test {
 

@@ -8,6 +8,7 @@
 
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host::test {
 

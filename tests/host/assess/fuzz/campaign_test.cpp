@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "host/assess/fuzz/campaign_files.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <ctime>
 
-#include "host/assess/trace/story.hpp"
+#include "host/assess/story/story.hpp"
 #include "host/register/fingerprint.hpp"
 
 namespace canproof::host {
