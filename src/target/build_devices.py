@@ -4,11 +4,12 @@ import tomllib
 
 
 class Device:
-    """`name` cbx-ao412, `word` cbx_ao412 (its C++ name), `folder` src/devices/cbx-ao412."""
+    """`name` cbx-ao412, `word` cbx_ao412 (its C++ name), `folder` src/devices/cbx-ao412 below `root`."""
 
     def __init__(self, line):
         self.name, self.word, folder = line.split("\t")
         self.folder = pathlib.Path(folder)
+        self.root = self.folder.parents[2]
 
     def budgets(self):
         """target/budgets.toml: bytes of flash, ram, stack and host_stack; the constant of its tick's period."""

@@ -1,4 +1,3 @@
-// new: a folder with one device that builds and tests at once.
 #include "host/app/cli/new_command.hpp"
 
 #include <fmt/chrono.h>

@@ -12,7 +12,7 @@ struct NewOptions {
     std::string prefix;  ///< of its ids; empty: from the name
 };
 
-/// Writes the folder. Returns the exit status; throws InputError for a name that cannot be one.
+/// Writes the folder into the working directory. Returns the exit status. Throws InputError.
 int write_new_project(const NewOptions& options);
 
 }  // namespace canproof::host

@@ -1,13 +1,18 @@
-# cmake -DFOLDER=… -DOUT=… -P embed.cmake: writes the files of FOLDER, by their path below it without `.in`, into a C++
-# source.
+# cmake -DFOLDER=… -DTOOLCHAIN=… -DOUT=… -P embed.cmake: writes the files of FOLDER, by their path below it without `.in`,
+# and the toolchain file of the microcontroller into a C++ source.
 file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${FOLDER} ${FOLDER}/*.in)
 list(SORT files)
 set(text "// Written by src/host/app/new/embed.cmake from template/. Do not edit.\n#include \"host/app/new/templates.hpp\"\n\n")
 string(APPEND text "namespace canproof::host {\n\nnamespace {\n\n")
 set(rows "")
 set(number 0)
-foreach(file ${files})
-  file(READ ${FOLDER}/${file} hex HEX)
+get_filename_component(toolchain ${TOOLCHAIN} NAME)
+foreach(file ${files} src/target/${toolchain})
+  if(EXISTS ${FOLDER}/${file})
+    file(READ ${FOLDER}/${file} hex HEX)
+  else()
+    file(READ ${TOOLCHAIN} hex HEX)
+  endif()
   string(REGEX REPLACE "\\.in$" "" name ${file})
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
   string(APPEND text "constexpr unsigned char file_${number}[]{${bytes}};\n")
