@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "host/assess/trace/code_links.hpp"
+#include "host/assess/trace/link_places.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
@@ -129,6 +130,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     }
     evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);
+    evidence.misplaced = misplaced_links(root);
     return evidence;
 }
 
