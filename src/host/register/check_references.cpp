@@ -68,6 +68,9 @@ class ReferenceCheck {
             }
         }
         for (const auto& part : content_.parts) {
+            for (const auto& requirement : part.requirements) {
+                check_by(part, requirement);
+            }
             for (const auto& decision : part.decisions) {
                 check_decision(decision);
             }
@@ -176,6 +179,25 @@ class ReferenceCheck {
                 fault(place, fmt::format("{} has no section {}", key, ref),
                       fmt::format("correct the source, or add {} to the manual's register", ref));
             }
+        }
+    }
+
+    /// A device's requirement may be done by a shared one that is in force.
+    void check_by(const Part& part, const Requirement& requirement) {
+        if (requirement.by.empty()) {
+            return;
+        }
+        const auto is_meant = [&](const Requirement& other) {
+            return other.id == requirement.by && other.retired.empty();
+        };
+        const bool found = std::any_of(content_.parts.begin(), content_.parts.end(), [&](const Part& other) {
+            return !other.is_device() && std::any_of(other.requirements.begin(), other.requirements.end(), is_meant);
+        });
+        if (!part.is_device() || !found) {
+            fault(requirement.by_place,
+                  fmt::format("{} is done by {}, which is no shared requirement in force", requirement.id,
+                              requirement.by),
+                  "name a requirement of spec/canopen, at a requirement of a device");
         }
     }
 

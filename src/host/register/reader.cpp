@@ -128,6 +128,8 @@ Requirement read_requirement(TomlItem& item) {
     requirement.kind = item.word("kind", kinds, "");
     requirement.verify = item.texts("verify", true);
     requirement.retired = item.text_or("retired", "");
+    requirement.by = item.text_or("by", "");
+    requirement.by_place = requirement.by.empty() ? requirement.place : item.place("by");
     requirement.answer = read_answer(item);
     for (const auto& word : requirement.verify) {
         if (std::find(verifications.begin(), verifications.end(), word) == verifications.end()) {

@@ -63,6 +63,8 @@ struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
+    std::string by;  ///< shared requirement whose code does it for this device; empty: code of the device does it
+    Place by_place;
     Answer answer;
 };
 

@@ -22,15 +22,7 @@ constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U
 static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004>);
 const auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
 
-// What the node does for every device, in the manner of this one.
-static_assert(implements<req::INC_ERR_002> && implements<req::INC_ERR_003> && implements<req::INC_ERR_007> &&
-              implements<req::INC_ERR_008> && implements<req::INC_ERR_009> && implements<req::INC_ERR_010> &&
-              implements<req::INC_ERR_012> && implements<req::INC_HB_001> && implements<req::INC_HB_002> &&
-              implements<req::INC_LSS_002> && implements<req::INC_LSS_003> && implements<req::INC_LSS_005> &&
-              implements<req::INC_STORE_001> && implements<req::INC_STORE_002>);
-static_assert(implements<req::INC_PDO_001> && implements<req::INC_PDO_002> && implements<req::INC_PDO_003> &&
-              implements<req::INC_PDO_004> && implements<req::INC_PDO_005> && implements<req::INC_PDO_006> &&
-              implements<req::INC_PDO_007> && implements<req::INC_OD_LIST> && implements<req::INC_FILTER_006>);
+static_assert(implements<req::INC_ERR_003> && implements<req::INC_ERR_008> && implements<req::INC_FILTER_006>);
 const NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId id_of(const own::t_inc_t22::Error error) noexcept {

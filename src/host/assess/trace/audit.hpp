@@ -47,7 +47,8 @@ PartAudit audit_part(const Register& content, const Part& part, const Evidence& 
 /// All parts of the project, in the register's order: shared rules that come with canproof are proven there.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);
 
-/// Code of the firmware and tests of it without a requirement: each a sentence. Tests of the tools around it need none.
+/// Code of the firmware and tests of it without a requirement, and links that stand where they say little: each a
+/// sentence. Tests of the tools around the firmware need none.
 std::vector<std::string> orphans(const Evidence& evidence);
 
 /// Where code implements an item or names what was generated from it.
