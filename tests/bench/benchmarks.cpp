@@ -6,6 +6,7 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"

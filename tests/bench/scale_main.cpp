@@ -1,7 +1,7 @@
 // How many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, operational as shipped, through
 // a hundred seconds of virtual time and leaves a table, a plot and their description there, as an exhibit of the pack
-// (src/host/assess/evidence/exhibit.hpp). Ends with 1 when 1,000 are slower than real time, or a device of many costs more
-// than three times a device of a hundred. Times are of the processor, not of the clock on the wall.
+// (src/host/assess/evidence/exhibit.hpp). Ends with 1 when 1,000 are slower than real time, or a device of many costs
+// more than three times a device of a hundred. Times are of the processor, not of the clock on the wall.
 #include <fmt/format.h>
 
 #include <algorithm>

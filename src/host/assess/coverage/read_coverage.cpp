@@ -13,9 +13,9 @@
 #include <tuple>
 
 #include "host/assess/coverage/coverage.hpp"
+#include "host/assess/firmware_scope.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/reading.hpp"
-#include "host/assess/firmware_scope.hpp"
 
 namespace canproof::host {
 

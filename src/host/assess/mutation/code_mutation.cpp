@@ -10,6 +10,8 @@
 
 #include "host/assess/mutation/killer_log.hpp"
 #include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/reading.hpp"
 

@@ -1,4 +1,4 @@
 #pragma once
 
 #include "firmware/canopen/frame.hpp"  // flagged
-#include "host/app/cli/commands.hpp"  // flagged
+#include "host/app/cli/commands.hpp"   // flagged

@@ -1,7 +1,7 @@
 // Each marked line is an include against the layers.
 #pragma once
 
-#include "firmware/base/result.hpp"
-#include "firmware/canopen/frame.hpp"  // flagged
 #include "devices/cbx-ao412/firmware/voltage_output.hpp"  // flagged
+#include "firmware/base/result.hpp"
+#include "firmware/canopen/frame.hpp"       // flagged
 #include "generated/cbx_ao412/objects.hpp"  // flagged

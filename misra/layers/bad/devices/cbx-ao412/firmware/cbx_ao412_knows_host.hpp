@@ -2,7 +2,7 @@
 #pragma once
 
 #include "devices/ax130751/firmware/relay.hpp"  // flagged
-#include "devices/catalogue.hpp"  // flagged
+#include "devices/catalogue.hpp"                // flagged
 #include "devices/cbx-ao412/firmware/a_block.hpp"
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
 #include "devices/cbx-ao412/simulation/model.hpp"  // flagged
