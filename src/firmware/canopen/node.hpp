@@ -189,7 +189,7 @@ class Node final : private ObjectAccess {
         }
     }
     void switch_bit_rate(Instant now) noexcept;
-    bool may_send() const noexcept { return (can_state_ != CanState::bus_off) && !lss_.is_silent(); }
+    bool may_send() const noexcept;
     void reset_node(Instant now) noexcept;
     void reset_communication(Instant now) noexcept;
     void load_group(ParameterGroup group) noexcept;
@@ -238,12 +238,7 @@ class Node final : private ObjectAccess {
                                    (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
                                    ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
     }
-    void watch_communication(const Instant now) noexcept {
-        const CommunicationFaults faults = communication_faults();
-        if (faults.bits != faults_.bits) {
-            take_note(faults, now);
-        }
-    }
+    void watch_communication(Instant now) noexcept;
     void take_note(CommunicationFaults faults, Instant now) noexcept;
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;

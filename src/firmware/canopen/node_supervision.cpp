@@ -38,6 +38,10 @@ void Node::set_controller(const std::uint8_t state, const bool overrun, const In
     set_overrun(overrun, now);
 }
 
+bool Node::may_send() const noexcept {
+    return (can_state_ != CanState::bus_off) && !lss_.is_silent();
+}
+
 void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (state == can_state_) {
         return;
@@ -63,6 +67,13 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     }
     emcy_.set(ErrorId::error_passive, state >= CanState::error_passive, now);
     watch_communication(now);
+}
+
+void Node::watch_communication(const Instant now) noexcept {
+    const CommunicationFaults faults = communication_faults();
+    if (faults.bits != faults_.bits) {
+        take_note(faults, now);
+    }
 }
 
 void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
