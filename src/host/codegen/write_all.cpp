@@ -33,9 +33,12 @@ void write_all(const Register& content, const SpecFiles& files, const std::files
         write_if_changed(folder / "constants.hpp", write_constants(part, cells));
         write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
         write_if_changed(folder / "tables.hpp", write_tables(content, part, cells));
+        write_if_changed(folder / "index.hpp", write_indices(part));
         if (part.is_device()) {
             write_if_changed(folder / "objects.hpp", write_objects(part, cells));
             write_if_changed(folder / "signals.hpp", write_signals(part));
+            write_if_changed(folder / "written.hpp", write_written(part));
+            write_if_changed(folder / "profile.hpp", write_profile(part, cells));
             write_if_changed(folder / (part.name + ".eds"), write_eds(content, part));
         }
     }

@@ -21,6 +21,12 @@ std::string write_constants(const Part& part, Cells cells = Cells::constant);
 /// One row an alteration: requirement, cell, address, and the bytes that replace it. Fits what is written changeable.
 std::string write_alterations(const Register& content);
 std::string write_enumerations(const Part& part);
+/// The index of each object of a device, or of each standard object of the shared part, as a constant.
+std::string write_indices(const Part& part);
+/// The objects of which a device hears when they are written, as an enumeration and a function that finds it.
+std::string write_written(const Part& part);
+/// What device.toml says of the node, as a NodeProfile.
+std::string write_profile(const Part& part, Cells cells = Cells::constant);
 std::string write_signals(const Part& part);
 std::string write_embedded(const SpecFiles& files);
 /// All of them as files below `out`; files whose text stays the same are left alone.
@@ -41,8 +47,9 @@ std::uint32_t fnv1a(const std::string& text, std::uint32_t start = 0x811C9DC5U);
 
 /// What opens a generated file: the files of the register that it was written from.
 std::string heading(const Part& part);
-/// `0x1FFU`, `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names.
-std::string cpp_literal(const Value& value, const std::string& cpp_type_name);
+/// `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names; `0x1FFU` where it is unsigned and
+/// hexadecimal is asked for.
+std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal = false);
 /// Narrowest standard integer type that holds both.
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
 /// What stands above an item in generated code: text, id, sources, unit.

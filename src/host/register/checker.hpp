@@ -13,6 +13,8 @@ void check_topics(const Register& content, Faults& faults);
 void check_tables(const Register& content, Part& part, Faults& faults);
 /// Types, names and values of constants, enumerations and signals.
 void check_literals(const Part& part, Faults& faults);
+/// Names that are written as C++, and what [services] says.
+void check_names(const Part& part, Faults& faults);
 /// Ranges that name a table get its values.
 void resolve_ranges(const Register& content, Part& part, Faults& faults);
 /// Strings without a length get that of their default.

@@ -15,6 +15,7 @@ LoadResult load_register(const SpecFiles& files) {
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);
+        check_names(part, result.faults);
         resolve_ranges(result.content, part, result.faults);
         resolve_lengths(part);
         check_objects(part, result.faults);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generated/canopen/index.hpp"
 #include "host/app/panel/assets.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/device_names.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint16_t error_register = 0x1001U;
+using generated::canopen::index::error_register;
 
 /// How the device's face is drawn; an empty object for one that has no view.
 json view_of(const Part* part) {
