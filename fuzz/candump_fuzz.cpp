@@ -1,8 +1,10 @@
 // Logs of any bytes: read or refused with a place; what was read is written so that it reads the same.
 #include <sstream>
 
+#include "firmware/base/time.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/candump.hpp"
 
 CANPROOF_FUZZ_CLAIMS()

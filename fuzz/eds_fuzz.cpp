@@ -2,10 +2,12 @@
 // the same.
 #include <algorithm>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
-#include "host/codegen/writers.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/datasheet/write_eds.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 
 CANPROOF_FUZZ_CLAIMS()

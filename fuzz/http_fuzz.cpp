@@ -6,7 +6,7 @@
 
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
-#include "host/app/panel/http_request.hpp"
+#include "host/http/http_request.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
 

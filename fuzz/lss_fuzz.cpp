@@ -8,7 +8,9 @@
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
+#include "host/register/load.hpp"
 #include "host/register/register.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "host/sim/devices/memory.hpp"
 

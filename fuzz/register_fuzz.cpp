@@ -1,10 +1,15 @@
 // Files of the register of any bytes: told as faults with line and mend, or a dictionary that runs and can be written
 // as a data sheet. Input: a digit that says which of the three files it is, then the text.
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/codegen/write_tables.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 #include "tests/support/slave_register.hpp"
 

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "firmware/base/time.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
+#include "host/base/input_error.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
 #include "host/sim/replay/stimulus.hpp"
 
 CANPROOF_FUZZ_CLAIMS()
@@ -16,10 +18,19 @@ namespace {
 using namespace canproof;
 using fuzz::require;
 
-const std::vector<const host::Part*>& devices() {
+std::vector<const host::Part*> find_devices() {
     static const host::LoadResult loaded = host::load_register(host::embedded_spec());
-    static const std::vector<const host::Part*> all{loaded.content.part("ax130751"), loaded.content.part("ax188001"),
-                                                    loaded.content.part("cbx-ao412"), loaded.content.part("ax060805")};
+    std::vector<const host::Part*> all;
+    for (const host::Part& part : loaded.content.parts) {
+        if (part.is_device()) {
+            all.push_back(&part);
+        }
+    }
+    return all;
+}
+
+const std::vector<const host::Part*>& devices() {
+    static const std::vector<const host::Part*> all = find_devices();
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include "properties/support/logged_slave.hpp"
 #include "properties/support/naive_emcy.hpp"
 #include "tests/support/device_by_sdo.hpp"
+#include "tests/support/every_device.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -101,7 +102,7 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
 // Whatever the controller goes through, a master that reads 1001h finds what it was told last.
 RC_GTEST_PROP(ErrorRegisterLaw, OfEveryDeviceTheLastMessageSaysWhat1001hReads, ()) {
     verifies<req::CO_EMCY_010>("property");
-    const std::string name = *rc::gen::element<std::string>("ax060805", "ax130751", "ax188001", "cbx-ao412");
+    const std::string name = *rc::gen::elementOf(every_device());
     DeviceBySdo unit{name, 5};
     const auto steps = *rc::gen::container<std::vector<std::pair<int, bool>>>(
         rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::arbitrary<bool>()));

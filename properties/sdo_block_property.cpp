@@ -7,6 +7,7 @@
 #include <rapidcheck/state.h>
 
 #include "generated/canopen/requirements.hpp"
+#include "host/sim/bus/candump.hpp"
 #include "properties/support/naive_sdo_client.hpp"
 #include "properties/support/sdo_pair.hpp"
 #include "tests/support/verifies.hpp"

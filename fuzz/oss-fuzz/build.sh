@@ -4,12 +4,7 @@
 set -eu
 cd "$(dirname "$(readlink -f "$0")")"
 cd -P "${SRC:-/nowhere}/canproof" 2>/dev/null || cd ../..  # physical: CMake does not like a way through a link
-
-targets=()
-for source in fuzz/*_fuzz.cpp; do
-  name=$(basename "$source" _fuzz.cpp)
-  [ -n "${TARGETS:-}" ] && [[ " $TARGETS " != *" $name "* ]] || targets+=("$name")
-done
+source fuzz/targets.sh
 
 # The libraries come from the distribution, which builds them with libstdc++: libc++ would not fit them.
 flags=${CXXFLAGS//-stdlib=libc++/}
@@ -17,21 +12,26 @@ build=${WORK:-build}/oss-fuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$flags" -DCANPROOF_FUZZER=ON \
   -DCANPROOF_FUZZ_FLAGS= -DCANPROOF_FUZZ_LINK_FLAGS= -DCANPROOF_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" \
   -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON -DCMAKE_INSTALL_RPATH='$ORIGIN/lib'
+targets=()
+for name in $(target_names "$build"); do
+  [ -n "${TARGETS:-}" ] && [[ " $TARGETS " != *" $name "* ]] || targets+=("$name")
+done
 cmake --build "$build" --target "${targets[@]/%/_fuzz}" ${BUILD_JOBS:+-- -j"$BUILD_JOBS"}
 
 mkdir -p "$OUT/lib"
 for name in "${targets[@]}"; do
+  find_target "$build" "$name"
   cp "$build/${name}_fuzz" "$OUT/"
   # The machine that fuzzes has none of the libraries.
   ldd "$build/${name}_fuzz" | awk '$3 ~ /lib(fmt|pugixml|tomlplusplus|socketcan|stdc\+\+|gcc_s)/ {print $3}' |
     xargs -r cp -L -n -t "$OUT/lib"
-  [ ! -d "fuzz/corpus/$name" ] || python3 - "fuzz/corpus/$name" "$OUT/${name}_fuzz_seed_corpus.zip" <<'PYTHON'
+  [ ! -d "$corpus" ] || python3 - "$corpus" "$OUT/${name}_fuzz_seed_corpus.zip" <<'PYTHON'
 import pathlib, sys, zipfile
 with zipfile.ZipFile(sys.argv[2], "w", zipfile.ZIP_DEFLATED) as archive:
     for seed in sorted(pathlib.Path(sys.argv[1]).iterdir()):
         archive.write(seed, seed.name)
 PYTHON
-  [ ! -e "fuzz/$name.dict" ] || cp "fuzz/$name.dict" "$OUT/${name}_fuzz.dict"
+  [ -z "$dictionary" ] || cp "$dictionary" "$OUT/${name}_fuzz.dict"
   printf '[libfuzzer]\nmax_len = 512\n' >"$OUT/${name}_fuzz.options"
-  [ ! -e "fuzz/$name.options" ] || cp "fuzz/$name.options" "$OUT/${name}_fuzz.options"
+  [ -z "$options" ] || cp "$options" "$OUT/${name}_fuzz.options"
 done

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <iterator>
 
+#include "fuzz/support/candump_of_run.hpp"
 #include "fuzz/support/claims.hpp"
-#include "fuzz/support/frame_log.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/codegen/writers.hpp"
+#include "host/datasheet/write_eds.hpp"
 
 namespace canproof::fuzz {
 

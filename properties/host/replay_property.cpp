@@ -10,10 +10,12 @@
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
+#include "host/base/time_text.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 #include "host/sim/replay/replay.hpp"
 #include "host/sim/run/run_session.hpp"
+#include "tests/support/every_device.hpp"
 
 namespace canproof::host {
 
@@ -166,8 +168,7 @@ RC_GTEST_PROP(ReplayLaw, LinesOfARunAreThoseOfItsReplayInTheirOrder, ()) {
 }
 
 RC_GTEST_PROP(ReplayLaw, TimesNeverDecrease, ()) {
-    static const std::vector<std::string> names{"cbx-ao412", "ax188001", "ax060805", "ax130751"};
-    const std::string name = *rc::gen::elementOf(names);
+    const std::string name = *rc::gen::elementOf(canproof::test::every_device());
     const auto device = make_device(name);
     device->set_node_id(node);
     ReplayInput input;

@@ -5,7 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "host/sim/devices/memory.hpp"
 #include "properties/support/naive_sdo_server.hpp"

@@ -1,28 +1,43 @@
-# canproof_add_device(NAME): makes the device in this folder part of the build and of the catalogue.
+# canproof_add_device(NAME): makes the device in this folder part of everything that is built of devices.
 #   firmware/    the library canproof_NAME_firmware
-#   simulation/  the library canproof_NAME_simulation, with simulation/model.cpp, and panel.json
-#   target/      its image for the microcontroller (preset target)
+#   simulation/  the library canproof_NAME_simulation, and a line of the catalogue
+#   target/      its images for the microcontroller (preset target)
+# A part that is missing stops the configure step: device_parts.cmake.
+include(${CMAKE_CURRENT_LIST_DIR}/device_parts.cmake)
+
 function(canproof_add_device name)
   string(REPLACE "-" "_" word ${name})
-  canproof_device_part(${name} simulation/panel.json "the panel's card")
-  canproof_device_part(${name} target/main.cpp "the image's main()")
+  canproof_check_device(${CANPROOF_ROOT} ${name})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS target/budgets.toml)
   file(GLOB_RECURSE firmware CONFIGURE_DEPENDS firmware/*.cpp)
   canproof_firmware_library(canproof_${word}_firmware SOURCES ${firmware} LINKS canproof_firmware)
-  file(GLOB_RECURSE simulation CONFIGURE_DEPENDS simulation/*.cpp)
-  add_library(canproof_${word}_simulation STATIC ${simulation})
-  target_link_libraries(canproof_${word}_simulation PUBLIC canproof_${word}_firmware canproof_report)
-  target_compile_options(canproof_${word}_simulation PRIVATE ${CANPROOF_FUZZED_FLAGS})
-  if(NOT CANPROOF_FUZZED_FLAGS)
-    canproof_precompiled(canproof_${word}_simulation)
+  if(CMAKE_SYSTEM_NAME STREQUAL Generic)
+    canproof_device_images(${name} ${word})
+  else()
+    canproof_device_simulation(${word})
   endif()
   set_property(GLOBAL APPEND PROPERTY CANPROOF_DEVICES ${name})
 endfunction()
 
-# Stops the configure step when a part of a device is missing.
-function(canproof_device_part device path meaning)
-  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${path})
-    message(FATAL_ERROR "device ${device} has no ${path} (${meaning}); src/devices/README.md says what it holds")
+function(canproof_device_simulation word)
+  file(GLOB_RECURSE simulation CONFIGURE_DEPENDS simulation/*.cpp)
+  add_library(canproof_${word}_simulation STATIC ${simulation})
+  target_link_libraries(canproof_${word}_simulation PUBLIC canproof_${word}_firmware canproof_device_model)
+  target_compile_options(canproof_${word}_simulation PRIVATE ${CANPROOF_FUZZED_FLAGS})
+  if(NOT CANPROOF_FUZZED_FLAGS)
+    canproof_precompiled(canproof_${word}_simulation)
   endif()
+endfunction()
+
+# BUILD/devices.txt: a line a device, with tabs: its name, its C++ name, its folder. Scripts read it.
+function(canproof_list_devices)
+  get_property(devices GLOBAL PROPERTY CANPROOF_DEVICES)
+  set(lines "")
+  foreach(name ${devices})
+    string(REPLACE "-" "_" word ${name})
+    string(APPEND lines "${name}\t${word}\t${CANPROOF_ROOT}/src/devices/${name}\n")
+  endforeach()
+  file(WRITE ${CMAKE_BINARY_DIR}/devices.txt "${lines}")
 endfunction()
 
 # The library canproof_devices: the generated list of all devices.

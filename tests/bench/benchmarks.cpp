@@ -3,8 +3,11 @@
 #include <benchmark/benchmark.h>
 
 #include "devices/catalogue.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/device_node.hpp"

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "host/sim/bus/candump.hpp"
 

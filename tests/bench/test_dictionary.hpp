@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::bench {
 

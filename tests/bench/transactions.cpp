@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "firmware/base/crc16.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "tests/bench/test_dictionary.hpp"
 

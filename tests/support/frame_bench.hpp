@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/memory.hpp"

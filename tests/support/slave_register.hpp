@@ -4,7 +4,9 @@
 
 #include <stdexcept>
 
+#include "host/register/load.hpp"
 #include "host/register/register.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::test {
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "devices/ax060805/firmware/ax060805.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/memory.hpp"

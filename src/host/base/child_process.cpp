@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 extern char** environ;
 

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "host/base/input_error.hpp"
+
 namespace canproof::host {
 
 namespace {

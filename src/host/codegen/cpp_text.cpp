@@ -1,8 +1,9 @@
-// How C++ spells the register's types, values and notes.
+#include "host/codegen/cpp_text.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/one_line.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {
@@ -67,22 +68,6 @@ std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bo
     return !hexadecimal      ? fmt::format("{}U", whole)
            : whole <= 0xFFFF ? fmt::format("0x{:02X}U", whole)
                              : fmt::format("0x{:08X}U", whole);
-}
-
-std::string one_line(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-        if (!space) {
-            out += c;
-        } else if (!out.empty() && out.back() != ' ') {
-            out += ' ';
-        }
-    }
-    while (!out.empty() && out.back() == ' ') {
-        out.pop_back();
-    }
-    return out;
 }
 
 std::string item_comment(const Item& item, const std::string& unit) {

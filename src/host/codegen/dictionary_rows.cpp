@@ -5,6 +5,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "host/register/layout.hpp"
+#include "host/register/service_words.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -155,13 +158,6 @@ DataType data_type(const std::string& cia_type) {
                                                        {"OCTET_STRING", DataType::octet_string},
                                                        {"DOMAIN", DataType::domain}};
     return types.at(cia_type);
-}
-
-const std::vector<std::string>& service_words() {
-    static const std::vector<std::string> words{"none", "sync",  "emcy", "heartbeat",       "guarding",
-                                                "pdo",  "store", "nmt",  "error_behaviour", "program",
-                                                "lss",  "device"};
-    return words;
 }
 
 DictionaryTables DictionaryRows::tables() const {

@@ -6,29 +6,10 @@
 #include <vector>
 
 #include "firmware/canopen/object_types.hpp"
+#include "host/register/layout.hpp"
 #include "host/register/register.hpp"
 
 namespace canproof::host {
-
-/// Where an entry's value lies: in the image (RAM) or in the constant pool (flash).
-struct Placement {
-    bool constant{false};
-    std::uint16_t offset{0};
-    std::uint16_t size{0};
-};
-
-/// The value image of a device: entries in dictionary order, without gaps.
-struct Layout {
-    std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
-    std::vector<std::uint8_t> image;                 ///< defaults; node-ID terms not added
-    std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< of what is stored and where
-};
-
-Layout make_layout(const Part& part);
-
-/// The bytes of a default: little-endian, strings padded with zeros to `size`.
-std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
 
 /// A dictionary as the firmware sees it. Objects and entries stand in the order of Part::objects; limits and lists of
 /// allowed values are shared by the entries that have the same.
@@ -51,7 +32,5 @@ DictionaryRows make_rows(const Part& part, Limits limits = Limits::shared);
 
 /// `UNSIGNED16` as the firmware's data type.
 DataType data_type(const std::string& cia_type);
-/// Words of the register for Service, in the order of the enumeration.
-const std::vector<std::string>& service_words();
 
 }  // namespace canproof::host

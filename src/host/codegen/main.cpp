@@ -2,7 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
+#include "host/codegen/write_all.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 int main(int argc, char** argv) {
     using namespace canproof::host;
@@ -11,11 +14,15 @@ int main(int argc, char** argv) {
     std::string out;
     app.add_option("--spec", spec, "folder of the register")->required()->check(CLI::ExistingDirectory);
     app.add_option("--out", out, "folder to write to")->required();
+    std::string package;
+    app.add_option("--package", package, "canproof's own spec/: its shared rules hold for a register without canopen/")
+        ->check(CLI::ExistingDirectory);
     bool changeable = false;
     app.add_flag("--changeable", changeable, "cells that a running program can alter, and the list of alterations");
     CLI11_PARSE(app, argc, argv);
     try {
-        const SpecFiles files = read_spec_files(spec);
+        const SpecFiles shared = package.empty() ? SpecFiles{} : read_spec_files(package);
+        const SpecFiles files = with_shared_rules(read_spec_files(spec), shared);
         const LoadResult loaded = load_register(files);
         for (const auto& fault : loaded.faults) {
             std::cerr << fault.text() << '\n';

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,8 +1,21 @@
+#include "host/codegen/write_all.hpp"
+
 #include <fstream>
 #include <sstream>
 
 #include "host/base/replace_file.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
+#include "host/codegen/write_alterations.hpp"
+#include "host/codegen/write_embedded.hpp"
+#include "host/codegen/write_indices.hpp"
+#include "host/codegen/write_literals.hpp"
+#include "host/codegen/write_objects.hpp"
+#include "host/codegen/write_profile.hpp"
+#include "host/codegen/write_requirements.hpp"
+#include "host/codegen/write_tables.hpp"
+#include "host/codegen/write_written.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

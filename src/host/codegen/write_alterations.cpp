@@ -1,9 +1,14 @@
 // Every cell that the compiler writes with what it becomes when it is altered: the source of `canproof mutate`.
+#include "host/codegen/write_alterations.hpp"
+
 #include <fmt/format.h>
 
+#include "host/base/one_line.hpp"
+#include "host/codegen/cpp_text.hpp"
+#include "host/codegen/dictionary_rows.hpp"
 #include "host/codegen/table_code.hpp"
-#include "host/codegen/writers.hpp"
 #include "host/register/alter_value.hpp"
+#include "host/register/layout.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

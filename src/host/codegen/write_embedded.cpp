@@ -1,9 +1,11 @@
+#include "host/codegen/write_embedded.hpp"
+
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "host/codegen/writers.hpp"
-#include "host/register/toml_item.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

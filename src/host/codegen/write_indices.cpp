@@ -1,9 +1,11 @@
 // Indices of objects as C++ constants.
+#include "host/codegen/write_indices.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

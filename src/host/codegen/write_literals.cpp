@@ -1,10 +1,13 @@
 // Constants, enumerations and signals as C++.
+#include "host/codegen/write_literals.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/one_line.hpp"
+#include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

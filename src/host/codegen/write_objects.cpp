@@ -1,8 +1,11 @@
+#include "host/codegen/write_objects.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/codegen/cpp_text.hpp"
 #include "host/codegen/dictionary_rows.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/register/layout.hpp"
 
 namespace canproof::host {
 

@@ -1,9 +1,9 @@
 // device.toml as the firmware's NodeProfile.
+#include "host/codegen/write_profile.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "host/codegen/writers.hpp"
 
 namespace canproof::host {
 

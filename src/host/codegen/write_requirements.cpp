@@ -1,9 +1,9 @@
+#include "host/codegen/write_requirements.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
-
-#include "host/codegen/writers.hpp"
 
 namespace canproof::host {
 

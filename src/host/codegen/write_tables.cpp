@@ -1,10 +1,12 @@
+#include "host/codegen/write_tables.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "host/codegen/cpp_text.hpp"
 #include "host/codegen/table_code.hpp"
-#include "host/codegen/writers.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,11 +1,13 @@
 // What a write to an entry has changed, as an enumeration that a device can switch over without forgetting one.
+#include "host/codegen/write_written.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

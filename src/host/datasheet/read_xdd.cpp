@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/base/one_line.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 #include "host/datasheet/xdd_parameters.hpp"
 

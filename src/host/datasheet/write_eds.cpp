@@ -1,12 +1,13 @@
 // CiA 306: electronic data sheet of a device. The tools read reals in two ways: python-canopen and CANopenEditor take
 // decimal numbers, Lely's take the bits of IEEE 754 and refuse a decimal limit. Hence `Reals`: the usual sheet has
 // decimal defaults and no limits of reals, and all three take it; the other sheet has everything, for Lely.
+#include "host/datasheet/write_eds.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "host/codegen/writers.hpp"
 #include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {

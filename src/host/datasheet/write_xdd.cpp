@@ -1,10 +1,11 @@
 // CiA 311: the device description as ISO 15745 profile containers.
+#include "host/datasheet/write_xdd.hpp"
+
 #include <fmt/format.h>
 
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "host/codegen/writers.hpp"
 #include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {

@@ -1,10 +1,11 @@
+#include "host/register/check_limits.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 
-#include "host/register/checker.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,10 +1,11 @@
+#include "host/register/check_literals.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "host/register/checker.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

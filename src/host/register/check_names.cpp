@@ -1,11 +1,12 @@
 // Names of tables and objects in the generated C++, and what [services] says of tables.
+#include "host/register/check_names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "host/register/checker.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,9 +1,11 @@
+#include "host/register/check_objects.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "host/register/checker.hpp"
+#include "host/register/check_limits.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

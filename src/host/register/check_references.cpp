@@ -1,3 +1,5 @@
+#include "host/register/check_references.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "host/register/checker.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 
@@ -66,6 +68,9 @@ class ReferenceCheck {
             }
         }
         for (const auto& part : content_.parts) {
+            for (const auto& requirement : part.requirements) {
+                check_by(part, requirement);
+            }
             for (const auto& decision : part.decisions) {
                 check_decision(decision);
             }
@@ -160,8 +165,8 @@ class ReferenceCheck {
                   "write KEY:section, such as CBX-AO412:7.10.2");
             return;
         }
-        if (key.rfind("CiA", 0) == 0) {
-            return;
+        if (key.rfind("CiA", 0) == 0 || place.file.rfind(from_package, 0) == 0) {
+            return;  // the shared rules cite manuals that are canproof's
         }
         const auto manual = refs_.find(key);
         if (manual == refs_.end()) {
@@ -174,6 +179,25 @@ class ReferenceCheck {
                 fault(place, fmt::format("{} has no section {}", key, ref),
                       fmt::format("correct the source, or add {} to the manual's register", ref));
             }
+        }
+    }
+
+    /// A device's requirement may be done by a shared one that is in force.
+    void check_by(const Part& part, const Requirement& requirement) {
+        if (requirement.by.empty()) {
+            return;
+        }
+        const auto is_meant = [&](const Requirement& other) {
+            return other.id == requirement.by && other.retired.empty();
+        };
+        const bool found = std::any_of(content_.parts.begin(), content_.parts.end(), [&](const Part& other) {
+            return !other.is_device() && std::any_of(other.requirements.begin(), other.requirements.end(), is_meant);
+        });
+        if (!part.is_device() || !found) {
+            fault(requirement.by_place,
+                  fmt::format("{} is done by {}, which is no shared requirement in force", requirement.id,
+                              requirement.by),
+                  "name a requirement of spec/canopen, at a requirement of a device");
         }
     }
 

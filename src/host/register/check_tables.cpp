@@ -1,10 +1,11 @@
+#include "host/register/check_tables.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
-#include "host/register/checker.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

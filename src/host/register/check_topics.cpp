@@ -1,11 +1,11 @@
+#include "host/register/check_topics.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
-
-#include "host/register/checker.hpp"
 
 namespace canproof::host {
 
@@ -64,6 +64,7 @@ class TopicCheck {
     TopicCheck(const Register& content, Faults& faults) : faults_{faults} {
         for (const Part& part : content.parts) {
             whole_ = whole_ || (part.is_device() && !part.decisions.empty());
+            inherits_ = inherits_ || part.inherited;
             for (const Requirement& requirement : part.requirements) {
                 if (requirement.retired.empty()) {
                     take(part, requirement, requirement.answer);
@@ -84,7 +85,7 @@ class TopicCheck {
                     check_service(topic, stand);
                 }
             }
-            if (whole_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
+            if (whole_ && !inherits_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
                 fault(stands.front(), fmt::format("topic {} has this one answer", topic),
                       "spell it as other items do, or remove `topic` and `choice`");
             }
@@ -203,6 +204,7 @@ class TopicCheck {
     std::map<std::string, Stands> topics_;
     /// The program has the register built in without the decisions of devices: what they answer is not missing there.
     bool whole_{false};
+    bool inherits_{false};  ///< the shared rules are canproof's: what they answer need not concern this project
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The register as it stood when the program was built, without decisions and reviews.
 #pragma once
 
-#include "host/register/register.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

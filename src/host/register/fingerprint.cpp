@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/fnv1a.hpp"
+#include "host/base/one_line.hpp"
 
 namespace canproof::host {
 

@@ -1,9 +1,19 @@
+#include "host/register/load.hpp"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
-#include "host/register/checker.hpp"
+#include "host/register/check_literals.hpp"
+#include "host/register/check_names.hpp"
+#include "host/register/check_objects.hpp"
+#include "host/register/check_references.hpp"
+#include "host/register/check_tables.hpp"
+#include "host/register/check_topics.hpp"
 #include "host/register/reader.hpp"
+#include "host/register/resolve_lengths.hpp"
+#include "host/register/resolve_ranges.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

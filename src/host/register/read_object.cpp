@@ -1,10 +1,13 @@
+#include "host/register/read_object.hpp"
+
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <tuple>
 
-#include "host/codegen/dictionary_rows.hpp"
-#include "host/register/reader.hpp"
+#include "host/register/read_item.hpp"
+#include "host/register/service_words.hpp"
 
 namespace canproof::host {
 

@@ -1,10 +1,13 @@
+#include "host/register/read_table.hpp"
+
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <charconv>
 #include <set>
 
-#include "host/register/reader.hpp"
+#include "host/register/read_item.hpp"
 
 namespace canproof::host {
 

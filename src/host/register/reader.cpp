@@ -1,10 +1,16 @@
+// What cannot be read is told as a fault; what can be is read all the same, so that one run tells everything.
 #include "host/register/reader.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <tuple>
 
+#include "host/register/read_item.hpp"
+#include "host/register/read_object.hpp"
+#include "host/register/read_table.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/register/toml_depth.hpp"
 
 namespace canproof::host {
@@ -129,6 +135,8 @@ Requirement read_requirement(TomlItem& item) {
     requirement.kind = item.word("kind", kinds, "");
     requirement.verify = item.texts("verify", true);
     requirement.retired = item.text_or("retired", "");
+    requirement.by = item.text_or("by", "");
+    requirement.by_place = requirement.by.empty() ? requirement.place : item.place("by");
     requirement.answer = read_answer(item);
     for (const auto& word : requirement.verify) {
         if (std::find(verifications.begin(), verifications.end(), word) == verifications.end()) {
@@ -298,10 +306,10 @@ Part& part_named(Register& content, const std::string& name) {
     return content.parts.back();
 }
 
-/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` → canopen, else nothing.
+/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` and `canproof/spec/canopen/…` → canopen, else nothing.
 std::string part_of(const std::string& path) {
     const std::string devices = "spec/devices/";
-    if (path.rfind("spec/canopen/", 0) == 0) {
+    if (path.rfind(shared_rules, 0) == 0 || path.rfind(from_package + shared_rules, 0) == 0) {
         return "canopen";
     }
     if (path.rfind(devices, 0) != 0) {
@@ -325,26 +333,11 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
             part_named(content, part).files.push_back(path);
         }
         read_items(item, part_named(content, part));
+        part_named(content, part).inherited = path.rfind(from_package, 0) == 0;
     }
 }
 
 }  // namespace
-
-void read_id(TomlItem& item, Item& into) {
-    into.id = item.text("id");
-    into.id_place = item.place("id");
-}
-
-void read_common(TomlItem& item, Item& into, bool text_required) {
-    into.place = item.place();
-    into.text = text_required ? item.text("text") : item.text_or("text", "");
-    const bool derived = item.boolean_or("derived", false);
-    if (derived) {
-        into.derived = item.text("reason");
-    }
-    into.sources = item.texts("source", !derived);
-    into.source_place = item.place(item.has("source") ? "source" : "derived");
-}
 
 Register read_register(const SpecFiles& files, Faults& faults) {
     Register content;

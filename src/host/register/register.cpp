@@ -7,16 +7,7 @@
 #include <cctype>
 #include <limits>
 
-#include "host/base/input_error.hpp"
-#include "host/base/read_file.hpp"
-
 namespace canproof::host {
-
-std::string Fault::text() const {
-    constexpr std::size_t longest = 1000;  // a name may have a million characters
-    return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
-                       what.size() > longest ? "…" : "", mend);
-}
 
 std::vector<std::string> origins(const Item& item) {
     std::vector<std::string> all = item.sources;
@@ -76,22 +67,6 @@ const Enumeration* Register::enumeration(const Part& in, const std::string& id) 
         }
     }
     return nullptr;
-}
-
-SpecFiles read_spec_files(const std::filesystem::path& spec) {
-    SpecFiles files;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
-        if (file.is_directory() || file.path().extension() != ".toml") {
-            continue;
-        }
-        files["spec/" + file.path().lexically_relative(spec).generic_string()] =
-            read_file(file.path(), longest_toml_file);
-    }
-    if (files.empty()) {
-        throw InputError{
-            fmt::format("{} holds no .toml file; name the folder of a register, such as spec", spec.string())};
-    }
-    return files;
 }
 
 namespace {

@@ -63,6 +63,8 @@ struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
+    std::string by;  ///< shared requirement whose code does it for this device; empty: code of the device does it
+    Place by_place;
     Answer answer;
 };
 
@@ -260,6 +262,7 @@ struct Part {
     std::vector<StandardObject> standard_objects;  ///< as spec/ lists them
     std::map<std::string, Review> reviews;         ///< by id
     std::vector<std::string> files;
+    bool inherited{false};  ///< the shared rules as they come with canproof: proven there, not in this project
 
     /// `cbx-ao412` as C++ spells it: cbx_ao412.
     std::string cpp_name() const;
@@ -291,22 +294,6 @@ struct Register {
             visit(static_cast<const Item&>(item), "signal");
     }
 };
-
-struct LoadResult {
-    Register content;
-    Faults faults;  ///< ascending by file and line
-};
-
-/// Files by path: "spec/devices/NAME/device.toml" → text.
-using SpecFiles = std::map<std::string, std::string>;
-
-/// The .toml files below a folder, as if it were named spec/.
-SpecFiles read_spec_files(const std::filesystem::path& spec);
-LoadResult load_register(const std::filesystem::path& spec);
-/// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
-LoadResult load_register(const SpecFiles& files);
-/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
-std::optional<Register> read_sound_register(const SpecFiles& files);
 
 /// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
 std::size_t type_size(const std::string& type);

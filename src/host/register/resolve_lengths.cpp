@@ -1,5 +1,6 @@
 // A string without `length` is as long as its default.
-#include "host/register/checker.hpp"
+
+#include "host/register/resolve_lengths.hpp"
 
 namespace canproof::host {
 

@@ -1,10 +1,10 @@
 // `range = { table = … }`: the values of a table's first input column, put into the entry itself.
+#include "host/register/resolve_ranges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
-
-#include "host/register/checker.hpp"
 
 namespace canproof::host {
 

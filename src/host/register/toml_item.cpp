@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -22,6 +23,14 @@ Value literal(const toml::node& node) {
 bool is_hexadecimal(const toml::node& node) {
     const auto number = node.as_integer();
     return number != nullptr && (number->flags() & toml::value_flags::format_as_hexadecimal) != toml::value_flags::none;
+}
+
+Place TomlItem::place() const {
+    return Place{file_, static_cast<unsigned>(table_.source().begin.line)};
+}
+
+bool TomlItem::has(const std::string& key) const {
+    return table_.contains(key);
 }
 
 Place TomlItem::place(const std::string& key) const {

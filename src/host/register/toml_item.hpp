@@ -1,14 +1,21 @@
 // One TOML table while it is read: remembers which keys were asked for, and tells every fault with its line.
 #pragma once
 
-#include <toml++/toml.h>
-
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "host/register/register.hpp"
+
+// toml++ stays out of this header: only who reads its nodes includes it.
+namespace toml {
+inline namespace v3 {
+class node;
+class table;
+}  // namespace v3
+}  // namespace toml
 
 namespace canproof::host {
 
@@ -17,9 +24,9 @@ class TomlItem {
     TomlItem(const toml::table& table, std::string file, Faults& faults)
         : table_{table}, file_{std::move(file)}, faults_{faults} {}
 
-    Place place() const { return Place{file_, static_cast<unsigned>(table_.source().begin.line)}; }
+    Place place() const;
     Place place(const std::string& key) const;
-    bool has(const std::string& key) const { return table_.contains(key); }
+    bool has(const std::string& key) const;
 
     /// A required string, not empty.
     std::string text(const std::string& key);

@@ -6,7 +6,8 @@
 #include <map>
 #include <sstream>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/replay/replay.hpp"
 
 namespace canproof::host {

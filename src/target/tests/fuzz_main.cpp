@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "semihosting.hpp"

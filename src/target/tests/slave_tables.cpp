@@ -1,7 +1,8 @@
 // slave_tables DIR: writes the tables of the conformance slave, which the target cannot read from its register.
 #include <iostream>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/write_all.hpp"
+#include "host/register/load.hpp"
 #include "tests/support/slave_register.hpp"
 
 int main(int argc, char** argv) {

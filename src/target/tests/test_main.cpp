@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "semihosting.hpp"
-#include "tests/support/frame_log.hpp"
+#include "tests/support/bench_frame_log.hpp"
 #include "work_log.hpp"
 
 namespace {

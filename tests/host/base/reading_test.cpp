@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "host/base/input_error.hpp"
+
 namespace canproof::host {
 
 TEST(Lines, EndsMarksAndTheLastLineWithoutEnd) {

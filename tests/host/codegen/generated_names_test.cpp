@@ -3,7 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/write_alterations.hpp"
+#include "host/codegen/write_indices.hpp"
+#include "host/codegen/write_literals.hpp"
+#include "host/codegen/write_profile.hpp"
+#include "host/codegen/write_tables.hpp"
+#include "host/codegen/write_written.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

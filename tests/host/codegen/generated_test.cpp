@@ -6,7 +6,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "host/codegen/writers.hpp"
+#include "host/codegen/write_all.hpp"
+#include "host/codegen/write_embedded.hpp"
+#include "host/codegen/write_literals.hpp"
+#include "host/codegen/write_objects.hpp"
+#include "host/codegen/write_requirements.hpp"
+#include "host/codegen/write_tables.hpp"
+#include "host/register/layout.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

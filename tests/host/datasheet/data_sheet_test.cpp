@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
-#include "host/codegen/writers.hpp"
+#include "host/datasheet/write_dictionary.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/datasheet/write_xdd.hpp"
+#include "host/register/load.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

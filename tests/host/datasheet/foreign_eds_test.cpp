@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
 #include "host/datasheet/read_eds.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "host/app/cli/built_in.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/datasheet/write_xdd.hpp"
 
 namespace canproof::host::test {
 

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
 #include "host/app/cli/built_in.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/datasheet/write_eds.hpp"
 #include "host/sim/bus/acceptance.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"

@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
 #include "host/app/cli/built_in.hpp"
-#include "host/codegen/writers.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/datasheet/write_xdd.hpp"
 #include "host/register/literals.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"

@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "host/base/input_error.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "host/register/toml_depth.hpp"
 #include "tests/host/register/small_register.hpp"
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "host/register/fingerprint.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host::test {
 
@@ -44,6 +46,10 @@ const std::string no_columns = "inputs = [\"a\"]\noutputs = [\"b\"]\n";
 
 const std::vector<Broken> requirement_cases{
     {"UnknownKey", items_file, requirement + "author = \"me\"\n", 7, "unknown key `author`", "remove it"},
+    {"ByWhatIsNotThere", items_file, requirement + "by = \"CO-NONE-1\"\n", 7,
+     "AO4-R-1 is done by CO-NONE-1, which is no shared requirement in force", "name a requirement of spec/canopen"},
+    {"ByItself", items_file, requirement + "by = \"AO4-R-1\"\n", 7,
+     "AO4-R-1 is done by AO4-R-1, which is no shared requirement in force", "name a requirement of spec/canopen"},
     {"UnknownItem", items_file, "[[rule]]\nid = \"AO4-R-1\"\n", 1, "unknown key `rule`",
      "spec/README.md lists the keys"},
     {"MissingText", items_file, replaced(requirement, "text = \"The box is square.\"\n", ""), 1, "missing text",

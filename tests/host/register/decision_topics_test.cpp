@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "host/register/fingerprint.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/fnv1a.hpp"
 
 namespace canproof::host::test {
 

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "host/register/load.hpp"
 #include "host/register/register.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host::test {
 

@@ -6,7 +6,9 @@
 
 #include "firmware/canopen/object_dictionary.hpp"
 #include "host/codegen/dictionary_rows.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/codegen/write_objects.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/register/load.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

@@ -5,6 +5,8 @@
 
 #include "devices/ax060805/firmware/tilt.hpp"
 #include "devices/ax060805/simulation/simulation.hpp"
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {

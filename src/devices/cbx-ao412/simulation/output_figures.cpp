@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "devices/cbx-ao412/simulation/simulation.hpp"
+#include "firmware/base/time.hpp"
 #include "host/report/output_plot.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/replay/replay.hpp"

@@ -1,15 +1,17 @@
 // audit: gaps and an exit status, or one requirement's whole story.
+#include "host/app/cli/audit_command.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/sound_register.hpp"
-#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_json.hpp"
+#include "host/assess/story/story.hpp"
 #include "host/assess/trace/audit.hpp"
-#include "host/assess/trace/story.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

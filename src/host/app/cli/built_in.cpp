@@ -8,8 +8,10 @@
 #include <map>
 #include <optional>
 
+#include "host/base/input_error.hpp"
 #include "host/register/embedded_spec.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

@@ -10,7 +10,7 @@
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/eds_device.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 
 namespace canproof::host {

@@ -1,12 +1,16 @@
 // coverage: what no test reached in the firmware, and whether each such place has its reason.
+#include "host/app/cli/coverage_command.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
+#include "host/assess/coverage/cobertura.hpp"
 #include "host/assess/coverage/coverage.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/coverage/coverage_records.hpp"
+#include "host/assess/coverage/read_coverage.hpp"
+#include "host/assess/coverage/stale_records.hpp"
 
 namespace canproof::host {
 

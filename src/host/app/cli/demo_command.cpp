@@ -1,4 +1,6 @@
 // demo: all four devices boot, and answer what their manuals print.
+#include "host/app/cli/demo_command.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,7 +8,7 @@
 #include <vector>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/commands.hpp"
+#include "firmware/base/time.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 

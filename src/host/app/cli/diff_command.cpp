@@ -1,19 +1,23 @@
 // diff: the impact of what has changed since a revision.
+#include "host/app/cli/diff_command.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 
 int diff(const DiffOptions& options) {
     const std::filesystem::path root{options.root};
-    const LoadResult before = load_register(spec_files_at(root, options.revision));
+    const LoadResult before = load_register(with_shared_rules(spec_files_at(root, options.revision), embedded_spec()));
     const Register after = sound_register(root / "spec");
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, after);

@@ -28,7 +28,7 @@ std::string told(const Faults& faults) {
 
 }  // namespace
 
-std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
+Part read_eds_part(const std::string& path) {
     EdsResult read = read_eds(read_file(path, longest_eds_file), path);
     if (!read.faults.empty()) {
         std::string all = told(read.faults);
@@ -40,7 +40,11 @@ std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
         notes.pop_back();
         tell(notes);
     }
-    return std::make_unique<GenericSimulation>(std::move(read.part));
+    return std::move(read.part);
+}
+
+std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
+    return std::make_unique<GenericSimulation>(read_eds_part(path));
 }
 
 }  // namespace canproof::host

@@ -9,6 +9,7 @@
 namespace canproof::host {
 
 /// Notes go to stderr. Throws InputError with every fault of the file.
+Part read_eds_part(const std::string& path);
 std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path);
 
 }  // namespace canproof::host

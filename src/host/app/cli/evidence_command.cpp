@@ -1,14 +1,23 @@
 // evidence: the pack to hand over.
+#include "host/app/cli/evidence_command.hpp"
+
 #include <fmt/format.h>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/sound_register.hpp"
+#include "host/assess/coverage/coverage_records.hpp"
+#include "host/assess/coverage/read_coverage.hpp"
+#include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/freshness.hpp"
 #include "host/assess/evidence/pack.hpp"
-#include "host/assess/trace/target_html.hpp"
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/evidence/provenance.hpp"
+#include "host/assess/evidence/target_html.hpp"
+#include "host/assess/mutation/mutation_json.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

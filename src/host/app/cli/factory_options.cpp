@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "devices/catalogue.hpp"
+#include "host/base/input_error.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {

@@ -1,10 +1,11 @@
 // figures: what the devices do, drawn.
+#include "host/app/cli/figures_command.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 
 namespace canproof::host {

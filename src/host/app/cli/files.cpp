@@ -4,8 +4,8 @@
 
 #include <system_error>
 
+#include "host/base/input_error.hpp"
 #include "host/base/replace_file.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

@@ -1,7 +1,9 @@
 // fuzz: a campaign that Ctrl-C stops in order.
+#include "host/app/cli/fuzz_command.hpp"
+
 #include <csignal>
 
-#include "host/app/cli/commands.hpp"
+#include "host/assess/fuzz/campaign.hpp"
 
 namespace canproof::host {
 

@@ -1,6 +1,6 @@
 #include <csignal>
 
-#include "host/app/cli/commands.hpp"
+#include "host/app/cli/command_line.hpp"
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that would become too long is a write that fails

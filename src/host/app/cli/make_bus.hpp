@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "host/app/cli/commands.hpp"
+#include "host/app/cli/run_command.hpp"
 #include "host/sim/bus/bus.hpp"
 
 namespace canproof::host {

@@ -1,4 +1,6 @@
 // misra: the checkers of misra/, run on a built firmware.
+#include "host/app/cli/misra_command.hpp"
+
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -7,9 +9,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
-#include "host/app/cli/commands.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 extern char** environ;
 

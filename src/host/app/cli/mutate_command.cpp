@@ -1,26 +1,43 @@
 // mutate: every generated cell altered, or every operator and condition of the firmware, one at a time; survivors
 // without a recorded reason by item.
+#include "host/app/cli/mutate_command.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
 #include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/mutation/mutation_json.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/survivor_records.hpp"
+#include "host/assess/mutation/test_server.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-/// The cells of one item or of one device; all without a subject.
+/// Shared rules that come with canproof are tested there: their cells are left alone.
+void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
+    const auto inherited = [&](const AlteredCell& cell) {
+        return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
+            return part.inherited && cell.item.rfind(part.prefix + "-", 0) == 0;
+        });
+    };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), inherited), cells.end());
+}
+
+/// The cells of one item or of one device; all of the project without a subject.
 std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Register& content,
                                       const std::string& subject) {
+    drop_inherited(cells, content);
     if (subject.empty()) {
         return cells;
     }

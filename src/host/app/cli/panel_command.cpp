@@ -1,11 +1,12 @@
 // panel: devices in real time on a bus, and one local page that shows them and acts on them.
+#include "host/app/cli/panel_command.hpp"
+
 #include <fmt/format.h>
 
 #include <chrono>
 #include <iostream>
 
 #include "host/app/cli/built_in.hpp"
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/prepared_run.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/app/panel/http_front.hpp"

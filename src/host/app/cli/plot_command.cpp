@@ -1,5 +1,6 @@
 // plot: what `--outputs` wrote as an SVG file.
-#include "host/app/cli/commands.hpp"
+#include "host/app/cli/plot_command.hpp"
+
 #include "host/app/cli/files.hpp"
 #include "host/report/output_plot.hpp"
 

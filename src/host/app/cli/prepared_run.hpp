@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host/app/cli/chosen_devices.hpp"
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/output_file.hpp"
+#include "host/app/cli/run_command.hpp"
 #include "host/sim/run/node_ids.hpp"
 #include "host/sim/run/run_session.hpp"
 

@@ -1,4 +1,6 @@
 // replay: files in, the device's frames out.
+#include "host/app/cli/replay_command.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <iostream>
 
 #include "host/app/cli/chosen_devices.hpp"
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 #include "host/app/cli/output_file.hpp"
 #include "host/app/cli/standard_streams.hpp"

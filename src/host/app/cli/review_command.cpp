@@ -1,4 +1,6 @@
 // spec review: records that items were read as they are now, together with their code and tests.
+#include "host/app/cli/review_command.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -7,11 +9,10 @@
 #include <ctime>
 #include <regex>
 
-#include "host/app/cli/commands.hpp"
 #include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/trace/review.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
@@ -57,7 +58,7 @@ int review_spec(const ReviewOptions& options) {
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;
     for (const auto& part : content.parts) {
-        const auto chosen = chosen_of(part, options, names);
+        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(part, options, names);
         if (chosen.empty()) {
             continue;
         }

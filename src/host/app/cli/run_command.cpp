@@ -1,5 +1,7 @@
 // run: devices in real time on a bus. On a terminal a live table, elsewhere every frame as a candump line; lines
 // `ID#DATA` on standard input go onto the bus.
+#include "host/app/cli/run_command.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/ioctl.h>
@@ -11,9 +13,10 @@
 #include <deque>
 #include <iostream>
 
-#include "host/app/cli/commands.hpp"
+#include "firmware/base/time.hpp"
 #include "host/app/cli/prepared_run.hpp"
 #include "host/app/cli/standard_streams.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/event_loop.hpp"
 #include "host/sim/run/line_input.hpp"

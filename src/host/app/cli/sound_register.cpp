@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 
@@ -10,7 +13,7 @@ Register sound_register(const std::filesystem::path& spec) {
     if (!std::filesystem::is_directory(spec)) {
         throw InputError{fmt::format("{} is no folder; name the project with --root", spec.string())};
     }
-    LoadResult loaded = load_register(read_spec_files(spec));
+    LoadResult loaded = load_register(with_shared_rules(read_spec_files(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
         throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
                                      loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};

@@ -11,7 +11,8 @@
 #include <array>
 #include <cerrno>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

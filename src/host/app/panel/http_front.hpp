@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firmware/base/time.hpp"
-#include "host/app/panel/http_request.hpp"
+#include "host/http/http_request.hpp"
 #include "host/sim/bus/bus.hpp"
 
 namespace canproof::host {

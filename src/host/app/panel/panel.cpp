@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "generated/canopen/index.hpp"
 #include "host/app/panel/assets.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/time_text.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/device_names.hpp"
 #include "host/sim/run/live_table.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/app/panel/recorder.hpp"
-#include "host/app/panel/request_guard.hpp"
+#include "host/http/request_guard.hpp"
 #include "host/sim/run/pace.hpp"
 #include "host/sim/run/run_session.hpp"
 

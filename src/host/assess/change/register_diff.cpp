@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/codegen/writers.hpp"
+#include "host/base/one_line.hpp"
 
 namespace canproof::host {
 

@@ -6,7 +6,8 @@
 #include <sstream>
 
 #include "host/base/child_process.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

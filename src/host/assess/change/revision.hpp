@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/register/register.hpp"
+#include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 

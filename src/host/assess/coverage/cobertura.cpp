@@ -1,3 +1,5 @@
+#include "host/assess/coverage/cobertura.hpp"
+
 #include <fmt/format.h>
 
 #include <pugixml.hpp>

@@ -1,7 +1,9 @@
+#include "host/assess/coverage/coverage_records.hpp"
+
 #include <algorithm>
 
 #include "host/assess/coverage/coverage.hpp"
-#include "host/assess/trace/toml_records.hpp"
+#include "host/register/toml_records.hpp"
 
 namespace canproof::host {
 

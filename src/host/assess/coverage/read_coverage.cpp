@@ -1,4 +1,6 @@
 // llvm-cov's JSON export (version 2.0.1 of its form: LLVM 19).
+#include "host/assess/coverage/read_coverage.hpp"
+
 #include <cxxabi.h>
 #include <fmt/format.h>
 
@@ -11,8 +13,9 @@
 #include <tuple>
 
 #include "host/assess/coverage/coverage.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 #include "host/assess/firmware_scope.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 
@@ -294,37 +297,6 @@ Functions functions_of(const Json& data) {
 }
 
 }  // namespace
-
-void CoverageCount::add(const CoverageCount& other) {
-    covered += other.covered;
-    total += other.total;
-}
-
-double CoverageCount::percent() const {
-    return total == 0 ? 100.0 : 100.0 * static_cast<double>(covered) / static_cast<double>(total);
-}
-
-CoverageCount FileCoverage::line_count() const {
-    CoverageCount count;
-    for (const auto& line : lines) {
-        count.add({line.second == 0 ? 0U : 1U, 1});
-    }
-    return count;
-}
-
-void CoverageTotals::add(const FileCoverage& file) {
-    lines.add(file.line_count());
-    branches.add(file.branches);
-    conditions.add(file.conditions);
-}
-
-CoverageTotals totals_of(const std::vector<FileCoverage>& files) {
-    CoverageTotals totals;
-    for (const auto& file : files) {
-        totals.add(file);
-    }
-    return totals;
-}
 
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root) {
     std::ifstream in{file};

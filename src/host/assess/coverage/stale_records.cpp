@@ -1,9 +1,11 @@
 // Records of coverage against the sources alone: what a build that measures nothing can tell of them.
+#include "host/assess/coverage/stale_records.hpp"
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 
-#include "host/assess/coverage/coverage.hpp"
+#include "host/assess/coverage/coverage_records.hpp"
 #include "host/base/reading.hpp"
 
 namespace canproof::host {

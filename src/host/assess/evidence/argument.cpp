@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "host/assess/trace/toml_records.hpp"
+#include "host/register/toml_records.hpp"
 
 namespace canproof::host {
 

@@ -1,8 +1,14 @@
+#include "host/assess/evidence/argument_page.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/evidence/argument.hpp"
+#include "host/assess/evidence/exhibit.hpp"
+#include "host/assess/evidence/overview_page.hpp"
+#include "host/assess/evidence/own_exhibits.hpp"
+#include "host/assess/evidence/pack_input.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 

@@ -1,6 +1,9 @@
+#include "host/assess/evidence/coverage_page.hpp"
+
 #include <fmt/format.h>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/coverage/coverage.hpp"
+#include "host/assess/evidence/pack_input.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 

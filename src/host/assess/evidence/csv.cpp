@@ -1,7 +1,10 @@
+#include "host/assess/evidence/csv.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/assess/evidence/pack.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
 #include "host/base/csv_line.hpp"
 
 namespace canproof::host {

@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
 

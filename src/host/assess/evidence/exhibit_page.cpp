@@ -1,8 +1,10 @@
+#include "host/assess/evidence/exhibit_page.hpp"
+
 #include <fmt/format.h>
 
 #include <sstream>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/evidence/exhibit.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 

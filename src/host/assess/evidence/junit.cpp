@@ -1,8 +1,10 @@
+#include "host/assess/evidence/junit.hpp"
+
 #include <map>
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "host/assess/evidence/pack.hpp"
+#include "host/assess/trace/evidence.hpp"
 
 namespace canproof::host {
 

@@ -1,8 +1,10 @@
+#include "host/assess/evidence/mutation_page.hpp"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/evidence/pack_input.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 

@@ -1,8 +1,15 @@
+#include "host/assess/evidence/own_exhibits.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/coverage/coverage.hpp"
+#include "host/assess/coverage/coverage_records.hpp"
+#include "host/assess/evidence/exhibit.hpp"
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/trace/evidence.hpp"
 
 namespace canproof::host {
 

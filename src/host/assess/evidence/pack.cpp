@@ -4,7 +4,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/coverage/cobertura.hpp"
+#include "host/assess/evidence/argument_page.hpp"
+#include "host/assess/evidence/coverage_page.hpp"
+#include "host/assess/evidence/csv.hpp"
+#include "host/assess/evidence/exhibit_page.hpp"
+#include "host/assess/evidence/junit.hpp"
+#include "host/assess/evidence/mutation_page.hpp"
+#include "host/assess/evidence/overview_page.hpp"
+#include "host/assess/evidence/own_exhibits.hpp"
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/evidence/provenance.hpp"
+#include "host/assess/evidence/register_pages.hpp"
+#include "host/assess/evidence/reqif.hpp"
+#include "host/assess/evidence/sbom.hpp"
 #include "host/base/sha256.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"

@@ -1,4 +1,6 @@
 // Where a build comes from: asked of git, dpkg and the compiler that made this program.
+#include "host/assess/evidence/provenance.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -8,7 +10,6 @@
 #include <regex>
 #include <sstream>
 
-#include "host/assess/evidence/pack.hpp"
 #include "host/base/child_process.hpp"
 #include "host/base/reading.hpp"
 

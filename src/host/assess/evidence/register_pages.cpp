@@ -1,7 +1,12 @@
+#include "host/assess/evidence/register_pages.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/assess/evidence/pages.hpp"
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 

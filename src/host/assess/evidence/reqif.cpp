@@ -1,11 +1,13 @@
 // ReqIF 1.2 (OMG): the register as requirements tools read it.
+#include "host/assess/evidence/reqif.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "host/assess/evidence/pack.hpp"
+#include "host/assess/trace/audit.hpp"
 
 namespace canproof::host {
 

@@ -1,6 +1,8 @@
+#include "host/assess/evidence/sbom.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include "host/assess/evidence/pack.hpp"
+#include "host/assess/evidence/provenance.hpp"
 
 namespace canproof::host {
 

@@ -13,8 +13,13 @@
 #include "host/assess/fuzz/campaign_display.hpp"
 #include "host/assess/fuzz/campaign_files.hpp"
 #include "host/assess/fuzz/campaign_report.hpp"
+#include "host/assess/fuzz/fuzz_all.hpp"
+#include "host/assess/fuzz/measure_coverage.hpp"
+#include "host/assess/fuzz/minimise_corpora.hpp"
+#include "host/assess/fuzz/second_pass.hpp"
+#include "host/assess/fuzz/sort_findings.hpp"
+#include "host/base/input_error.hpp"
 #include "host/report/markup.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 
@@ -192,42 +197,9 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
 
 }  // namespace
 
-TargetRecord& CampaignContext::record(const std::string& target) const {
-    return *std::find_if(state.targets.begin(), state.targets.end(),
-                         [&](const TargetRecord& one) { return one.name == target; });
-}
-
-std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files) {
-    std::filesystem::create_directories(files.scratch());
-    std::map<std::string, std::string> all{{"TMPDIR", files.scratch().string()},
-                                           {"UBSAN_OPTIONS", "print_stacktrace=1"}};
-    if (const char* const symbolizer = "/usr/bin/llvm-symbolizer-19"; std::filesystem::exists(symbolizer)) {
-        all["ASAN_SYMBOLIZER_PATH"] = symbolizer;
-        all["UBSAN_SYMBOLIZER_PATH"] = symbolizer;
-    }
-    return all;
-}
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder)) {
-        for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-            if (entry.is_regular_file()) {
-                files.push_back(entry.path());
-            }
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-    return std::filesystem::exists(file) ? read_file(file) : "";
-}
-
 int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     options.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-    const auto targets = find_fuzz_targets(options.build, options.fuzz, options.targets);
+    const auto targets = find_fuzz_targets(options.build, options.targets);
     require_programs(options, targets);
     const CampaignFiles files{options.corpus};
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,11 @@ struct CampaignOptions {
     std::string build{"build/fuzz"};         ///< libFuzzer programs under sanitizers
     std::string replay_build{"build/release"};
     std::string coverage_build{"build/fuzz-coverage"};
-    std::string fuzz{"fuzz"};         ///< seeds, dictionaries, options
-    std::string land{"fuzz/corpus"};  ///< findings go there as regression tests; empty: nowhere
-    unsigned jobs{0};                 ///< 0: all cores
-    std::uint64_t seed{0};            ///< 0: from the clock, and printed
+    /// Findings become regression tests in TARGET below this folder, in the target's own corpus without it; empty:
+    /// nowhere.
+    std::optional<std::string> land;
+    unsigned jobs{0};       ///< 0: all cores
+    std::uint64_t seed{0};  ///< 0: from the clock, and printed
     bool second_pass{true};
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, on a terminal as well

@@ -50,11 +50,4 @@ std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 std::string read_text(const std::filesystem::path& file);
 
-/// Each of these does one phase, and returns false when it was interrupted; each may be repeated.
-bool fuzz_all(const CampaignContext& context);
-bool sort_findings(const CampaignContext& context);
-bool measure_coverage(const CampaignContext& context);
-bool minimise_corpora(const CampaignContext& context);
-bool look_again_with_valgrind(const CampaignContext& context);
-
 }  // namespace canproof::host

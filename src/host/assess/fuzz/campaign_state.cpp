@@ -8,8 +8,8 @@
 #include <numeric>
 #include <system_error>
 
+#include "host/base/input_error.hpp"
 #include "host/base/replace_file.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

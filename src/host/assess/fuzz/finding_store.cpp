@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "host/assess/fuzz/campaign_display.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
@@ -39,11 +39,13 @@ void write_frames(const CampaignContext& context, const FoundInput& found, const
         {task}, 1, [] { return false; }, [] {});
 }
 
-std::string land(const CampaignContext& context, const Finding& finding, const std::filesystem::path& input) {
-    if (context.options.land.empty() || !finding.reproduces) {
+std::string land(const CampaignContext& context, const FuzzTarget& target, const Finding& finding,
+                 const std::filesystem::path& input) {
+    const auto& elsewhere = context.options.land;
+    if (!finding.reproduces || (elsewhere && elsewhere->empty())) {
         return "";
     }
-    const auto folder = std::filesystem::path{context.options.land} / finding.target;
+    const auto folder = elsewhere ? std::filesystem::path{*elsewhere} / target.name : target.seeds;
     std::filesystem::create_directories(folder);
     const auto test = folder / ("found_" + finding.signature);
     copy_over(input, test);
@@ -77,7 +79,7 @@ void store_finding(const CampaignContext& context, const FoundInput& found) {
     finding.bytes = std::filesystem::file_size(found.input);
     finding.times = found.times;
     finding.reproduces = found.reproduces;
-    finding.regression = land(context, finding, found.input);
+    finding.regression = land(context, *found.target, finding, found.input);
     write_json(folder / "finding.json", finding);
     context.display.say(fmt::format("FINDING {}: {}\n  {} ({} bytes, {} time(s))", finding.target, finding.title,
                                     finding.folder, finding.bytes, finding.times));

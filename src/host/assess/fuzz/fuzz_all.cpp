@@ -1,4 +1,6 @@
 // The fuzzing itself: each target in slices, so that all have had their turn when the campaign is cut short.
+#include "host/assess/fuzz/fuzz_all.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

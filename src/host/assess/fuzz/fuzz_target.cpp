@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <fstream>
+#include <map>
 #include <regex>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-const std::string suffix = "_fuzz";
 
 std::vector<std::string> read_options(const std::filesystem::path& file) {
     std::vector<std::string> options{"-max_len=512"};
@@ -34,44 +33,70 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
     return options;
 }
 
-std::vector<std::string> names_in(const std::filesystem::path& build) {
-    std::vector<std::string> names;
-    if (std::filesystem::is_directory(build)) {
-        for (const auto& file : std::filesystem::directory_iterator{build}) {
-            const std::string name = file.path().filename().string();
-            const bool fits = name.size() > suffix.size() && name.substr(name.size() - suffix.size()) == suffix;
-            if (fits && file.is_regular_file() && file.path().extension().empty()) {
-                names.push_back(name.substr(0, name.size() - suffix.size()));
-            }
-        }
+const char* const how_to_build = "`cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_targets`";
+
+/// A line of the list: its three words. The list is not ours when there are not three.
+struct Line {
+    std::string name;
+    std::filesystem::path folder;
+    std::filesystem::path seeds;
+};
+
+Line read_line(const std::string& text, const std::string& place) {
+    static const std::regex three_words{"([^\t]+)\t([^\t]+)\t([^\t]+)"};
+    std::smatch found;
+    if (!std::regex_match(text, found, three_words)) {
+        throw InputError{fmt::format("{}: write a target's name, folder and corpus with tabs between them", place)};
     }
-    std::sort(names.begin(), names.end());
-    return names;
+    return {found[1].str(), found[2].str(), found[3].str()};
+}
+
+/// By name.
+std::map<std::string, Line> lines_of(const std::filesystem::path& build) {
+    const auto list = build / "fuzz_targets.txt";
+    std::ifstream in{list};
+    std::map<std::string, Line> lines;
+    int number = 0;
+    for (std::string text; std::getline(in, text);) {
+        const Line line = read_line(text, fmt::format("{}:{}", list.string(), ++number));
+        lines.emplace(line.name, line);
+    }
+    if (lines.empty()) {
+        throw InputError{fmt::format("{} has no fuzz targets; build them with {}, or name their folder with --build",
+                                     build.string(), how_to_build)};
+    }
+    check_read(in, list.string());
+    return lines;
+}
+
+FuzzTarget target_of(const std::filesystem::path& build, const Line& line) {
+    const auto program = build / (line.name + "_fuzz");
+    if (!std::filesystem::exists(program)) {
+        throw InputError{fmt::format("{} is not built; build it with {}, or name others with --targets",
+                                     program.string(), how_to_build)};
+    }
+    const auto dictionary = line.folder / (line.name + ".dict");
+    return {line.name, std::filesystem::absolute(program), line.seeds,
+            std::filesystem::exists(dictionary) ? dictionary : std::filesystem::path{},
+            read_options(line.folder / (line.name + ".options"))};
 }
 
 }  // namespace
 
-std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, const std::filesystem::path& fuzz,
-                                          const std::vector<std::string>& names) {
-    const std::vector<std::string> built = names_in(build);
-    if (built.empty()) {
-        throw InputError{
-            fmt::format("{} has no fuzz targets; build them with `cmake --preset fuzz && cmake --build --preset fuzz "
-                        "--target fuzz_targets`, or name their folder with --build",
-                        build.string())};
-    }
-    for (const auto& name : names) {
-        if (std::find(built.begin(), built.end(), name) == built.end()) {
-            throw InputError{
-                fmt::format("{} has no target `{}`; there are {}", build.string(), name, fmt::join(built, ", "))};
-        }
+std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, const std::vector<std::string>& names) {
+    const auto listed = lines_of(build);
+    std::vector<std::string> known;
+    for (const auto& [name, line] : listed) {
+        known.push_back(name);
     }
     std::vector<FuzzTarget> targets;
-    for (const auto& name : names.empty() ? built : names) {
-        const auto dictionary = fuzz / (name + ".dict");
-        targets.push_back({name, std::filesystem::absolute(build / (name + suffix)), fuzz / "corpus" / name,
-                           std::filesystem::exists(dictionary) ? dictionary : std::filesystem::path{},
-                           read_options(fuzz / (name + ".options"))});
+    for (const auto& name : names.empty() ? known : names) {
+        const auto line = listed.find(name);
+        if (line == listed.end()) {
+            throw InputError{
+                fmt::format("{} has no target `{}`; there are {}", build.string(), name, fmt::join(known, ", "))};
+        }
+        targets.push_back(target_of(build, line->second));
     }
     return targets;
 }

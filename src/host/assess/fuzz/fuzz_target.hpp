@@ -15,10 +15,10 @@ struct FuzzTarget {
     std::vector<std::string> options;  ///< `-max_len=4096`
 };
 
-/// All NAME_fuzz of `build`, or those of `names`, in alphabetical order; seeds, dictionaries and NAME.options
-/// (OSS-Fuzz's form: `[libfuzzer]`, `max_len = 4096`) from `fuzz`. Throws InputError when there are none, a name is
-/// unknown, or an options file cannot be read.
-std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, const std::filesystem::path& fuzz,
-                                          const std::vector<std::string>& names);
+/// All targets of `build`, in alphabetical order, or those of `names`. Its configure step lists them in
+/// fuzz_targets.txt, a line each, with tabs: the name, the folder of NAME.dict and NAME.options (OSS-Fuzz's form:
+/// `[libfuzzer]`, `max_len = 4096`), the folder of the seeds. Throws InputError when there is no list, a name is
+/// unknown, a program is not built, or the list or an options file cannot be read.
+std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, const std::vector<std::string>& names);
 
 }  // namespace canproof::host

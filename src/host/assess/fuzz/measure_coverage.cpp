@@ -1,5 +1,7 @@
 // Lines of the firmware that the corpora reach, and when in the campaign they were first reached: the inputs' own times
 // say which were there by then.
+#include "host/assess/fuzz/measure_coverage.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

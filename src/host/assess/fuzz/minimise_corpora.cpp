@@ -1,4 +1,6 @@
 // The smallest set of inputs that reaches what all reach, in place of what the nights gathered.
+#include "host/assess/fuzz/minimise_corpora.hpp"
+
 #include <fmt/format.h>
 
 #include "host/assess/fuzz/campaign_display.hpp"

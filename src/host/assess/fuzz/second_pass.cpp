@@ -1,5 +1,7 @@
 // The corpus once more, under valgrind's memcheck and without sanitizers: it sees uninitialised bytes, which ASan and
 // UBSan do not. (MSan would want a C++ library built with it; Debian has none.)
+#include "host/assess/fuzz/second_pass.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

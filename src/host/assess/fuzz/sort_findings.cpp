@@ -1,4 +1,6 @@
 // Inputs that ended a run become findings: one a bug, as small as it gets, with what replays it.
+#include "host/assess/fuzz/sort_findings.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include <memory>
 #include <thread>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

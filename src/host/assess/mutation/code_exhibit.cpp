@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/assess/mutation/mutation_counts.hpp"
 #include "host/base/csv_line.hpp"
 
 namespace canproof::host {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
 
 namespace canproof::host {
 

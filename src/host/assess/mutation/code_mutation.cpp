@@ -9,7 +9,9 @@
 #include <tuple>
 
 #include "host/assess/mutation/killer_log.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/mutation/mutation.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
 
 namespace canproof::host {
 

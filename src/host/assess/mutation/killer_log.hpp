@@ -8,7 +8,8 @@
 #include <mutex>
 #include <string>
 
-#include "host/assess/mutation/mutation.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
 
 namespace canproof::host {
 

@@ -9,7 +9,10 @@
 #include <thread>
 #include <tuple>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

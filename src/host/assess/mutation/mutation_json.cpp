@@ -1,35 +1,15 @@
+#include "host/assess/mutation/mutation_json.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "host/assess/mutation/mutation.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
-
-MutationCount& MutationCount::operator+=(const MutationCount& more) {
-    altered += more.altered;
-    noticed += more.noticed;
-    justified += more.justified;
-    return *this;
-}
-
-CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes) {
-    CountsByItem counts;
-    for (const MutationOutcome& outcome : outcomes) {
-        counts[outcome.cell.item] += {1, outcome.killed_by.empty() ? 0U : 1U, outcome.record == nullptr ? 0U : 1U};
-    }
-    return counts;
-}
-
-MutationCount total(const CountsByItem& counts) {
-    MutationCount all;
-    for (const auto& [item, count] : counts) {
-        all += count;
-    }
-    return all;
-}
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
     using Json = nlohmann::ordered_json;

@@ -1,5 +1,7 @@
-#include "host/assess/mutation/mutation.hpp"
-#include "host/assess/trace/toml_records.hpp"
+#include "host/assess/mutation/survivor_records.hpp"
+
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/register/toml_records.hpp"
 
 namespace canproof::host {
 

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "host/base/child_process.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

@@ -95,10 +95,17 @@ class PartAuditor {
         if (const auto found = decisions_.find(item.id); found != decisions_.end()) {
             audited.decisions = found->second;
         }
-        audited.without_code = needs_code(audited) && code_of(item.id, evidence_).empty();
+        audited.without_code = needs_code(audited) && code_of(done_by(item), evidence_).empty();
         audited.suspect = reviews_.suspicion(item.id, audited.decisions);
         tell(audited);
         audit_.items.push_back(audited);
+    }
+
+    /// The item that the code must name: a shared one where the register says so.
+    const std::string& done_by(const Item& item) const {
+        const auto requirement = requirements_.find(item.id);
+        const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();
+        return delegated ? requirement->second->by : item.id;
     }
 
     void tell(const AuditedItem& audited) {
@@ -109,7 +116,8 @@ class PartAuditor {
             audit_.gaps.push_back(fmt::format("{}: no passed {}", id, fmt::join(audited.missing, ", no passed ")));
         }
         if (audited.without_code) {
-            audit_.gaps.push_back(fmt::format("{}: no code implements it", id));
+            const std::string& by = done_by(*audited.item);
+            audit_.gaps.push_back(fmt::format("{}: no code implements {}", id, by == id ? "it" : by));
         }
         if (!audited.suspect.empty()) {
             audit_.suspects.push_back(fmt::format("{}: {}", id, audited.suspect));
@@ -155,7 +163,9 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
     const SectionIndex sections{content};
     std::vector<PartAudit> all;
     for (const auto& part : content.parts) {
-        all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        if (!part.inherited) {
+            all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
+        }
     }
     return all;
 }
@@ -165,6 +175,7 @@ std::vector<std::string> orphans(const Evidence& evidence) {
     for (const auto& file : evidence.untraced) {
         all.push_back(fmt::format("{}: no requirement has this code, nor anything that includes it", file));
     }
+    all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {
         if (!run.claims && tests_the_firmware(run.file)) {
             all.push_back(fmt::format("{} ({}): claims no requirement", run.name, run.file));

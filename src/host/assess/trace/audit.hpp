@@ -44,10 +44,11 @@ struct PartAudit {
 
 /// Audits one part: a device with its manual, or the shared part (which has no manual of its own).
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
-/// All parts, in the register's order.
+/// All parts of the project, in the register's order: shared rules that come with canproof are proven there.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);
 
-/// Code of the firmware and tests of it without a requirement: each a sentence. Tests of the tools around it need none.
+/// Code of the firmware and tests of it without a requirement, and links that stand where they say little: each a
+/// sentence. Tests of the tools around the firmware need none.
 std::vector<std::string> orphans(const Evidence& evidence);
 
 /// Where code implements an item or names what was generated from it.

@@ -7,7 +7,9 @@
 #include <pugixml.hpp>
 
 #include "host/assess/trace/code_links.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/trace/link_places.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
@@ -129,6 +131,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     }
     evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);
+    evidence.misplaced = misplaced_links(root);
     return evidence;
 }
 

@@ -40,7 +40,8 @@ struct Evidence {
     std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/…:line`
     std::map<std::string, std::vector<std::string>> used;  ///< by id: where code names what was generated from it
     std::vector<TestRun> runs;
-    std::vector<std::string> untraced;  ///< files of the firmware that serve no requirement, directly or by inclusion
+    std::vector<std::string> untraced;   ///< files of the firmware that serve no requirement, directly or by inclusion
+    std::vector<std::string> misplaced;  ///< links that stand where they say little, each a sentence
     std::size_t tests{0};
     std::size_t failed{0};
 };

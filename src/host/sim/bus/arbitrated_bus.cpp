@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <map>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/can_bits.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

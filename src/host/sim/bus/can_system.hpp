@@ -61,7 +61,4 @@ class CanSystem {
 /// Four seconds of frames without data at 1 Mbit/s.
 inline constexpr int receive_room = 1 << 25;
 
-/// The kernel's own.
-CanSystem& linux_can_system();
-
 }  // namespace canproof::host

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/time_text.hpp"
+
 namespace canproof::host {
 
 namespace {
-
-constexpr std::uint64_t micros = 1000000;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw InputError{
@@ -21,7 +24,6 @@ bool all_of(const std::string& text, const char* allowed) {
 }
 
 constexpr const char* hex_digits = "0123456789abcdefABCDEF";
-constexpr const char* decimal_digits = "0123456789";
 
 /// By hand: a log has thousands of frames a second.
 void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
@@ -56,22 +58,6 @@ std::string without_length_code(const std::string& data, const std::string& wher
 }
 
 }  // namespace
-
-Instant parse_seconds(const std::string& text, const std::string& where) {
-    const auto point = text.find('.');
-    const std::string whole = text.substr(0, point);
-    std::string fraction = point == std::string::npos ? "0" : text.substr(point + 1);
-    if (!all_of(whole, decimal_digits) || whole.size() > 12 || !all_of(fraction, decimal_digits) ||
-        fraction.size() > 6) {
-        refuse(where, fmt::format("`{}` is no time in seconds with up to six decimals", text));
-    }
-    fraction.resize(6, '0');
-    return Instant{std::stoull(whole) * micros + std::stoull(fraction)};
-}
-
-std::string format_seconds(Instant time) {
-    return fmt::format("{}.{:06}", time.us / micros, time.us % micros);
-}
 
 Frame parse_frame(const std::string& text, const std::string& where) {
     const auto hash = text.find('#');
@@ -130,7 +116,12 @@ LoggedFrame parse_candump_line(const std::string& line, const std::string& where
     if (time.size() < 3 || time.front() != '(' || time.back() != ')') {
         refuse(where, fmt::format("time `{}` does not stand in brackets", time));
     }
-    logged.time = parse_seconds(time.substr(1, time.size() - 2), where);
+    const std::string seconds = time.substr(1, time.size() - 2);
+    const std::optional<Instant> at = seconds_of(seconds);
+    if (!at) {
+        refuse(where, fmt::format("`{}` is no time in seconds with up to six decimals", seconds));
+    }
+    logged.time = *at;
     logged.mark = mark_of(rest);
     logged.error = is_error_frame(frame);
     if (logged.error) {

@@ -55,8 +55,5 @@ std::string format_candump_line(const LoggedFrame& logged);
 std::string format_frame(const Frame& frame);
 /// `703#00` to a frame, also with a length code behind eight bytes (`303#0102030405060708_F`); throws InputError.
 Frame parse_frame(const std::string& text, const std::string& where);
-/// `12.345678` (seconds) to a time; throws InputError.
-Instant parse_seconds(const std::string& text, const std::string& where);
-std::string format_seconds(Instant time);
 
 }  // namespace canproof::host

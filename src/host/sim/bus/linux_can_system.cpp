@@ -1,4 +1,6 @@
 // Raw CAN sockets of Linux; the interface's controller through libsocketcan.
+#include "host/sim/bus/linux_can_system.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <libsocketcan.h>
@@ -14,8 +16,6 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
-
-#include "host/sim/bus/can_system.hpp"
 
 namespace canproof::host {
 

@@ -7,6 +7,10 @@
 #include <cstring>
 #include <tuple>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
+#include "host/sim/bus/can_bits.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/bus/kernel_frame.hpp"
 

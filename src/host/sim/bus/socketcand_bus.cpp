@@ -13,6 +13,9 @@
 #include <cerrno>
 #include <cstring>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {

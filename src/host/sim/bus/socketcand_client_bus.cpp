@@ -11,6 +11,9 @@
 #include <cerrno>
 #include <cstring>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/can_bits.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <type_traits>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/node.hpp"
 #include "host/codegen/dictionary_rows.hpp"

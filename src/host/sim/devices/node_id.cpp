@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

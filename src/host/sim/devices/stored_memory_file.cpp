@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "host/base/file_lock.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/replace_file.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {
 

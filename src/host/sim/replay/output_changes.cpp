@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/time_text.hpp"
 
 namespace canproof::host {
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <deque>
 
+#include "host/base/input_error.hpp"
+#include "host/base/time_text.hpp"
+#include "host/sim/devices/forward_time.hpp"
 #include "host/sim/replay/output_changes.hpp"
 #include "host/sim/replay/own_frames.hpp"
-#include "host/sim/run/forward_time.hpp"
 
 namespace canproof::host {
 

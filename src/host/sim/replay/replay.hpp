@@ -6,6 +6,7 @@
 #include <ostream>
 #include <vector>
 
+#include "firmware/base/time.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 #include "host/sim/replay/stimulus.hpp"

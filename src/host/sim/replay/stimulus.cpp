@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/reading.hpp"
+#include "host/base/time_text.hpp"
 
 namespace canproof::host {
 

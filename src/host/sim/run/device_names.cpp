@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "firmware/base/time.hpp"
+#include "host/base/time_text.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/base/time_text.hpp"
+
 namespace canproof::host {
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {

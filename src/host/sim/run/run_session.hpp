@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/bus.hpp"
 #include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/forward_time.hpp"
 #include "host/sim/replay/output_changes.hpp"
 #include "host/sim/replay/stimulus.hpp"
 #include "host/sim/run/device_node.hpp"
-#include "host/sim/run/forward_time.hpp"
 #include "host/sim/run/frame_log.hpp"
 
 namespace canproof::host {

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 
+#include "firmware/base/time.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "host/app/cli/chosen_devices.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {

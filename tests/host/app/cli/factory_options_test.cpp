@@ -8,6 +8,8 @@
 
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
+#include "host/base/input_error.hpp"
+#include "tests/support/every_device.hpp"
 
 namespace canproof::host::test {
 
@@ -41,7 +43,7 @@ std::string refusal(const std::string& name, const std::vector<std::string>& giv
 
 /// 1018h:3 and 1018h:4 of every device (CBX-AO412 7.9.18, AX130751 3.2.11, AX188001 3.2.11, AX060805 4.2.11).
 TEST(FactoryData, IdentityOfEveryDevice) {
-    for (const char* name : {"cbx-ao412", "ax130751", "ax188001", "ax060805"}) {
+    for (const std::string& name : canproof::test::every_device()) {
         const ChosenDevice chosen = device_with(name, {"serial_number=0xC1C20106", "revision_number=131077"});
         EXPECT_EQ(entry_of(chosen, 0x1018, 4), 0xC1C20106U) << name;
         EXPECT_EQ(entry_of(chosen, 0x1018, 3), 0x00020005U) << name;  // 131077 = 2 * 65536 + 5
@@ -87,7 +89,7 @@ TEST(FactoryData, CalibrationAndVersionsOfTheCbx) {
 
 /// The keys are those of the register, and each of them with a number changes its entry.
 TEST(FactoryData, EveryKeyReachesItsEntry) {
-    for (const char* name : {"cbx-ao412", "ax130751", "ax188001", "ax060805"}) {
+    for (const std::string& name : canproof::test::every_device()) {
         std::set<std::string> names;
         for (const FactoryKey& key : factory_keys(device_named(name))) {
             EXPECT_TRUE(names.insert(key.name).second) << name << " " << key.name;

@@ -5,8 +5,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "firmware/base/time.hpp"
 #include "host/app/cli/chosen_devices.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/devices/node_id.hpp"
 #include "host/sim/replay/replay.hpp"
 

@@ -7,7 +7,8 @@
 
 #include <memory>
 
-#include "host/sim/bus/candump.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/input_error.hpp"
 #include "tests/host/app/panel/panel_bench.hpp"
 #include "tests/support/tcp_client.hpp"
 

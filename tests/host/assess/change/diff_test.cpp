@@ -9,7 +9,8 @@
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
 #include "host/base/child_process.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
+#include "host/register/load.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

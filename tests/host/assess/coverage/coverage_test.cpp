@@ -8,7 +8,11 @@
 #include <fstream>
 #include <pugixml.hpp>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/assess/coverage/cobertura.hpp"
+#include "host/assess/coverage/coverage_records.hpp"
+#include "host/assess/coverage/read_coverage.hpp"
+#include "host/assess/coverage/stale_records.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host::test {
 

@@ -8,10 +8,13 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/freshness.hpp"
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/sha256.hpp"
 #include "host/register/fingerprint.hpp"
-#include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::test {
 

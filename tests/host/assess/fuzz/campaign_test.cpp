@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "host/assess/fuzz/campaign_files.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 namespace {
@@ -64,7 +64,6 @@ class Campaign : public testing::Test {
         options.out = (folder / "out").string();
         options.build = (folder / "build").string();
         options.replay_build = (folder / "no-build").string();
-        options.fuzz = (folder / "fuzz").string();
         options.land = (folder / "land").string();
         options.jobs = 2;
         options.seed = 5;
@@ -78,6 +77,13 @@ class Campaign : public testing::Test {
         const fs::path program = folder / "build" / (name + "_fuzz");
         std::ofstream{program} << stand_in(fuzzing);
         fs::permissions(program, fs::perms::owner_all);
+        list_target(name);
+    }
+    /// What the configure step writes of a target.
+    void list_target(const std::string& name) {
+        std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app}
+            << name << '\t' << (folder / "fuzz").string() << '\t' << (folder / "fuzz" / "seeds" / name).string()
+            << '\n';
     }
     int run(const Interrupted& interrupted = [] { return false; }) { return run_campaign(options, interrupted); }
     nlohmann::json report() const { return read_json(folder / "out" / "report.json"); }
@@ -132,6 +138,23 @@ TEST_F(Campaign, ABugIsOneFindingHoweverOftenItCame) {
     EXPECT_NE(text_of(kept / "output.txt").find("requirement violated"), std::string::npos);
     EXPECT_EQ(text_of(finding["regression"].get<std::string>()), "BUG");
     EXPECT_EQ(fs::path{finding["regression"].get<std::string>()}.parent_path(), folder / "land" / "a");
+}
+
+TEST_F(Campaign, AFindingLandsInTheCorpusOfItsTarget) {
+    options.land.reset();
+    add_target("a", R"(printf BUGs > "${prefix}crash-1")");
+    EXPECT_EQ(run(), 1);
+    const fs::path landed{report()["findings"][0]["regression"].get<std::string>()};
+    EXPECT_EQ(landed.parent_path(), folder / "fuzz" / "seeds" / "a");
+    EXPECT_EQ(text_of(landed), "BUG");
+}
+
+TEST_F(Campaign, AFindingLandsNowhereWhenToldSo) {
+    options.land = "";
+    add_target("a", R"(printf BUGs > "${prefix}crash-1")");
+    EXPECT_EQ(run(), 1);
+    EXPECT_EQ(report()["findings"][0]["regression"], "");
+    EXPECT_FALSE(fs::exists(folder / "fuzz" / "seeds" / "a"));
 }
 
 TEST_F(Campaign, WhatEndsARunOnceAndNotAgainIsAFindingAsWell) {
@@ -209,7 +232,9 @@ TEST_F(Campaign, WhatIsMissingIsSaidWithItsRemedy) {
     add_target("a", "");
     options.targets = {"c"};
     EXPECT_NE(complaint().find("no target `c`; there are a"), std::string::npos);
-    options.targets = {};
+    list_target("c");
+    EXPECT_NE(complaint().find("c_fuzz is not built"), std::string::npos);
+    options.targets = {"a"};
     options.second_pass = true;
     EXPECT_NE(complaint().find("--no-second-pass"), std::string::npos);
     options.second_pass = false;
@@ -223,12 +248,24 @@ TEST_F(Campaign, OptionsOfATargetComeFromItsFile) {
     fs::create_directories(folder / "fuzz");
     std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len = 4096\n";
     std::ofstream{folder / "fuzz" / "a.dict"} << "\"x\"\n";
-    const auto targets = find_fuzz_targets(options.build, options.fuzz, {});
+    const auto targets = find_fuzz_targets(options.build, {});
     ASSERT_EQ(targets.size(), 1U);
     EXPECT_EQ(targets[0].options.back(), "-max_len=4096");
     EXPECT_EQ(targets[0].dictionary, folder / "fuzz" / "a.dict");
+    EXPECT_EQ(targets[0].seeds, folder / "fuzz" / "seeds" / "a");
     std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len 4096\n";
-    EXPECT_THROW(find_fuzz_targets(options.build, options.fuzz, {}), InputError);
+    EXPECT_THROW(find_fuzz_targets(options.build, {}), InputError);
+}
+
+TEST_F(Campaign, ALineOfTheListThatIsNoTargetIsNamed) {
+    add_target("a", "");
+    std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app} << "b of two words\n";
+    try {
+        find_fuzz_targets(options.build, {});
+        FAIL() << "took the line for a target";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("fuzz_targets.txt:2: "), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

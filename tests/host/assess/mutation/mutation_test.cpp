@@ -10,9 +10,17 @@
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
 #include "host/assess/mutation/killer_log.hpp"
-#include "host/codegen/writers.hpp"
+#include "host/assess/mutation/mutation_json.hpp"
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/survivor_records.hpp"
+#include "host/assess/mutation/test_server.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
+#include "host/codegen/cpp_text.hpp"
+#include "host/codegen/write_alterations.hpp"
+#include "host/codegen/write_objects.hpp"
 #include "host/register/alter_value.hpp"
-#include "host/sim/bus/candump.hpp"
+#include "host/register/load.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {
@@ -97,13 +105,12 @@ TEST(Alterations, OfATableAreAllItsCells) {
         "max = 9 } ]\n"
         "outputs = [\"word\", { name = \"gain\", type = \"REAL32\" }]\nrows = [ [\"0..4\", \"low\", 2.0], [\"5..9\", "
         "\"high\", 0.0] ]\n");
-    for (
-        const char* line :
-        {R"("row 1 n_last", "4 -> 5", &box::x::rows[0U].n_last)", R"("row 1 word", "low -> high")",
-         R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::x::Word::high))",
-         // 2.02F is 4001 47AEh
-         R"("row 1 gain", "2 -> 2.02", &box::x::rows[0U].gain, sizeof(box::x::rows[0U].gain), 0x400147AEU)",
-         R"("row 2 gain", "0 -> 0.01")"}) {
+    for (const char* line :
+         {R"("row 1 n_last", "4 -> 5", &box::x::rows[0U].n_last)", R"("row 1 word", "low -> high")",
+          R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::x::Word::high))",
+          // 2.02F is 4001 47AEh
+          R"("row 1 gain", "2 -> 2.02", &box::x::rows[0U].gain, sizeof(box::x::rows[0U].gain), 0x400147AEU)",
+          R"("row 2 gain", "0 -> 0.01")"}) {
         EXPECT_THAT(text, HasSubstr(line));
     }
 }

@@ -6,7 +6,7 @@
 
 #include <ctime>
 
-#include "host/assess/trace/story.hpp"
+#include "host/assess/story/story.hpp"
 #include "host/register/fingerprint.hpp"
 
 namespace canproof::host {
@@ -116,6 +116,25 @@ TEST_F(AuditOfASmallRegister, ARequirementWithoutCodeIsAGap) {
     part().requirements[1].verify = {"inspection"};
     evidence.verdicts["D-A-002"] = {{"S.Two", "inspection", true}};
     EXPECT_THAT(gaps(), IsEmpty()) << "what is read needs no code";
+}
+
+TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayDoIt) {
+    part().requirements[1].by = "CO-A-001";
+    review(part());
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements CO-A-001"));
+    evidence.implemented["CO-A-001"] = {"src/firmware/canopen/a.cpp:3"};
+    evidence.implemented.erase("D-A-002");
+    EXPECT_THAT(gaps(), IsEmpty());
+}
+
+TEST_F(AuditOfASmallRegister, WhoDoesItNeedsNoNewReview) {
+    part().requirements[1].by = "CO-A-001";
+    EXPECT_THAT(audit().suspects, IsEmpty());
+}
+
+TEST_F(AuditOfASmallRegister, AMisplacedLinkIsToldWithTheOrphans) {
+    evidence.misplaced = {"src/firmware/a.cpp:3: the link stands above nothing that does it"};
+    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: the link stands above nothing")));
 }
 
 TEST_F(AuditOfASmallRegister, ANormativeSectionWithoutRequirementIsAGap) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

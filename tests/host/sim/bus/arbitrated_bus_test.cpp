@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/can_bits.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 

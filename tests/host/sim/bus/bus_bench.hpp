@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/candump.hpp"
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::test {

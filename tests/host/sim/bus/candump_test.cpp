@@ -7,7 +7,11 @@
 #include <sstream>
 
 #include "devices/catalogue.hpp"
+#include "firmware/base/time.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/time_text.hpp"
 #include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 #include "host/sim/replay/replay.hpp"
 #include "host/sim/replay/stimulus.hpp"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
 
+#include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 #include "tests/host/sim/bus/fake_can_system.hpp"
 

@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 #include "tests/support/tcp_client.hpp"
 

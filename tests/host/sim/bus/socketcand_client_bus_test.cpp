@@ -10,6 +10,7 @@
 
 #include <memory>
 
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 

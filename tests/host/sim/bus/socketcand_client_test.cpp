@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware/canopen/frame.hpp"
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/bus/socketcand_client_bus.hpp"
 

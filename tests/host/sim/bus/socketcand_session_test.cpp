@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::test {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
 #include "host/sim/bus/candump.hpp"

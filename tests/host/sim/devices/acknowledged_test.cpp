@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "devices/catalogue.hpp"
+#include "firmware/base/time.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/app/cli/built_in.hpp"
-#include "host/codegen/writers.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/datasheet/write_eds.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 #include "tests/support/verifies.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "host/sim/bus/candump.hpp"
+#include "host/base/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace canproof::host::test {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host {

@@ -1,0 +1,121 @@
+// devices, signals, eds, spec check: what the register says, printed.
+#include "host/app/cli/catalogue_commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+#include "devices/catalogue.hpp"
+#include "host/app/cli/built_in.hpp"
+#include "host/app/cli/factory_options.hpp"
+#include "host/app/cli/standard_streams.hpp"
+#include "host/base/input_error.hpp"
+#include "host/datasheet/eds_values.hpp"
+#include "host/datasheet/write_dictionary.hpp"
+#include "host/datasheet/write_eds.hpp"
+#include "host/datasheet/write_xdd.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const Part& described_device(const std::string& name) {
+    const Part& part = device_named(name);
+    if (part.objects.empty()) {
+        throw InputError{
+            fmt::format("{} is registered by its manual only so far; its objects are not described yet", name)};
+    }
+    return part;
+}
+
+}  // namespace
+
+int list_devices() {
+    fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", "device", "part numbers", "node-ID", "bit rate", "runs");
+    for (const auto& part : built_in_register().parts) {
+        if (part.is_device()) {
+            fmt::print("{:<12}{:<42}{:<12}{:<14}{}\n", part.name,
+                       fmt::format("{}", fmt::join(part.info.part_numbers, ", ")), part.info.node_id,
+                       fmt::format("{} bit/s", part.info.bit_rate),
+                       make_device(part.name) == nullptr ? "not yet" : "yes");
+            for (const std::string& variant : part.info.variants) {
+                fmt::print("{:<12}{}\n", "", variant);
+            }
+        }
+    }
+    return 0;
+}
+
+namespace {
+
+void list_factory_data(const Part& part, const std::string& part_number) {
+    const auto keys = factory_keys(part, part_number);
+    if (!keys.empty()) {
+        fmt::print("\n{:<31}{:<16}{:<6}{:<26}{}\n", "factory data, --factory", "type", "unit", "range", "meaning");
+    }
+    for (const FactoryKey& key : keys) {
+        fmt::print("{:<31}{:<16}{:<6}{:<26}{}\n", key.name, key.words.empty() ? key.type : "choice",
+                   key.unit.size() < 6 ? key.unit : "", key.range(),
+                   key.unit.size() < 6 ? key.text : fmt::format("{}, in {}", key.text, key.unit));
+    }
+}
+
+}  // namespace
+
+int list_signals(const std::string& device) {
+    const Part& part = described_device(device);
+    fmt::print("{:<23}{:<8}{:<11}{:<6}{:<18}{}\n", "signal", "", "type", "unit", "range", "meaning");
+    for (const auto& signal : part.signals) {
+        const std::string range =
+            signal.minimum && signal.maximum ? fmt::format("{} … {}", *signal.minimum, *signal.maximum) : "";
+        for (const auto& name : signal.names()) {
+            fmt::print("{:<23}{:<8}{:<11}{:<6}{:<18}{}\n", name, signal.input ? "input" : "output", signal.type,
+                       signal.unit, range, signal.text);
+        }
+    }
+    list_factory_data(part, part_number_of(device, part));
+    return 0;
+}
+
+int print_eds(const std::string& device, const std::string& format) {
+    const Part& part = described_device(device);
+    std::cout << (format == "json"       ? write_object_json(part)
+                  : format == "md"       ? write_object_markdown(part)
+                  : format == "xdd"      ? write_xdd(built_in_register(), part)
+                  : format == "eds-lely" ? write_eds(built_in_register(), part, Reals::bits)
+                                         : write_eds(built_in_register(), part));
+    return 0;
+}
+
+int check_spec(const std::string& spec) {
+    if (!std::filesystem::is_directory(spec)) {
+        throw InputError{fmt::format("{} is no folder; name the register with --spec", spec)};
+    }
+    const SpecFiles files = read_spec_files(spec);
+    if (files.empty()) {
+        throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
+    }
+    const LoadResult loaded = load_register(with_shared_rules(files, embedded_spec()));
+    for (const auto& fault : loaded.faults) {
+        tell(fault.text());
+    }
+    if (loaded.faults.left_out() != 0) {
+        tell(fmt::format("{} more fault(s) are not listed", loaded.faults.left_out()));
+    }
+    std::size_t items = 0;
+    for (const auto& part : loaded.content.parts) {
+        loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
+    }
+    if (items == 0 && loaded.faults.empty()) {
+        throw InputError{fmt::format("the register in {} has no items; name another folder with --spec", spec)};
+    }
+    fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size() + loaded.faults.left_out());
+    return loaded.faults.empty() ? 0 : 1;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,66 @@
+#include "host/app/cli/new_command.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+
+#include "host/app/cli/eds_device.hpp"
+#include "host/app/new/new_project.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/replace_folder.hpp"
+#include "host/register/embedded_spec.hpp"
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// The register of the new folder must be sound: a data sheet may hold what no device here can.
+void check_register(const std::map<std::string, std::string>& files) {
+    SpecFiles spec;
+    for (const auto& [path, text] : files) {
+        if (path.rfind("spec/", 0) == 0) {
+            spec.emplace(path, text);
+        }
+    }
+    const LoadResult loaded = load_register(with_shared_rules(std::move(spec), embedded_spec()));
+    if (!loaded.faults.empty()) {
+        throw InputError{fmt::format("nothing written: the register would have {} fault(s), the first {}",
+                                     loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
+    }
+}
+
+void make_runnable(const std::filesystem::path& script) {
+    using std::filesystem::perms;
+    std::filesystem::permissions(script, perms::owner_exec | perms::group_exec | perms::others_exec,
+                                 std::filesystem::perm_options::add);
+}
+
+}  // namespace
+
+int write_new_project(const NewOptions& options) {
+    NewProject project;
+    project.name = options.name;
+    project.prefix = options.prefix;
+    project.manual = options.manual;
+    project.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
+    const std::filesystem::path folder{options.name};
+    if (std::filesystem::exists(std::filesystem::symlink_status(folder))) {
+        throw InputError{fmt::format("{} exists; choose another name or remove it", folder.string())};
+    }
+    if (!options.eds.empty()) {
+        project.eds = read_eds_part(options.eds);
+    }
+    const auto files = project_files(project);
+    check_register(files);
+    replace_folder(std::filesystem::absolute(folder), files);
+    make_runnable(folder / "run");
+    make_runnable(folder / "test");
+    fmt::print("{} files in {}; next: cd {} && ./run && ./test\n", files.size(), folder.string(), folder.string());
+    return 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,18 @@
+// `canproof panel`: devices in real time, shown on a local page.
+#pragma once
+
+#include <cstdint>
+
+#include "host/app/cli/run_command.hpp"
+
+namespace canproof::host {
+
+struct PanelOptions {
+    RunOptions run;            ///< `plain` and `seconds` mean nothing here
+    std::uint16_t port{8404};  ///< 0: any that is free
+};
+
+/// Ends when it is interrupted. Returns the exit status.
+int run_panel(const PanelOptions& options);
+
+}  // namespace canproof::host

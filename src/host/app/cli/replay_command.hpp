@@ -1,0 +1,26 @@
+// `canproof replay`: a log played to one device in virtual time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+struct ReplayOptions {
+    std::string device;
+    std::string eds;                  ///< file; instead of `device`
+    std::string log;                  ///< file, or - for standard input
+    std::optional<std::string> node;  ///< as shipped without it
+    std::vector<std::string> factory;
+    std::string nvm;
+    std::string stimulus;
+    std::string outputs;
+    std::optional<double> start;
+    std::optional<double> until;
+};
+
+/// Prints the device's frames. Returns the exit status.
+int replay_log(const ReplayOptions& options);
+
+}  // namespace canproof::host

@@ -1,0 +1,20 @@
+// `canproof spec review`: items that were read with their code and tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+struct ReviewOptions {
+    std::string spec{"spec"};
+    std::vector<std::string> subjects;  ///< ids or devices
+    bool all{false};
+    std::string by;
+    std::string date;  ///< 2026-11-21; empty: today
+};
+
+/// Writes reviews.toml of each part. Returns the exit status.
+int review_spec(const ReviewOptions& options);
+
+}  // namespace canproof::host

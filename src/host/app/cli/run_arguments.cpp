@@ -1,0 +1,31 @@
+#include "host/app/cli/run_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+namespace canproof::host {
+
+void add_run_options(CLI::App& command, RunOptions& running) {
+    command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
+    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
+    command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
+    command
+        .add_option("--bus", running.bus,
+                    "inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 (serves; has no remote frames) or "
+                    "socketcand-client:127.0.0.1:29536/can0 (joins such a server)")
+        ->capture_default_str();
+    command.add_option("--bus-faults", running.bus_faults,
+                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
+    command.add_flag("--control-interface", running.control_interface,
+                     "may set the interface's bit rate when LSS asks, and restart it after bus-off");
+    command.add_option("--log", running.log, "all frames as `candump -L` writes them; FILE.pcapng for Wireshark");
+    command.add_flag("--log-marks", running.log_marks,
+                     "T behind the devices' frames and R behind the others, as `candump -L -x` has");
+    command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
+    command.add_option("--stimulus", running.stimulus,
+                       "CSV seconds,signal,value; device.signal for one of several devices");
+    command.add_option("--outputs", running.outputs, "CSV file to write changes of outputs to");
+}
+
+}  // namespace canproof::host

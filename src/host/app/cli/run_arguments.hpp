@@ -1,0 +1,22 @@
+// The arguments that commands with devices on a bus have in common.
+#pragma once
+
+#include "host/app/cli/run_command.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace canproof::host {
+
+inline constexpr const char* node_help =
+    "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
+
+inline constexpr const char* factory_help =
+    "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
+    "one";
+
+/// Adds what `run` and `panel` have in common. `running` lives until the command line has been read.
+void add_run_options(CLI::App& command, RunOptions& running);
+
+}  // namespace canproof::host

@@ -1,0 +1,156 @@
+#include "host/app/new/new_project.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+
+#include "host/app/new/templates.hpp"
+#include "host/base/input_error.hpp"
+#include "host/datasheet/write_objects_toml.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::int64_t usual_bit_rate = 125000;
+constexpr int usual_node_id = 1;
+constexpr std::size_t longest_name = 40;
+
+/// Words that C++ or canproof itself has as names.
+const std::set<std::string>& taken_words() {
+    static const std::set<std::string> words{
+        "alignas",  "alignof", "and",     "asm",       "auto",      "bool",      "break",     "canopen",  "canproof",
+        "case",     "catch",   "char",    "class",     "compl",     "const",     "constexpr", "continue", "decltype",
+        "default",  "delete",  "do",      "double",    "else",      "enum",      "explicit",  "export",   "extern",
+        "false",    "float",   "for",     "friend",    "fuzz",      "generated", "goto",      "host",     "if",
+        "inline",   "int",     "long",    "mutable",   "namespace", "new",       "noexcept",  "not",      "nullptr",
+        "operator", "or",      "private", "protected", "public",    "register",  "req",       "return",   "short",
+        "signed",   "sizeof",  "static",  "std",       "struct",    "switch",    "target",    "template", "test",
+        "this",     "throw",   "true",    "try",       "typedef",   "typeid",    "typename",  "union",    "unsigned",
+        "using",    "virtual", "void",    "volatile",  "wchar_t",   "while",     "xor"};
+    return words;
+}
+
+std::string cpp_word(const std::string& name) {
+    std::string word = name;
+    std::replace(word.begin(), word.end(), '-', '_');
+    return word;
+}
+
+std::string capitals(const std::string& name) {
+    std::string text;
+    for (const char letter : name) {
+        if (letter != '-') {
+            text += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+        }
+    }
+    return text;
+}
+
+void check_name(const std::string& name) {
+    static const std::regex form{"[a-z][a-z0-9]*(-[a-z0-9]+)*"};
+    if (!std::regex_match(name, form) || name.size() > longest_name) {
+        throw InputError{fmt::format(
+            "`{}` names no device: write small letters, digits and single dashes, a letter first, at most {} in all",
+            name, longest_name)};
+    }
+    if (taken_words().count(cpp_word(name)) != 0) {
+        throw InputError{fmt::format("`{}` is a word of C++ or of canproof; choose another name", name)};
+    }
+}
+
+void check_prefix(const std::string& prefix) {
+    static const std::regex form{"[A-Z][A-Z0-9]*"};
+    if (!std::regex_match(prefix, form) || prefix.size() > longest_name) {
+        throw InputError{fmt::format("`{}` begins no ids: write capital letters and digits, a letter first, at most {}",
+                                     prefix, longest_name)};
+    }
+    if (prefix == "CO") {
+        throw InputError{"CO is the prefix of the shared rules; choose another with --prefix"};
+    }
+}
+
+/// What stands between the quotes of a TOML or C++ string, on one line.
+std::string quotable(const std::string& text) {
+    std::string out;
+    for (const char letter : text) {
+        const auto byte = static_cast<unsigned char>(letter);
+        out += byte < 0x20 || byte == 0x7F || letter == '"' || letter == '\\' ? ' ' : letter;
+    }
+    return out;
+}
+
+std::int64_t device_type_of(const Part& part) {
+    for (const Object& object : part.objects) {
+        if (object.index == 0x1000 && !object.entries.empty()) {
+            const auto* number = std::get_if<std::int64_t>(&object.entries.front().value);
+            return number == nullptr ? 0 : *number;
+        }
+    }
+    return 0;
+}
+
+using Words = std::map<std::string, std::string>;
+
+Words words_of(const NewProject& project, const std::string& prefix) {
+    Words words{{"name", project.name},
+                {"word", cpp_word(project.name)},
+                {"Type", pascal_case(project.name)},
+                {"prefix", prefix},
+                {"date", project.date}};
+    words["lower_prefix"] = snake_case(prefix);
+    const DeviceInfo info = project.eds ? project.eds->info : DeviceInfo{};
+    const int node = info.node_id > 0 ? info.node_id : usual_node_id;
+    words["title"] = quotable(info.title.empty() ? project.name : info.title);
+    words["vendor"] = quotable(info.vendor.empty() ? "maker of " + project.name : info.vendor);
+    words["part_number"] = quotable(info.part_numbers.empty() ? capitals(project.name) : info.part_numbers.front());
+    words["manual"] = quotable(project.manual.empty() ? words["title"] + " manual" : project.manual);
+    words["node_id"] = std::to_string(node);
+    words["node_hex"] = fmt::format("{:02X}", node);
+    words["request_id"] = fmt::format("{:03X}", 0x600 + node);
+    words["bit_rate"] = std::to_string(info.bit_rate > 0 ? info.bit_rate : usual_bit_rate);
+    words["device_type"] = fmt::format("0x{:08X}", project.eds ? device_type_of(*project.eds) : 0);
+    return words;
+}
+
+/// Every @word@ that `words` has, filled in.
+std::string filled(const std::string& text, const Words& words) {
+    std::string out;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = text[at] == '@' ? text.find('@', at + 1) : std::string::npos;
+        const auto found = end == std::string::npos ? words.end() : words.find(text.substr(at + 1, end - at - 1));
+        if (found == words.end()) {
+            out += text[at++];
+        } else {
+            out += found->second;
+            at = end + 1;
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> project_files(const NewProject& project) {
+    check_name(project.name);
+    const std::string prefix = project.prefix.empty() ? capitals(project.name) : project.prefix;
+    check_prefix(prefix);
+    const Words words = words_of(project, prefix);
+    std::map<std::string, std::string> files;
+    for (const auto& [path, text] : project_templates()) {
+        const std::string place = filled(path, words);
+        // A corpus is bytes.
+        files[place] = path.find("/corpus/") == std::string::npos ? filled(text, words) : text;
+    }
+    if (project.eds) {
+        files["spec/devices/" + project.name + "/objects/objects.toml"] =
+            write_objects_toml(*project.eds, prefix + ":1");
+    }
+    return files;
+}
+
+}  // namespace canproof::host

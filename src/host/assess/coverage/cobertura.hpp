@@ -1,0 +1,14 @@
+// Coverage for build servers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/assess/coverage/coverage.hpp"
+
+namespace canproof::host {
+
+/// In the form of Cobertura, which build servers read.
+std::string write_cobertura(const std::vector<FileCoverage>& files);
+
+}  // namespace canproof::host

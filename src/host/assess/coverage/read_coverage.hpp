@@ -1,0 +1,15 @@
+// What llvm-cov measured, out of its export.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "host/assess/coverage/coverage.hpp"
+
+namespace canproof::host {
+
+/// Reads what `llvm-cov export --format=text` wrote, for the files below root/src/firmware. Instantiations of a
+/// template count together. Throws InputError when the file is no such export or a source is missing.
+std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root);
+
+}  // namespace canproof::host

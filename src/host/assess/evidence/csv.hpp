@@ -1,0 +1,17 @@
+// The audit as CSV tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
+
+namespace canproof::host {
+
+/// A row an item of the register: sources, state, code, tests.
+std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence);
+/// A row a decision.
+std::string write_decisions_csv(const std::vector<PartAudit>& audits);
+
+}  // namespace canproof::host

@@ -1,0 +1,130 @@
+#include "host/assess/evidence/target_html.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using nlohmann::json;
+
+/// null when there is no such file.
+json read_json(const std::filesystem::path& path) {
+    std::ifstream in{path};
+    return in.is_open() ? json::parse(in) : json{};
+}
+
+/// A figure with what it may be.
+std::string bounded(std::uint64_t value, std::uint64_t budget) {
+    return fmt::format("<td class={}>{} <small>of {}</small>", value <= budget ? "shown" : "open", grouped(value),
+                       grouped(budget));
+}
+
+std::string memory_table(const json& footprint) {
+    const json& budgets = footprint.at("budgets");
+    std::string text =
+        "<div class=wrap><table><tr><th>Image, -Os, bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen "
+        "layer: "
+        "code<th>RAM without values<th>stack\n";
+    for (const auto& [device, found] : footprint.at("devices").items()) {
+        const json& budget = budgets.at("devices").at(device);
+        const json& layer = found.at("canopen");
+        text += fmt::format("<tr><td>{}", escaped(device));
+        for (const char* key : {"flash", "ram", "stack"}) {
+            text += bounded(found.at(key), budget.at(key));
+        }
+        for (const char* key : {"code", "ram", "stack"}) {
+            text += bounded(layer.at(key), budgets.at("canopen").at(key));
+        }
+        text += '\n';
+    }
+    return text + "</table></div>\n";
+}
+
+const char* met_or_open(const json& goal) {
+    return goal.at("holds").get<bool>() ? "shown" : "open";
+}
+
+std::string work_table(const json& work) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [device, kinds] : work.at("devices").items()) {
+        for (const auto& [kind, one] : kinds.items()) {
+            if (kind != "share") {
+                rows.push_back({escaped(device), escaped(kind), std::to_string(one.at("count").get<std::uint64_t>()),
+                                std::to_string(one.at("instructions").get<std::uint64_t>()),
+                                fmt::format("<code>{}</code>", escaped(one.at("what").get<std::string>())),
+                                escaped(one.at("where").get<std::string>())});
+            }
+        }
+    }
+    std::string text = html_table(
+        {{"Device", 12}, {"Work", 11}, {"Times", 10}, {"Instructions at most", 12}, {"Frame", 18}, {"Where"}}, rows);
+    text += fmt::format(
+        "<p>A bus at {} bit/s full of the frame that costs most for its bits, {} cycles an instruction assumed, a core "
+        "of {} MHz: instructions × cycles × bit rate ÷ bits ÷ clock. The bits are those of the frame and of the "
+        "answers "
+        "to it whose identifier gives them the bus before the next frame like it; of each 47 and its data, no stuff "
+        "bits.</p><ul>\n",
+        grouped(work.at("bit_rate").get<std::uint64_t>()), work.at("cycles_an_instruction").get<double>(),
+        work.at("core_hz").get<std::uint64_t>() / 1000000U);
+    for (const auto& [device, kinds] : work.at("devices").items()) {
+        if (kinds.contains("share")) {
+            const json& share = kinds.at("share");
+            text += fmt::format("<li class={}>{}: {:.1f} % of the core by <code>{}</code>\n", met_or_open(share),
+                                escaped(device), 100.0 * share.at("bus_load").get<double>(),
+                                escaped(share.at("what").get<std::string>()));
+        }
+        for (const char* const kind : {"power_on", "command"}) {
+            if (kinds.contains(kind) && kinds.at(kind).contains("ms")) {
+                const json& one = kinds.at(kind);
+                text += fmt::format("<li class={}>{}: {:.1f} ms of the core by the dearest {}\n", met_or_open(one),
+                                    escaped(device), one.at("ms").get<double>(), kind);
+            }
+        }
+        if (kinds.contains("tick") && kinds.at("tick").contains("load")) {
+            const json& tick = kinds.at("tick");
+            text += fmt::format("<li class={}>{}: {:.1f} % of the core by the dearest tick, one every {} ms\n",
+                                met_or_open(tick), escaped(device), 100.0 * tick.at("load").get<double>(),
+                                tick.at("period_us").get<double>() / 1000.0);
+        }
+    }
+    return text +
+           "</ul><p>Frames and ticks may each take half of the core. Commands (NMT resets, LSS back to waiting, store "
+           "and "
+           "restore) are bounded apart, as is a power-on: nothing is claimed of a bus full of them.</p>\n";
+}
+
+std::string suites_words(const json& suites) {
+    std::uint64_t tests = 0;
+    std::uint64_t frames = 0;
+    for (const auto& [image, one] : suites.at("images").items()) {
+        tests += one.at("passed").get<std::uint64_t>();
+        frames += one.at("frames").get<std::uint64_t>();
+    }
+    return fmt::format("<p>{} tests passed on QEMU's STM32F405; {} frames, {} difference(s) to this machine.</p>\n",
+                       grouped(tests), grouped(frames), suites.at("differences").get<std::uint64_t>());
+}
+
+}  // namespace
+
+std::string write_target_html(const std::filesystem::path& build) {
+    const json footprint = read_json(build / "footprint.json");
+    const json suites = read_json(build / "suites.json");
+    const json work = read_json(build / "work.json");
+    std::string text = "<h2 id=\"target\">Performance and memory</h2>\n<p>STM32F405 (Cortex-M4F).</p>\n";
+    if (footprint.is_null() && suites.is_null()) {
+        return text + "<p class=open>Not measured in this build: ./test does.</p>\n";
+    }
+    text += footprint.is_null() ? "" : memory_table(footprint);
+    text += suites.is_null() ? "" : suites_words(suites);
+    text += work.is_null() ? "" : work_table(work);
+    return text;
+}
+
+}  // namespace canproof::host

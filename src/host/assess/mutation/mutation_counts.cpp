@@ -1,0 +1,28 @@
+#include "host/assess/mutation/mutation_counts.hpp"
+
+namespace canproof::host {
+
+MutationCount& MutationCount::operator+=(const MutationCount& more) {
+    altered += more.altered;
+    noticed += more.noticed;
+    justified += more.justified;
+    return *this;
+}
+
+CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes) {
+    CountsByItem counts;
+    for (const MutationOutcome& outcome : outcomes) {
+        counts[outcome.cell.item] += {1, outcome.killed_by.empty() ? 0U : 1U, outcome.record == nullptr ? 0U : 1U};
+    }
+    return counts;
+}
+
+MutationCount total(const CountsByItem& counts) {
+    MutationCount all;
+    for (const auto& [item, count] : counts) {
+        all += count;
+    }
+    return all;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,48 @@
+// One thread of the web that the audit looks at, told from any of its ends.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
+
+namespace canproof::host {
+
+struct Story {
+    std::string text;
+    bool open{false};  ///< something in it is failed, open or suspect
+};
+
+class StoryTeller {
+  public:
+    StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
+                const CountsByItem& mutations);
+
+    /// By the id of an item or a decision, a section ("AX130751:1.3"), a file of the code or a test ("Suite.Name");
+    /// nothing when it is none of them.
+    std::optional<Story> tell(const std::string& subject) const;
+
+  private:
+    Story item(const AuditedItem& audited) const;
+    Story decision(const Decision& decision) const;
+    std::optional<Story> section(const std::string& subject) const;
+    std::optional<Story> file(const std::string& subject) const;
+    std::optional<Story> test(const std::string& subject) const;
+    /// `  ID  status  text`, a line an id.
+    Story list(const std::string& head, const std::vector<std::string>& ids) const;
+    std::string sections_of(const AuditedItem& audited) const;
+
+    const Register& content_;
+    const Evidence& evidence_;
+    const CountsByItem& mutations_;
+    std::map<std::string, const AuditedItem*> items_;
+    std::map<std::string, const Part*> parts_;
+    std::map<std::string, const Decision*> decisions_;
+};
+
+/// One line of a list of items.
+std::string item_line(const AuditedItem& audited);
+
+}  // namespace canproof::host

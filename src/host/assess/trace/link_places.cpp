@@ -1,0 +1,100 @@
+#include "host/assess/trace/link_places.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "host/base/reading.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+const std::string statement = "static_assert(implements<";
+
+std::string trimmed(const std::string& line) {
+    const auto first = line.find_first_not_of(' ');
+    return first == std::string::npos ? "" : line.substr(first);
+}
+
+bool begins(const std::string& text, const std::string& with) {
+    return text.rfind(with, 0) == 0;
+}
+
+std::size_t links_of(const std::string& line) {
+    static const std::string link = "implements<req::";
+    const auto comment = line.find("//");
+    std::size_t count = 0;
+    for (auto at = line.find(link); at < comment; at = line.find(link, at + link.size())) {
+        ++count;
+    }
+    return count;
+}
+
+/// What comes below a link can do something: it is no empty line, no end of a block, no name for something else.
+bool can_do(const std::string& code) {
+    static const std::array<std::string, 4> others{{"}", "#", "namespace ", "using "}};
+    return !code.empty() &&
+           std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
+}
+
+}  // namespace
+
+std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines,
+                                      std::size_t most) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!begins(trimmed(lines[i]), statement)) {
+            continue;
+        }
+        const std::size_t first = i + 1;
+        std::size_t links = 0;
+        bool inside = false;  // a statement that has not ended
+        for (; i < lines.size(); ++i) {
+            const std::string code = trimmed(lines[i]);
+            if (!inside && !begins(code, statement) && !begins(code, "//")) {
+                break;
+            }
+            links += links_of(code);
+            inside = !begins(code, "//") && code.back() != ';';
+        }
+        if (links > most) {
+            all.push_back(fmt::format("{}:{}: {} requirements in one place, at most {}; name each above what does it",
+                                      name, first, links, most));
+        }
+        if (i == lines.size() || !can_do(trimmed(lines[i]))) {
+            all.push_back(fmt::format("{}:{}: the link stands above nothing that does it", name, first));
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> misplaced_links(const std::filesystem::path& root, std::size_t most) {
+    namespace fs = std::filesystem;
+    std::vector<fs::path> files;
+    if (fs::is_directory(root / "src")) {
+        for (const auto& file : fs::recursive_directory_iterator(root / "src")) {
+            const auto ending = file.path().extension();
+            if (file.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) {
+                files.push_back(file.path());
+            }
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::string> all;
+    for (const auto& file : files) {
+        std::ifstream in{file};
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(in, line);) {
+            lines.push_back(line);
+        }
+        check_read(in, file.string());
+        const auto found = misplaced_in(file.lexically_relative(root).generic_string(), lines, most);
+        all.insert(all.end(), found.begin(), found.end());
+    }
+    return all;
+}
+
+}  // namespace canproof::host

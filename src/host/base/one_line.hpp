@@ -1,0 +1,11 @@
+// Text without line ends.
+#pragma once
+
+#include <string>
+
+namespace canproof::host {
+
+/// On one line: each run of spaces, tabs and line ends is one space, none at either end.
+std::string one_line(const std::string& text);
+
+}  // namespace canproof::host

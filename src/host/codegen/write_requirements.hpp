@@ -1,0 +1,13 @@
+// Requirements as C++ types.
+#pragma once
+
+#include <string>
+
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// Each id of the part as a type that code and tests name.
+std::string write_requirements(const Register& content, const Part& part);
+
+}  // namespace canproof::host

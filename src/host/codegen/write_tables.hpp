@@ -1,0 +1,13 @@
+// Decision tables as C++ tables.
+#pragma once
+
+#include <string>
+
+#include "host/codegen/cpp_text.hpp"
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+std::string write_tables(const Register& content, const Part& part, Cells cells = Cells::constant);
+
+}  // namespace canproof::host

@@ -1,0 +1,62 @@
+#include "host/http/request_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace canproof::host {
+
+namespace {
+
+/// The name before the port: `[::1]:8404` → `[::1]`.
+std::string without_port(const std::string& host) {
+    const auto colon = host.rfind(':');
+    const bool in_brackets = host.find(']') != std::string::npos && host.find(']') > colon;
+    const bool has_port = colon != std::string::npos && !in_brackets && colon + 1 < host.size() &&
+                          host.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+    return has_port ? host.substr(0, colon) : host;
+}
+
+bool is_this_machine(const std::string& host) {
+    const std::string name = without_port(host);
+    return name == "127.0.0.1" || name == "localhost" || name == "[::1]";
+}
+
+bool is_json(const std::string& type) {
+    return type.substr(0, type.find(';')) == "application/json";
+}
+
+}  // namespace
+
+PanelResponse error_response(int status, const std::string& text) {
+    // Bytes that are no UTF-8 come from the request: they are shown as such, not thrown at.
+    const nlohmann::json body{{"error", text}};
+    return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+std::optional<PanelResponse> refuse(const PanelRequest& request) {
+    if (!is_this_machine(request.host)) {
+        return error_response(403, "the panel answers to 127.0.0.1 and localhost only");
+    }
+    if (request.method == "GET" || request.method == "HEAD") {
+        return std::nullopt;
+    }
+    if (request.method != "POST") {
+        return error_response(405, "the panel takes GET and POST");
+    }
+    if (!request.origin.empty() && request.origin != "http://" + request.host) {
+        return error_response(403, "only the panel's own page may change something");
+    }
+    if (!request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none") {
+        return error_response(403, "only the panel's own page may change something");
+    }
+    if (!is_json(request.content_type)) {
+        return error_response(415, "send JSON as application/json");
+    }
+    if (request.body.size() > longest_body) {
+        return error_response(413, fmt::format("a request may carry {} bytes", longest_body));
+    }
+    return std::nullopt;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,32 @@
+// Where the values of a device lie: in its image in RAM or in its constants in flash.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// Where an entry's value lies: in the image (RAM) or in the constant pool (flash).
+struct Placement {
+    bool constant{false};
+    std::uint16_t offset{0};
+    std::uint16_t size{0};
+};
+
+/// The value image of a device: entries in dictionary order, without gaps.
+struct Layout {
+    std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
+    std::vector<std::uint8_t> image;                 ///< defaults; node-ID terms not added
+    std::vector<std::uint8_t> constants;
+    std::uint32_t fingerprint{0};  ///< of what is stored and where
+};
+
+Layout make_layout(const Part& part);
+
+/// The bytes of a default: little-endian, strings padded with zeros to `size`.
+std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
+
+}  // namespace canproof::host

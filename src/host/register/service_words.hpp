@@ -1,0 +1,12 @@
+// The services of a device that an entry may configure or show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+/// Words of the register for the firmware's Service, in the order of that enumeration.
+const std::vector<std::string>& service_words();
+
+}  // namespace canproof::host

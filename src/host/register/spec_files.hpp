@@ -1,0 +1,23 @@
+// The files of a register, as texts.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace canproof::host {
+
+/// Begins the paths of the shared rules.
+inline const std::string shared_rules = "spec/canopen/";
+/// Begins the path of a file that comes with canproof itself, in a project without spec/canopen.
+inline const std::string from_package = "canproof/";
+/// Files by path: "spec/devices/NAME/device.toml" → text.
+using SpecFiles = std::map<std::string, std::string>;
+
+/// The .toml files below a folder, as if it were named spec/. Throws InputError when there are none.
+SpecFiles read_spec_files(const std::filesystem::path& spec);
+/// `own`, with the shared rules of `package` when it has no spec/canopen of its own: paths of these begin with
+/// canproof/.
+SpecFiles with_shared_rules(SpecFiles own, const SpecFiles& package);
+
+}  // namespace canproof::host

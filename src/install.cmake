@@ -1,0 +1,46 @@
+# `cmake --install`: the program, and below lib/canproof what an outside project builds its devices from (find_package,
+# canproofConfig.cmake): sources of the firmware, of test bench and fuzz world, headers and compiled libraries of the host.
+set(home lib/canproof)
+install(TARGETS canproof DESTINATION bin)
+install(TARGETS speccompiler canproof_base canproof_register canproof_datasheet canproof_codegen canproof_sim
+                canproof_report canproof_assess canproof_http canproof_app
+        RUNTIME DESTINATION ${home}/prebuilt ARCHIVE DESTINATION ${home}/prebuilt)
+install(FILES CMakeLists.txt LICENSE DESTINATION ${home})
+install(DIRECTORY src/firmware src/target DESTINATION ${home}/src USE_SOURCE_PERMISSIONS)
+install(DIRECTORY src/host DESTINATION ${home}/src USE_SOURCE_PERMISSIONS
+        FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.cmake PATTERN *.hpp PATTERN main.cpp PATTERN ccache_launcher REGEX "/panel/page/[^/]*$")
+# What an image of tests for the microcontroller compiles.
+foreach(file codegen/dictionary_rows sim/bus/candump sim/devices/generic_device sim/devices/memory)
+  get_filename_component(folder ${file} DIRECTORY)
+  install(FILES src/host/${file}.cpp DESTINATION ${home}/src/host/${folder})
+endforeach()
+file(GLOB device_files RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} src/devices/*.* src/*.cmake)
+foreach(file ${device_files})
+  get_filename_component(folder ${file} DIRECTORY)
+  install(FILES ${file} DESTINATION ${home}/${folder})
+endforeach()
+install(DIRECTORY spec/canopen DESTINATION ${home}/spec)
+install(FILES tests/CMakeLists.txt DESTINATION ${home}/tests)
+install(DIRECTORY tests/support DESTINATION ${home}/tests)
+install(FILES tests/bench/frame_cost_main.cpp DESTINATION ${home}/tests/bench)
+install(FILES tests/mutation/main.cpp DESTINATION ${home}/tests/mutation)
+install(FILES properties/CMakeLists.txt DESTINATION ${home}/properties)
+install(DIRECTORY properties/support DESTINATION ${home}/properties)
+install(FILES fuzz/CMakeLists.txt DESTINATION ${home}/fuzz)
+install(DIRECTORY fuzz/support DESTINATION ${home}/fuzz)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/package/canproofConfig.cmake
+     CONTENT [[include(${CMAKE_CURRENT_LIST_DIR}/../../canproof/src/canproofConfig.cmake)
+]] @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/package/canproofConfig.cmake DESTINATION lib/cmake/canproof)
+
+# The Debian package (`cpack` in the build of the preset release).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "canproof maintainers <maintainers@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "CANopen devices from requirements: program, firmware, tests and fuzz world")
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++, cmake (>= 3.25), ninja-build, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libcli11-dev, libfmt-dev, libssl-dev, libsocketcan-dev, libgtest-dev, libgmock-dev, librapidcheck-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-19, libclang-rt-19-dev, ccache, gcc-arm-none-eabi, libstdc++-arm-none-eabi-newlib, qemu-system-arm")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+include(CPack)

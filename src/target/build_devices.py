@@ -1,0 +1,20 @@
+"""The devices of a build, from the list that its configure step writes (src/devices/canproof_add_device.cmake)."""
+import pathlib
+import tomllib
+
+
+class Device:
+    """`name` cbx-ao412, `word` cbx_ao412 (its C++ name), `folder` src/devices/cbx-ao412 below `root`."""
+
+    def __init__(self, line):
+        self.name, self.word, folder = line.split("\t")
+        self.folder = pathlib.Path(folder)
+        self.root = self.folder.parents[2]
+
+    def budgets(self):
+        """target/budgets.toml: bytes of flash, ram, stack and host_stack; the constant of its tick's period."""
+        return tomllib.loads((self.folder / "target" / "budgets.toml").read_text())
+
+
+def devices_of(build):
+    return [Device(line) for line in (build / "devices.txt").read_text().splitlines()]

@@ -1,0 +1,67 @@
+// The report's section on the microcontroller, from figures made up here.
+#include "host/assess/evidence/target_html.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace canproof::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class TargetHtml : public testing::Test {
+  protected:
+    void SetUp() override { std::filesystem::create_directories(folder); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+    void leave(const std::string& file, const std::string& text) { std::ofstream{folder / file} << text; }
+
+    const std::filesystem::path folder = std::filesystem::path{testing::TempDir()} / "target_html";
+};
+
+}  // namespace
+
+TEST_F(TargetHtml, WithoutFiguresItSaysSo) {
+    EXPECT_THAT(host::write_target_html(folder), HasSubstr("Not measured"));
+}
+
+TEST_F(TargetHtml, AFigureAboveItsBudgetIsOpen) {
+    leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
+        "canopen": {"code": 40, "ram": 10, "stack": 9}},
+        "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
+    const std::string page = host::write_target_html(folder);
+    EXPECT_THAT(page, HasSubstr("<td class=shown>100 <small>of 100</small>"));
+    EXPECT_THAT(page, HasSubstr("<td class=open>21 <small>of 20</small>"));
+    EXPECT_THAT(page, HasSubstr("<td class=open>50 <small>of 40</small>"));
+    EXPECT_THAT(page, HasSubstr("<td class=shown>9 <small>of 9</small>"));
+}
+
+TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
+    leave("suites.json", R"({"images": {"a": {"tests": 3, "passed": 3, "frames": 10},
+                                        "b": {"tests": 2, "passed": 1, "frames": 5}}, "differences": 1})");
+    EXPECT_THAT(host::write_target_html(folder),
+                HasSubstr("4 tests passed on QEMU's STM32F405; 15 frames, 1 difference"));
+}
+
+TEST_F(TargetHtml, WorkAndTheFullBus) {
+    leave("suites.json", R"({"images": {}, "differences": 0})");
+    leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
+        "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},
+        "tick": {"count": 3, "instructions": 11200, "what": "-", "where": "x", "period_us": 2500, "load": 0.04, "holds": true},
+        "share": {"count": 7, "instructions": 10000, "what": "605#41", "where": "x", "bus_load": 0.625, "holds": false},
+        "power_on": {"count": 2, "instructions": 560000, "what": "-", "where": "x", "ms": 5.0, "holds": true},
+        "command": {"count": 4, "instructions": 1232000, "what": "000#8105", "where": "x", "ms": 11.0, "holds": false}}}})");
+    const std::string page = host::write_target_html(folder);
+    EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"Times\">7<td class=n data-h=\"Instructions at most\">4,321"
+                                "<td data-h=\"Frame\"><code>605#40</code><td data-h=\"Where\">Suite.&lt;Test&gt;"));
+    EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
+    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core by the dearest tick, one every 2.5 ms"));
+    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core by the dearest power_on"));
+    EXPECT_THAT(page, HasSubstr("<li class=open>one: 11.0 ms of the core by the dearest command"));
+    EXPECT_THAT(page, Not(HasSubstr("Not measured")));
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,62 @@
+// Links from code to the register stand above what does it, few at a time.
+#include "host/assess/trace/link_places.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace canproof::host {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Lines = std::vector<std::string>;
+
+std::vector<std::string> misplaced(const Lines& lines) {
+    return misplaced_in("src/firmware/a.cpp", lines, 3);
+}
+
+}  // namespace
+
+TEST(LinkPlaces, AboveAFunctionIsItsPlace) {
+    EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B> &&",
+                           "              implements<req::C>);", "void do_it() {", "}"}),
+                IsEmpty());
+}
+
+TEST(LinkPlaces, ACommentMayStandBetween) {
+    EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
+}
+
+TEST(LinkPlaces, AMemberOfAClassMayDoIt) {
+    EXPECT_THAT(misplaced({"    static_assert(implements<req::A>);", "    bool member_{false};", "};"}), IsEmpty());
+}
+
+TEST(LinkPlaces, MoreThanThreeInOnePlaceAreTooMany) {
+    EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
+                           "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
+                ElementsAre(HasSubstr("src/firmware/a.cpp:2: 4 requirements in one place, at most 3")));
+}
+
+TEST(LinkPlaces, StatementsThatFollowEachOtherAreOnePlace) {
+    EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
+                           "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
+                ElementsAre(HasSubstr(":1: 4 requirements")));
+}
+
+TEST(LinkPlaces, ALinkAboveNothingIsMisplaced) {
+    for (const Lines& below :
+         {Lines{""}, Lines{"}"}, Lines{"namespace x {"}, Lines{"using X = Y;"}, Lines{"#include \"b.hpp\""}, Lines{}}) {
+        Lines lines{"static_assert(implements<req::A>);"};
+        lines.insert(lines.end(), below.begin(), below.end());
+        EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr(":1: the link stands above nothing that does it")));
+    }
+}
+
+TEST(LinkPlaces, ALinkInACommentIsNone) {
+    EXPECT_THAT(misplaced({"// static_assert(implements<req::A>);", "", "void do_it() {}"}), IsEmpty());
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,112 @@
+// Who may talk to the panel.
+#include "host/http/request_guard.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canproof::host::test {
+
+namespace {
+
+PanelRequest post() {
+    PanelRequest request;
+    request.method = "POST";
+    request.path = "/api/stimulus";
+    request.host = "127.0.0.1:8404";
+    request.origin = "http://127.0.0.1:8404";
+    request.content_type = "application/json";
+    request.body = "{}";
+    return request;
+}
+
+int status(const PanelRequest& request) {
+    const auto refusal = refuse(request);
+    return refusal ? refusal->status : 0;
+}
+
+}  // namespace
+
+TEST(RequestGuard, OwnPageMayChangeSomething) {
+    EXPECT_EQ(status(post()), 0);
+    PanelRequest request = post();
+    request.fetch_site = "same-origin";
+    request.content_type = "application/json; charset=utf-8";
+    EXPECT_EQ(status(request), 0);
+}
+
+TEST(RequestGuard, ProgramWithoutOriginMayChangeSomething) {
+    PanelRequest request = post();
+    request.origin = "";
+    EXPECT_EQ(status(request), 0);
+}
+
+TEST(RequestGuard, EveryNameOfThisMachineIsTaken) {
+    for (const std::string host : {"127.0.0.1:8404", "localhost:8404", "[::1]:8404", "localhost", "[::1]"}) {
+        PanelRequest request = post();
+        request.host = host;
+        request.origin = "http://" + host;
+        EXPECT_EQ(status(request), 0) << host;
+    }
+}
+
+TEST(RequestGuard, AnotherNameIsRefused_EvenForReading) {
+    for (const std::string host : {"evil.example:8404", "", "127.0.0.1.evil.example", "localhost.evil.example:8404",
+                                   "127.0.0.1:8404@evil.example", "evil.example#127.0.0.1", "10.0.0.1:8404"}) {
+        PanelRequest request;
+        request.host = host;
+        EXPECT_EQ(status(request), 403) << host;
+        request = post();
+        request.host = host;
+        request.origin = "http://" + host;
+        EXPECT_EQ(status(request), 403) << host;
+    }
+}
+
+TEST(RequestGuard, AnotherOriginIsRefused) {
+    for (const std::string origin : {"http://evil.example", "null", "https://127.0.0.1:8404", "http://127.0.0.1:3000",
+                                     "http://localhost:8404", "http://127.0.0.1:8404.evil.example"}) {
+        PanelRequest request = post();
+        request.origin = origin;
+        EXPECT_EQ(status(request), 403) << origin;
+    }
+}
+
+TEST(RequestGuard, CrossSiteFetchIsRefused_WithoutOriginToo) {
+    for (const std::string site : {"cross-site", "same-site"}) {
+        PanelRequest request = post();
+        request.origin = "";
+        request.fetch_site = site;
+        EXPECT_EQ(status(request), 403) << site;
+    }
+}
+
+TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
+    for (const std::string type : {"", "text/plain", "application/x-www-form-urlencoded", "multipart/form-data",
+                                   "text/plain; application/json"}) {
+        PanelRequest request = post();
+        request.content_type = type;
+        EXPECT_EQ(status(request), 415) << type;
+    }
+}
+
+TEST(RequestGuard, BodyAsLongAsAllowedPasses_OneByteMoreDoesNot) {
+    PanelRequest request = post();
+    request.body = std::string(4096, ' ');
+    EXPECT_EQ(status(request), 0);
+    request.body += ' ';
+    EXPECT_EQ(status(request), 413);
+}
+
+TEST(RequestGuard, OtherMethodsAreRefused) {
+    for (const std::string method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE"}) {
+        PanelRequest request = post();
+        request.method = method;
+        EXPECT_EQ(status(request), 405) << method;
+    }
+}
+
+TEST(RequestGuard, ErrorTextIsJson_WhateverBytesItHolds) {
+    EXPECT_EQ(error_response(404, "no \"x\"").body, R"({"error":"no \"x\""})");
+    EXPECT_NE(error_response(404, "\xFF").body.find("error"), std::string::npos);
+}
+
+}  // namespace canproof::host::test

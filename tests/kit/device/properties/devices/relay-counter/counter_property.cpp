@@ -1,0 +1,27 @@
+// A law of the counter (section 5).
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <rapidcheck/gtest.h>
+
+#include <vector>
+
+#include "devices/relay-counter/firmware/edge_counter.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+RC_GTEST_PROP(RelayCounterLaw, CountsEachPairOfOffAndOn, (const std::vector<bool>& inputs)) {
+    verifies<req::RC_COUNT_001>("property");
+    relay_counter::EdgeCounter counter;
+    counter.restart(false);
+    std::uint32_t pairs = 0;
+    bool before = false;
+    for (const bool input : inputs) {
+        counter.see(input);
+        pairs += !before && input ? 1U : 0U;
+        before = input;
+    }
+    RC_ASSERT(counter.count() == pairs);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,61 @@
+// The RC-22: two relays, a counter, and a lamp that shows the state.
+#pragma once
+
+#include <array>
+
+#include "devices/relay-counter/firmware/edge_counter.hpp"
+#include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/canopen/node.hpp"
+#include "generated/relay_counter/objects.hpp"
+#include "generated/relay_counter/signals.hpp"
+
+namespace canproof::relay_counter {
+
+using Inputs = generated::relay_counter::Inputs;
+using Outputs = generated::relay_counter::Outputs;
+
+/// What belongs to one unit and left the factory with it: nothing yet.
+struct FactoryData {};
+
+class Device final : private Application {
+  public:
+    Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
+
+    /// Reads the switch and starts. Without a node-ID the device stays silent.
+    void power_on(const Inputs& inputs, Instant now) noexcept;
+    void receive(const Frame& frame, Instant now) noexcept;
+    /// The physical inputs as they are from `now` on.
+    void set_inputs(const Inputs& inputs, Instant now) noexcept;
+    void advance(Instant now) noexcept;
+    Instant next_deadline() const noexcept;
+
+    const Outputs& outputs() const noexcept { return outputs_; }
+    /// bit/s of the CAN controller.
+    std::uint32_t bit_rate() const noexcept;
+    std::uint8_t node_id() const noexcept { return node_id_; }
+    NmtState state() const noexcept { return node_.state(); }
+    const ObjectDictionary& objects() const noexcept { return objects_; }
+
+  private:
+    AbortCode check_access(const EntryRef& entry) override;
+    AbortCode before_write(const EntryRef& entry, ByteView value) override;
+    void after_write(const EntryRef& entry, Instant now) override;
+    void put_factory_values(ParameterGroup group) override;
+    void restart(Instant now) override;
+    void booted(Instant now) override;
+    void communication_failed(bool failed, Instant now) override;
+
+    void show_state() noexcept;
+    void show_count() noexcept;
+
+    std::array<std::uint8_t, generated::relay_counter::image_size> image_{};
+    ObjectDictionary objects_;
+    PdoMemoryFor<generated::relay_counter::compiled::tables> pdos_{};
+    Node node_;
+    Inputs inputs_{};
+    Outputs outputs_{};
+    EdgeCounter counter_{};
+    std::uint8_t node_id_{0U};
+};
+
+}  // namespace canproof::relay_counter

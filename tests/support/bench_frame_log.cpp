@@ -1,0 +1,71 @@
+#include "tests/support/bench_frame_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/support/bench_watch.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+std::FILE* log_file = nullptr;
+
+void write_line(Instant now, char direction, const Frame& frame) {
+    // By hand: the test that nothing allocates keeps a log as well.
+    constexpr const char* digits = "0123456789ABCDEF";
+    std::array<char, 24> data{};
+    auto* end = data.data();
+    if (frame.remote) {
+        *end++ = 'R';
+        *end++ = static_cast<char>('0' + frame.length);
+    }
+    for (std::size_t i = 0; !frame.remote && i < frame.length; ++i) {
+        *end++ = digits[frame.data[i] >> 4U];
+        *end++ = digits[frame.data[i] & 0xFU];
+    }
+    *end++ = '\n';
+    *end = '\0';
+    std::array<char, 48> head{};
+    std::snprintf(head.data(), head.size(), "%lu%06lu %c%0*lX#", static_cast<unsigned long>(now.us / 1000000U),
+                  static_cast<unsigned long>(now.us % 1000000U), direction, frame.extended ? 8 : 3,
+                  static_cast<unsigned long>(frame.id));
+    std::fputs(head.data(), log_file);
+    std::fputs(data.data(), log_file);
+}
+
+class Headings : public testing::EmptyTestEventListener {
+    void OnTestStart(const testing::TestInfo& test) override {
+        std::fprintf(log_file, "# %s.%s\n", test.test_suite_name(), test.name());
+    }
+    void OnTestProgramEnd(const testing::UnitTest&) override { std::fflush(log_file); }
+};
+
+/// CANPROOF_FRAME_LOG=FILE in the environment of any test program.
+[[maybe_unused]] const bool asked_for = [] {
+    const char* const path = std::getenv("CANPROOF_FRAME_LOG");
+    if (path != nullptr) {
+        open_frame_log(path);
+    }
+    return path != nullptr;
+}();
+
+}  // namespace
+
+void open_frame_log(const char* path) {
+    static std::array<char, 4096> buffer;
+    log_file = std::fopen(path, "wb");
+    if (log_file == nullptr) {
+        std::fprintf(stderr, "cannot write %s\n", path);
+        std::exit(2);
+    }
+    std::setvbuf(log_file, buffer.data(), _IOFBF, buffer.size());
+    bench_watch.heard = [](Instant now, const Frame& frame) { write_line(now, '<', frame); };
+    bench_watch.said = [](Instant now, const Frame& frame) { write_line(now, '>', frame); };
+    testing::UnitTest::GetInstance()->listeners().Append(new Headings);
+}
+
+}  // namespace canproof::test
