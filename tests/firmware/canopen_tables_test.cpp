@@ -22,7 +22,7 @@ namespace own = generated::canopen;
 // CiA 301, 7.3.5
 TEST(CanopenTables, RestrictedIdentifiers) {
     verifies<req::CO_T_RESTRICTED_COB_ID>();
-    namespace t = own::t_co_t_restricted_cob_id;
+    namespace t = own::restricted_cob_id;
     for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
         const bool restricted = id <= 0x7F || (0x101 <= id && id <= 0x180) || (0x581 <= id && id <= 0x5FF) ||
                                 (0x601 <= id && id <= 0x67F) || (0x6E0 <= id && id <= 0x6FF) || 0x701 <= id;
@@ -47,7 +47,7 @@ TEST(CanopenTables, AreasOfTheDictionary) {
 // CiA 301, 7.3.2.3: no service before boot-up, no one of these in stopped, PDOs in operational only
 TEST(CanopenTables, ServicesByState) {
     verifies<req::CO_T_SERVICES>();
-    namespace t = own::t_co_t_services;
+    namespace t = own::nmt_services;
     using State = own::NmtState;
     for (const auto service : {t::Service::pdo, t::Service::sdo, t::Service::sync, t::Service::emcy}) {
         for (const State state : {State::initialising, State::stopped, State::operational, State::pre_operational}) {
@@ -63,7 +63,7 @@ TEST(CanopenTables, ServicesByState) {
 // CiA 301, 7.5.2.35 and 7.5.2.37
 TEST(CanopenTables, TransmissionTypes) {
     verifies<req::CO_T_TRANSMISSION_TYPE>();
-    namespace t = own::t_co_t_transmission_type;
+    namespace t = own::transmission_type;
     for (std::uint32_t type = 0; type <= 255; ++type) {
         const t::Applied applied = type <= 240   ? t::Applied::at_sync
                                    : type <= 253 ? t::Applied::refused
@@ -88,7 +88,7 @@ TEST(CanopenTables, TransmissionTypes) {
 // CiA 305, 6.7.4: LSS Fastscan has seven bytes behind its command, and its slave answers by the command alone, 4Fh
 TEST(CanopenTables, Fastscan) {
     verifies<req::CO_T_LSS>();
-    const auto* row = own::t_co_t_lss::find(own::LssCommand::fastscan);
+    const auto* row = own::lss_requests::find(own::LssCommand::fastscan);
     ASSERT_NE(row, nullptr);
     EXPECT_EQ(row->parameters, 7);
     EXPECT_EQ(row->answer_length, 1);

@@ -13,7 +13,7 @@ namespace {
 using State = generated::cbx_ao412::IndicatorState;
 
 IndicatorPattern pattern(State state) {
-    const auto* row = generated::cbx_ao412::t_ao4_t5::find(state);
+    const auto* row = generated::cbx_ao412::indicator_flashes::find(state);
     return {row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms), milliseconds(row->pause_ms)};
 }
 

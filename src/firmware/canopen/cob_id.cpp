@@ -9,7 +9,7 @@ namespace canproof::cob_id {
 
 static_assert(implements<req::CO_T_RESTRICTED_COB_ID>);
 bool is_restricted(const std::uint32_t identifier) noexcept {
-    namespace table = generated::canopen::t_co_t_restricted_cob_id;
+    namespace table = generated::canopen::restricted_cob_id;
     return cell_or(table::find(static_cast<std::uint16_t>(identifier)), &table::Row::restricted, true);
 }
 

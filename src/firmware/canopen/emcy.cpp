@@ -3,16 +3,15 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t error_register_index = 0x1001U;
-constexpr std::uint32_t error_list_index = 0x1003U;
-constexpr std::uint32_t cob_id_index = 0x1014U;
-constexpr std::uint32_t inhibit_time_index = 0x1015U;
+namespace index = generated::canopen::index;
+
 constexpr std::uint32_t error_cured_code = 0x0000U;
 constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no room in the queue is not lost
 
@@ -30,7 +29,7 @@ void Emcy::show_register() noexcept {
     const std::uint8_t value = active_register();
     register_changed_ = register_changed_ || (std::uint32_t{value} != shown_register_);
     shown_register_ = value;
-    objects_.write(error_register_index, 0U, value);
+    objects_.write(index::error_register, 0U, value);
 }
 
 static_assert(implements<req::CO_EMCY_011>);
@@ -105,37 +104,37 @@ void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     if (capacity == 0U) {
         return;
     }
-    const std::uint32_t count = objects_.read(error_list_index, 0U);
+    const std::uint32_t count = objects_.read(index::error_list, 0U);
     const std::uint32_t kept = (count < capacity) ? count : (capacity - 1U);
     for (std::uint32_t sub = kept; sub > 0U; --sub) {
-        const std::uint32_t moved = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
-        objects_.write(error_list_index, static_cast<std::uint8_t>(sub + 1U), moved);
+        const std::uint32_t moved = objects_.read(index::error_list, static_cast<std::uint8_t>(sub));
+        objects_.write(index::error_list, static_cast<std::uint8_t>(sub + 1U), moved);
     }
-    objects_.write(error_list_index, 1U, entry);
-    objects_.write(error_list_index, 0U, kept + 1U);
+    objects_.write(index::error_list, 1U, entry);
+    objects_.write(index::error_list, 0U, kept + 1U);
 }
 
 static_assert(implements<req::CO_EMCY_007>);
 void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
-    const std::uint32_t count = objects_.read(error_list_index, 0U);
+    const std::uint32_t count = objects_.read(index::error_list, 0U);
     std::uint32_t kept{0U};
     for (std::uint32_t sub = 1U; sub <= count; ++sub) {
-        const std::uint32_t listed = objects_.read(error_list_index, static_cast<std::uint8_t>(sub));
+        const std::uint32_t listed = objects_.read(index::error_list, static_cast<std::uint8_t>(sub));
         if (listed != entry) {
             ++kept;
-            objects_.write(error_list_index, static_cast<std::uint8_t>(kept), listed);
+            objects_.write(index::error_list, static_cast<std::uint8_t>(kept), listed);
         }
     }
     for (std::uint32_t sub = kept + 1U; sub <= count; ++sub) {
-        objects_.write(error_list_index, static_cast<std::uint8_t>(sub), 0U);
+        objects_.write(index::error_list, static_cast<std::uint8_t>(sub), 0U);
     }
-    objects_.write(error_list_index, 0U, kept);
+    objects_.write(index::error_list, 0U, kept);
 }
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
     std::uint8_t capacity{0U};
-    while ((capacity < most_subindices) && objects_.has(error_list_index, static_cast<std::uint8_t>(capacity + 1U))) {
+    while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
     return capacity;
@@ -144,7 +143,7 @@ std::uint8_t Emcy::list_capacity() const noexcept {
 void Emcy::clear_list() noexcept {
     const std::uint32_t capacity = list_capacity();
     for (std::uint8_t sub = 0U; sub <= capacity; ++sub) {
-        objects_.write(error_list_index, sub, 0U);
+        objects_.write(index::error_list, sub, 0U);
     }
 }
 
@@ -175,8 +174,8 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
 
 static_assert(implements<req::CO_EMCY_009> && implements<req::CO_K_EMCY_ID>);
 std::uint32_t Emcy::cob_id_entry() const noexcept {
-    return objects_.has(cob_id_index, 0U) ? objects_.read(cob_id_index, 0U)
-                                          : (generated::canopen::emcy_cob_id_base + node_id_);
+    return objects_.has(index::emcy_cob_id, 0U) ? objects_.read(index::emcy_cob_id, 0U)
+                                                : (generated::canopen::emcy_cob_id_base + node_id_);
 }
 
 /// Position of the newest waiting message of that error; pending_count_ when none waits.
@@ -201,7 +200,7 @@ Frame Emcy::message(const Pending& told) const noexcept {
     write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
     frame.data[2] = shown_register_;
     if (content_ == EmcyContent::listed_errors) {
-        frame.data[3] = static_cast<std::uint8_t>(objects_.read(error_list_index, 0U));
+        frame.data[3] = static_cast<std::uint8_t>(objects_.read(index::error_list, 0U));
     } else if (!told.cured) {
         write_le(MutableBytes{frame.data}, 3U, 2U, list_entry(told.error) >> 16U);
     } else {
@@ -218,7 +217,7 @@ void Emcy::enable(const bool enabled, const Instant now) noexcept {
 
 static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003> && implements<req::CO_EMCY_006>);
 void Emcy::send_pending(const Instant now) noexcept {
-    const Duration inhibit = hundreds_of_microseconds(objects_.read(inhibit_time_index, 0U));
+    const Duration inhibit = hundreds_of_microseconds(objects_.read(index::emcy_inhibit_time, 0U));
     while ((pending_count_ > 0U) && (may_send_at_ <= now)) {
         const bool queued = queue_.push(message(pending_[0]));
         if (queued) {
@@ -230,18 +229,18 @@ void Emcy::send_pending(const Instant now) noexcept {
 
 static_assert(implements<req::CO_EMCY_005>);
 AbortCode Emcy::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
-    if (entry.index != cob_id_index) {
+    if (entry.index != index::emcy_cob_id) {
         return AbortCode::none;
     }
-    const std::uint32_t current = objects_.read(cob_id_index, 0U);
+    const std::uint32_t current = objects_.read(index::emcy_cob_id, 0U);
     return cob_id::check_change(current, value, cob_id::not_valid, cob_id::is_valid(current));
 }
 
 void Emcy::after_write(const EntryRef& entry) noexcept {
-    if (entry.is(error_list_index, 0U)) {
+    if (entry.is(index::error_list, 0U)) {
         clear_list();
     }
-    if (entry.index == cob_id_index) {
+    if (entry.index == index::emcy_cob_id) {
         forget_when_switched_off();
     }
 }

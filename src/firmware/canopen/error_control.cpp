@@ -3,16 +3,15 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t guard_time_index = 0x100CU;
-constexpr std::uint32_t life_time_factor_index = 0x100DU;
-constexpr std::uint32_t guarding_identifier_index = 0x100EU;
-constexpr std::uint32_t heartbeat_time_index = 0x1017U;
+namespace index = generated::canopen::index;
+
 constexpr std::uint32_t toggle_bit = 0x80U;
 constexpr std::uint32_t max_node_id = 127U;
 
@@ -25,12 +24,12 @@ constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
 }  // namespace
 
 void ErrorControl::refresh() noexcept {
-    const auto configured = objects_.find(guarding_identifier_index, 0U);
-    identifier_ = configured.ok() ? cob_id::identifier(objects_.read(guarding_identifier_index, 0U))
+    const auto configured = objects_.find(index::guarding_identifier, 0U);
+    identifier_ = configured.ok() ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
                                   : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
-    heartbeat_time_ = milliseconds(objects_.read(heartbeat_time_index, 0U));
-    const std::uint64_t guard_time = objects_.read(guard_time_index, 0U);
-    life_time_ = milliseconds(guard_time * objects_.read(life_time_factor_index, 0U));
+    heartbeat_time_ = milliseconds(objects_.read(index::producer_heartbeat_time, 0U));
+    const std::uint64_t guard_time = objects_.read(index::guard_time, 0U);
+    life_time_ = milliseconds(guard_time * objects_.read(index::life_time_factor, 0U));
 }
 
 Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
@@ -95,7 +94,7 @@ void ErrorControl::act(const Instant now) noexcept {
 }
 
 AbortCode ErrorControl::before_write(const EntryRef& entry, const std::uint32_t wanted) const noexcept {
-    if (entry.index != guarding_identifier_index) {
+    if (entry.index != index::guarding_identifier) {
         return AbortCode::none;
     }
     const bool is_identifier = wanted == cob_id::identifier(wanted);
@@ -105,9 +104,9 @@ AbortCode ErrorControl::before_write(const EntryRef& entry, const std::uint32_t 
 
 void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcept {
     refresh();
-    if (entry.index == heartbeat_time_index) {
+    if (entry.index == index::producer_heartbeat_time) {
         start_heartbeat(now);
-    } else if ((entry.index == guard_time_index) || (entry.index == life_time_factor_index)) {
+    } else if ((entry.index == index::guard_time) || (entry.index == index::life_time_factor)) {
         // A running life guarding goes on with the new time; one that is off waits for the next request.
         const bool goes_on = (life_deadline_ != never) && (life_time_.us != 0U);
         life_deadline_ = goes_on ? (now + life_time_) : never;

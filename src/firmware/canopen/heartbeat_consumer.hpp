@@ -6,6 +6,7 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
+#include "generated/canopen/index.hpp"
 
 namespace canproof {
 
@@ -13,7 +14,7 @@ class HeartbeatConsumer {
   public:
     /// The AX devices watch up to four producers, the CAN-CBX-AO412 one.
     static constexpr std::size_t max_producers = 4U;
-    static constexpr std::uint32_t index = 0x1016U;
+    static constexpr std::uint32_t index = generated::canopen::index::consumer_heartbeat_time;
 
     explicit HeartbeatConsumer(ObjectDictionary& objects) noexcept : objects_{objects} {}
 

@@ -1,15 +1,17 @@
 #include "firmware/canopen/lss.hpp"
 
 #include "firmware/base/requirement.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-namespace requests = generated::canopen::t_co_t_lss;
+namespace index = generated::canopen::index;
 
-constexpr std::uint32_t identity_index = 0x1018U;
+namespace requests = generated::canopen::lss_requests;
+
 constexpr std::size_t full_length = 8U;
 
 static_assert(implements<req::CO_E_LSS_COMMAND> && implements<req::CO_T_LSS>);
@@ -292,7 +294,7 @@ bool Lss::is_configured() const noexcept {
 }
 
 std::uint32_t Lss::own(const std::uint32_t number) const noexcept {
-    return objects_.read(identity_index, static_cast<std::uint8_t>(number + 1U));
+    return objects_.read(index::identity, static_cast<std::uint8_t>(number + 1U));
 }
 
 }  // namespace canproof

@@ -130,7 +130,7 @@ class Lss {
     bool is_silent() const noexcept { return switching_ != Switching::none; }
 
   private:
-    using Served = generated::canopen::t_co_t_lss::Served;
+    using Served = generated::canopen::lss_requests::Served;
     enum class Switching : std::uint8_t { none, before, after };
     using Request = LssFastscan::Request;
 

@@ -7,7 +7,7 @@
 
 namespace canproof {
 
-namespace services = generated::canopen::t_co_t_services;
+namespace services = generated::canopen::nmt_services;
 
 static_assert(implements<req::CO_T_SERVICES> && implements<req::CO_E_NMT_STATE>);
 AllowedServices::AllowedServices(const NmtState state) noexcept {

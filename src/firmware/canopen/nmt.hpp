@@ -10,7 +10,7 @@
 namespace canproof {
 
 /// The services whose use depends on the NMT state.
-using NmtService = generated::canopen::t_co_t_services::Service;
+using NmtService = generated::canopen::nmt_services::Service;
 
 /// The services of one state (table CO-T-SERVICES), looked up once when the state is entered.
 class AllowedServices {

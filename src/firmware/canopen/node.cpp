@@ -2,13 +2,14 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t error_register_index = 0x1001U;
+namespace index = generated::canopen::index;
 
 }  // namespace
 
@@ -273,7 +274,7 @@ void Node::act(const Instant now) noexcept {
 }
 
 void Node::tell_register(const Instant now) noexcept {
-    tpdos_.value_changed(error_register_index, 0U, now);
+    tpdos_.value_changed(index::error_register, 0U, now);
 }
 
 Instant Node::next_without_tpdos() const noexcept {

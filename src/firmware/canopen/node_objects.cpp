@@ -2,13 +2,14 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/node.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t store_index = 0x1010U;
+namespace index = generated::canopen::index;
 
 }  // namespace
 
@@ -106,10 +107,10 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
 /// may carry, are none.
 static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
-    constexpr std::uint32_t verify_index = 0x1020U;
     constexpr std::uint32_t parts = 2U;  // date, time
-    for (std::uint8_t subindex = 1U; (changed_index != verify_index) && (subindex <= parts); ++subindex) {
-        const EntryRef found = objects_.lookup(verify_index, subindex);
+    for (std::uint8_t subindex = 1U; (changed_index != index::verify_configuration) && (subindex <= parts);
+         ++subindex) {
+        const EntryRef found = objects_.lookup(index::verify_configuration, subindex);
         if (found.exists() && found.may(rights::write)) {
             static_cast<void>(objects_.put_bits(*found.row, 0U));
         }
@@ -118,11 +119,11 @@ void Node::forget_verification(const std::uint16_t changed_index) noexcept {
 
 AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
-    if (wrong_state && (entry.index == store_index)) {
+    if (wrong_state && (entry.index == index::store_parameters)) {
         return AbortCode::device_state;
     }
     const AbortCode code = store_.execute(entry, value);
-    return ((code == AbortCode::none) && (entry.index == store_index)) ? application_.save(entry) : code;
+    return ((code == AbortCode::none) && (entry.index == index::store_parameters)) ? application_.save(entry) : code;
 }
 
 AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {

@@ -2,12 +2,14 @@
 // for.
 
 #include "firmware/canopen/node.hpp"
+#include "generated/canopen/index.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t error_behaviour_index = 0x1029U;
+namespace index = generated::canopen::index;
+
 constexpr std::uint32_t communication_error_subindex = 1U;
 // Values of 1029h (CiA 301, 7.5.2.32).
 constexpr std::uint32_t to_pre_operational = 0U;
@@ -106,7 +108,7 @@ void Node::announce(const CommunicationFaults faults, const Instant now) noexcep
 
 /// An entry that is absent reads as zero: to pre-operational.
 std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
-    return objects_.read(error_behaviour_index, subindex);
+    return objects_.read(index::error_behaviour, subindex);
 }
 
 void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {

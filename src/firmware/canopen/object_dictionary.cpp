@@ -3,11 +3,14 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
+
+namespace index = generated::canopen::index;
 
 /// The number that `size` little-endian bytes stand for in a type of at most 32 bits.
 std::int64_t as_integer(const DataType type, const std::uint64_t bits) noexcept {
@@ -181,10 +184,9 @@ bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) n
 }
 
 void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint8_t node_id) noexcept {
-    constexpr std::uint32_t error_list_index = 0x1003U;
     const ByteView defaults{tables_.defaults.rows, tables_.defaults.count};
     for (const ObjectRow& object : tables_.objects) {
-        if ((parameter_group(object.index) != group) || (std::uint32_t{object.index} == error_list_index)) {
+        if ((parameter_group(object.index) != group) || (std::uint32_t{object.index} == index::error_list)) {
             continue;
         }
         for (std::size_t i = 0U; i < object.count; ++i) {

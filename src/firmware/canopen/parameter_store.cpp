@@ -3,16 +3,18 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/sequence_number.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
+namespace index = generated::canopen::index;
+
 using generated::canopen::restore_signature;
 using generated::canopen::store_signature;
 
-constexpr std::uint32_t store_index = 0x1010U;
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory, the marker of a committed bank at its end
 constexpr std::uint8_t committed_marker = 0x53U;
 constexpr std::size_t longest_value = 64U;  // of those that are stored
@@ -193,7 +195,7 @@ void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id
 static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
               implements<req::CO_K_STORE_SIGNATURE> && implements<req::CO_K_RESTORE_SIGNATURE>);
 AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t value) noexcept {
-    const bool is_store = entry.index == store_index;
+    const bool is_store = entry.index == index::store_parameters;
     if (value != (is_store ? store_signature : restore_signature)) {
         return AbortCode::cannot_store;
     }

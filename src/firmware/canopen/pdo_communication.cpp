@@ -10,7 +10,7 @@ namespace canproof {
 
 namespace {
 
-namespace transmission = generated::canopen::t_co_t_transmission_type;
+namespace transmission = generated::canopen::transmission_type;
 
 constexpr std::uint32_t cob_id_subindex = 1U;
 constexpr std::uint32_t type_subindex = 2U;

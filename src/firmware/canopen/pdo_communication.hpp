@@ -6,6 +6,7 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/tables.hpp"
 
 namespace canproof {
@@ -18,11 +19,14 @@ constexpr std::size_t max_pdos = 8U;
 constexpr std::size_t max_pdo_lines = 64U;
 
 /// How far behind its communication parameters the mapping of a PDO stands: 16xxh, 1Axxh.
-constexpr std::uint32_t mapping_offset = 0x0200U;
+constexpr std::uint32_t mapping_offset =
+    generated::canopen::index::rpdo_mapping - generated::canopen::index::rpdo_communication;
 
 /// The objects of PDO `number` (0…max_pdos - 1).
 constexpr std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
-    const std::size_t first = (direction == PdoDirection::receive) ? 0x1400U : 0x1800U;
+    namespace index = generated::canopen::index;
+    const std::size_t first =
+        (direction == PdoDirection::receive) ? index::rpdo_communication : index::tpdo_communication;
     return static_cast<std::uint16_t>(first + number);
 }
 constexpr std::uint16_t mapping_object(const PdoDirection direction, const std::size_t number) noexcept {
@@ -42,8 +46,8 @@ constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16
 }
 
 /// When a received PDO takes effect and when a transmit PDO is sent, by its transmission type.
-using PdoApplied = generated::canopen::t_co_t_transmission_type::Applied;
-using PdoSent = generated::canopen::t_co_t_transmission_type::Sent;
+using PdoApplied = generated::canopen::transmission_type::Applied;
+using PdoSent = generated::canopen::transmission_type::Sent;
 
 /// One communication parameter object, read once after each change.
 struct PdoParameters {

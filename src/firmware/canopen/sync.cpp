@@ -2,20 +2,19 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/cob_id.hpp"
+#include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t cob_id_index = 0x1005U;
-constexpr std::uint32_t period_index = 0x1006U;
-constexpr std::uint32_t counter_overflow_index = 0x1019U;
+namespace index = generated::canopen::index;
 
 }  // namespace
 
 bool Sync::is_producer() const noexcept {
-    return (objects_.read(cob_id_index, 0U) & cob_id::produces_sync) != 0U;
+    return (objects_.read(index::sync_cob_id, 0U) & cob_id::produces_sync) != 0U;
 }
 
 void Sync::allow(const bool allowed, const Instant now) noexcept {
@@ -28,16 +27,16 @@ void Sync::allow(const bool allowed, const Instant now) noexcept {
 
 void Sync::restart(const Instant now) noexcept {
     counter_ = 0U;
-    identifier_ = cob_id::identifier(objects_.read(cob_id_index, 0U));
-    length_ = (objects_.read(counter_overflow_index, 0U) == 0U) ? std::uint8_t{0U} : std::uint8_t{1U};
-    const std::uint32_t period_us = objects_.read(period_index, 0U);
+    identifier_ = cob_id::identifier(objects_.read(index::sync_cob_id, 0U));
+    length_ = (objects_.read(index::sync_counter_overflow, 0U) == 0U) ? std::uint8_t{0U} : std::uint8_t{1U};
+    const std::uint32_t period_us = objects_.read(index::sync_period, 0U);
     const bool produces = allowed_ && is_producer() && (period_us != 0U);
     next_ = produces ? (now + microseconds(period_us)) : never;
 }
 
 static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);
 bool Sync::produce(const Instant now) noexcept {
-    const std::uint32_t overflow = objects_.read(counter_overflow_index, 0U);
+    const std::uint32_t overflow = objects_.read(index::sync_counter_overflow, 0U);
     Frame frame = data_frame(identifier_, length_);
     if (overflow != 0U) {
         counter_ = (counter_ < overflow) ? static_cast<std::uint8_t>(counter_ + 1U) : std::uint8_t{1U};
@@ -46,7 +45,7 @@ bool Sync::produce(const Instant now) noexcept {
     static_cast<void>(queue_.push(frame));
     // The next one is due one period after this one was due, so that the producer does not drift; after a long silence
     // it is not made up for.
-    const Duration period = microseconds(objects_.read(period_index, 0U));
+    const Duration period = microseconds(objects_.read(index::sync_period, 0U));
     next_ = next_ + period;
     if (next_ <= now) {
         next_ = now + period;
@@ -56,19 +55,19 @@ bool Sync::produce(const Instant now) noexcept {
 
 static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007>);
 AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
-    if (entry.index == cob_id_index) {
-        const std::uint32_t current = objects_.read(cob_id_index, 0U);
+    if (entry.index == index::sync_cob_id) {
+        const std::uint32_t current = objects_.read(index::sync_cob_id, 0U);
         // Bit 31 has no meaning here (CiA 301, 7.5.2.5): it is accepted and kept.
         return cob_id::check_change(current, value & ~cob_id::not_valid, cob_id::produces_sync, is_producer());
     }
-    if (entry.index != counter_overflow_index) {
+    if (entry.index != index::sync_counter_overflow) {
         return AbortCode::none;
     }
     constexpr std::uint32_t reserved_overflow{1U};
     if (value == reserved_overflow) {
         return AbortCode::value_range;
     }
-    const bool cycle_is_set = objects_.read(period_index, 0U) != 0U;
+    const bool cycle_is_set = objects_.read(index::sync_period, 0U) != 0U;
     // CiA 301, 7.5.2.22: the counter may change only while the communication cycle period is zero.
     return cycle_is_set ? AbortCode::device_state : AbortCode::none;
 }

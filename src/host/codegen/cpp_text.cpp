@@ -46,7 +46,7 @@ std::string cpp_integer_type(std::int64_t low, std::int64_t high) {
                                               : "std::uint64_t";
 }
 
-std::string cpp_literal(const Value& value, const std::string& cpp_type_name) {
+std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal) {
     if (const auto* truth = std::get_if<bool>(&value)) {
         return *truth ? "true" : "false";
     }
@@ -62,7 +62,12 @@ std::string cpp_literal(const Value& value, const std::string& cpp_type_name) {
     }
     const auto* given = std::get_if<std::int64_t>(&value);
     const std::int64_t whole = given == nullptr ? 0 : *given;
-    return cpp_type_name.find("uint") == std::string::npos ? fmt::format("{}", whole) : fmt::format("{}U", whole);
+    if (cpp_type_name.find("uint") == std::string::npos) {
+        return fmt::format("{}", whole);
+    }
+    return !hexadecimal      ? fmt::format("{}U", whole)
+           : whole <= 0xFFFF ? fmt::format("0x{:02X}U", whole)
+                             : fmt::format("0x{:08X}U", whole);
 }
 
 std::string item_comment(const Item& item, const std::string& unit) {

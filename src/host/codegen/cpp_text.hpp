@@ -15,8 +15,9 @@ const char* storage_words(Cells cells);
 
 /// What opens a generated file: the files of the register that it was written from.
 std::string heading(const Part& part);
-/// `0x1FFU`, `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names.
-std::string cpp_literal(const Value& value, const std::string& cpp_type_name);
+/// `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names; `0x1FFU` where it is unsigned and
+/// hexadecimal is asked for.
+std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal = false);
 /// Narrowest standard integer type that holds both.
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
 /// What stands above an item in generated code: text, id, sources, unit.

@@ -1,11 +1,36 @@
 #include "host/codegen/table_code.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {
+
+bool is_node_error(const std::string& word) {
+    static const std::set<std::string> words{"can_overrun",       "error_passive", "guard_or_heartbeat",
+                                             "bus_off_recovered", "sync_length",   "stored_set_checksum",
+                                             "internal_software", "rpdo_length",   "rpdo_timeout",
+                                             "life_guarding",     "heartbeat",     "rpdo_value"};
+    return words.count(cpp_word(word)) != 0;
+}
+
+std::vector<std::string> own_errors(const Part& part) {
+    std::vector<std::string> words;
+    for (const Table& table : part.tables) {
+        for (const Column& column : table.inputs) {
+            if (table.errors.empty() || column.name != table.errors) {
+                continue;
+            }
+            std::copy_if(column.words.begin(), column.words.end(), std::back_inserter(words), [&](const auto& word) {
+                return !is_node_error(word) && std::find(words.begin(), words.end(), word) == words.end();
+            });
+        }
+    }
+    return words;
+}
 
 bool TableCode::is_ranged(const Column& column) const {
     return column.kind == Column::Kind::integers &&
@@ -37,6 +62,9 @@ std::string TableCode::type_of(const Column& column) const {
 }
 
 std::string TableCode::enumeration_of(const Column& column) const {
+    if (is_errors(column)) {
+        return "ErrorId";
+    }
     if (column.enumeration.empty()) {
         return pascal_case(column.name);
     }
@@ -45,11 +73,14 @@ std::string TableCode::enumeration_of(const Column& column) const {
     return (shared ? "canopen::" : "") + found->name;
 }
 
-std::string TableCode::literal(const Column& column, const Value& value) const {
+std::string TableCode::literal(const Column& column, const Value& value, bool hexadecimal) const {
     if (const auto* word = std::get_if<std::string>(&value)) {
+        if (is_errors(column) && !is_node_error(*word)) {
+            return "error::" + cpp_word(*word);
+        }
         return enumeration_of(column) + "::" + cpp_word(*word);
     }
-    return cpp_literal(value, type_of(column));
+    return cpp_literal(value, type_of(column), hexadecimal);
 }
 
 std::vector<FieldRow> TableCode::choices(std::size_t input, std::size_t row) const {
@@ -62,9 +93,10 @@ std::vector<FieldRow> TableCode::choices(std::size_t input, std::size_t row) con
             parts.push_back({*column.minimum, *column.maximum});
         }
         for (const auto& part : parts) {
-            all.push_back(is_ranged(column) ? FieldRow{{column.name + "_first", &column, part.first, row},
-                                                       {column.name + "_last", &column, part.last, row}}
-                                            : FieldRow{{column.name, &column, part.first, row}});
+            all.push_back(is_ranged(column)
+                              ? FieldRow{{column.name + "_first", &column, part.first, part.hexadecimal, row},
+                                         {column.name + "_last", &column, part.last, part.hexadecimal, row}}
+                              : FieldRow{{column.name, &column, part.first, part.hexadecimal, row}});
         }
         return all;
     }
@@ -79,7 +111,7 @@ std::vector<FieldRow> TableCode::choices(std::size_t input, std::size_t row) con
         values.assign(column.words.begin(), column.words.end());
     }
     for (const auto& value : values) {
-        all.push_back({{column.name, &column, value, row}});
+        all.push_back({{column.name, &column, value, false, row}});
     }
     return all;
 }
@@ -101,16 +133,13 @@ std::vector<FieldRow> TableCode::rows() const {
         for (auto& head : heads) {
             for (std::size_t i = 0; i < table_.outputs.size(); ++i) {
                 const Cell& cell = table_.rows[at].cells[table_.inputs.size() + i];
-                head.push_back({table_.outputs[i].name, &table_.outputs[i], cell.parts.front().first, at});
+                const Cell::Part& part = cell.parts.front();
+                head.push_back({table_.outputs[i].name, &table_.outputs[i], part.first, part.hexadecimal, at});
             }
             all.push_back(head);
         }
     }
     return all;
-}
-
-std::string TableCode::space() const {
-    return "t_" + snake_case(table_.id);
 }
 
 }  // namespace canproof::host

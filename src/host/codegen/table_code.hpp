@@ -13,9 +13,15 @@ struct RowField {
     std::string name;
     const Column* column{nullptr};
     Value value;
+    bool hexadecimal{false};      ///< as spec/ writes it
     std::size_t register_row{0};  ///< of the table in spec/, from 0
 };
 using FieldRow = std::vector<RowField>;
+
+/// Whether every node can notice the error of this name: `ErrorId` has it.
+bool is_node_error(const std::string& word);
+/// Errors that only this device has, in the order of its tables.
+std::vector<std::string> own_errors(const Part& part);
 
 class TableCode {
   public:
@@ -26,11 +32,14 @@ class TableCode {
     bool is_ranged(const Column& column) const;
     std::string type_of(const Column& column) const;
     std::string enumeration_of(const Column& column) const;
-    std::string literal(const Column& column, const Value& value) const;
+    /// `hexadecimal`: an unsigned number is to be written so.
+    std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
+    /// Whether the words of a column are errors of the node.
+    bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
     /// Inputs, then outputs; "*" and alternatives become one row each, an integer range a pair of members.
     std::vector<FieldRow> rows() const;
-    /// `t_aor_t07`
-    std::string space() const;
+    /// `enable_response`
+    const std::string& space() const { return table_.name; }
 
   private:
     std::vector<FieldRow> choices(std::size_t input, std::size_t row) const;

@@ -7,10 +7,13 @@
 #include "host/codegen/cpp_text.hpp"
 #include "host/codegen/write_alterations.hpp"
 #include "host/codegen/write_embedded.hpp"
+#include "host/codegen/write_indices.hpp"
 #include "host/codegen/write_literals.hpp"
 #include "host/codegen/write_objects.hpp"
+#include "host/codegen/write_profile.hpp"
 #include "host/codegen/write_requirements.hpp"
 #include "host/codegen/write_tables.hpp"
+#include "host/codegen/write_written.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/register/spec_files.hpp"
 
@@ -43,9 +46,12 @@ void write_all(const Register& content, const SpecFiles& files, const std::files
         write_if_changed(folder / "constants.hpp", write_constants(part, cells));
         write_if_changed(folder / "enumerations.hpp", write_enumerations(part));
         write_if_changed(folder / "tables.hpp", write_tables(content, part, cells));
+        write_if_changed(folder / "index.hpp", write_indices(part));
         if (part.is_device()) {
             write_if_changed(folder / "objects.hpp", write_objects(part, cells));
             write_if_changed(folder / "signals.hpp", write_signals(part));
+            write_if_changed(folder / "written.hpp", write_written(part));
+            write_if_changed(folder / "profile.hpp", write_profile(part, cells));
             write_if_changed(folder / (part.name + ".eds"), write_eds(content, part));
         }
     }

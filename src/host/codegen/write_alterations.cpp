@@ -87,6 +87,12 @@ class TableAlterations {
             if (!other) {
                 return "";
             }
+            if (code_.is_errors(*field.column)) {
+                const std::string where = is_node_error(*other) ? "canproof" : part_.cpp_name();
+                return line(
+                    table_.id, cell, *word + " -> " + *other, target, size,
+                    fmt::format("static_cast<std::uint64_t>({}::{})", where, code_.literal(*field.column, *other)));
+            }
             const std::string type = code_.enumeration_of(*field.column);
             const bool own = field.column->enumeration.empty();
             const bool shared = type.rfind("canopen::", 0) == 0;

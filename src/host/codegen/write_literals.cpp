@@ -86,7 +86,7 @@ std::string write_constants(const Part& part, Cells cells) {
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);
         text += fmt::format("{} {} {}{{{}}};\n", storage_words(fixed ? Cells::constant : cells), type, constant.name,
-                            cpp_literal(constant.value, type));
+                            cpp_literal(constant.value, type, constant.hexadecimal));
     }
     return text + "\n" + ending(part);
 }
@@ -100,7 +100,7 @@ std::string write_enumerations(const Part& part) {
         text += item_comment(enumeration, "");
         text += fmt::format("enum class {} : {} {{\n", enumeration.name, type);
         for (const auto& [word, number] : values) {
-            text += fmt::format("    {} = {},\n", cpp_word(word), cpp_literal(number, type));
+            text += fmt::format("    {} = {},\n", cpp_word(word), cpp_literal(number, type, enumeration.hexadecimal));
         }
         text += "};\n\n";
     }

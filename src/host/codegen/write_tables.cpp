@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "host/codegen/cpp_text.hpp"
 #include "host/codegen/table_code.hpp"
 #include "host/register/literals.hpp"
@@ -41,7 +43,7 @@ std::string rows_of(const TableCode& code, const Table& table, Cells cells) {
     for (const auto& row : rows) {
         std::vector<std::string> literals;
         for (const auto& field : row) {
-            literals.push_back(code.literal(*field.column, field.value));
+            literals.push_back(code.literal(*field.column, field.value, field.hexadecimal));
         }
         lines += fmt::format("    {{{}}},  // {}\n", fmt::join(literals, ", "), table.id);
     }
@@ -99,13 +101,29 @@ std::string table_text(const Register& content, const Part& part, const Table& t
     out += fmt::format("namespace {} {{\n\n", code.space());
     for (const auto* columns : {&table.inputs, &table.outputs}) {
         for (const auto& column : *columns) {
-            if (column.kind == Column::Kind::words && column.enumeration.empty()) {
+            if (column.kind == Column::Kind::words && column.enumeration.empty() && !code.is_errors(column)) {
                 out += own_enumeration(column);
             }
         }
     }
     out += row_type(code, table) + rows_of(code, table, cells) + find_in(code, table, cells);
     return out + fmt::format("}}  // namespace {}\n\n", code.space());
+}
+
+/// The errors of the device behind those of every node, a constant each.
+std::string error_names(const Part& part) {
+    const auto words = own_errors(part);
+    if (words.empty()) {
+        return "";
+    }
+    std::string text = "/// Errors of this device, behind those that every node has.\nnamespace error {\n";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += fmt::format("inline constexpr ErrorId {} = error_after(ErrorId::first_of_device, {}U);\n",
+                            cpp_word(words[i]), i);
+    }
+    return text +
+           fmt::format("static_assert(static_cast<std::size_t>(error::{}) < max_errors);\n}}  // namespace error\n\n",
+                       cpp_word(words.back()));
 }
 
 }  // namespace
@@ -116,7 +134,11 @@ std::string write_tables(const Register& content, const Part& part, Cells cells)
     if (part.is_device()) {
         text += fmt::format("#include \"generated/{}/enumerations.hpp\"\n", part.cpp_name());
     }
+    const bool names_errors =
+        std::any_of(part.tables.begin(), part.tables.end(), [](const Table& table) { return !table.errors.empty(); });
+    text += names_errors ? "#include \"firmware/canopen/error_table.hpp\"\n" : "";
     text += fmt::format("\nnamespace canproof::generated::{} {{\n\n", part.cpp_name());
+    text += error_names(part);
     for (const auto& table : part.tables) {
         text += table_text(content, part, table, cells);
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/register/check_literals.hpp"
+#include "host/register/check_names.hpp"
 #include "host/register/check_objects.hpp"
 #include "host/register/check_references.hpp"
 #include "host/register/check_tables.hpp"
@@ -24,6 +25,7 @@ LoadResult load_register(const SpecFiles& files) {
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);
+        check_names(part, result.faults);
         resolve_ranges(result.content, part, result.faults);
         resolve_lengths(part);
         check_objects(part, result.faults);

@@ -325,7 +325,12 @@ Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, c
     object.id_place = item.place("index");
     object.index = static_cast<std::uint16_t>(index);
     object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
-    object.name = numbered(item.text("name"), member.n);
+    const std::string name = item.text("name");
+    object.name = numbered(name, member.n);
+    if (item.has("repeat")) {
+        object.family = name;
+        object.member = static_cast<int>(member.n);
+    }
     object.unit = item.text_or("unit", "");
     const auto count = static_cast<std::size_t>(item.integer_or("array", 0, 1, 254));
     if (count > 0) {

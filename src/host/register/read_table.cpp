@@ -71,7 +71,7 @@ Cell::Part read_part(const toml::node& node) {
             return {*first, *last};
         }
     }
-    return {value, value};
+    return {value, value, is_hexadecimal(node)};
 }
 
 Cell read_cell(const toml::node& node) {
@@ -135,6 +135,8 @@ Table read_table(TomlItem& item) {
     read_common(item, table, false);
     read_id(item, table);
     table.text = item.text("title");
+    table.name = item.text_or("name", snake_case(table.text.substr(0, table.text.find_first_of(",:;("))));
+    table.errors = item.text_or("errors", "");
     table.inputs = read_columns(item, "inputs");
     table.outputs = read_columns(item, "outputs");
     const std::size_t width = table.inputs.size() + table.outputs.size();

@@ -78,6 +78,13 @@ void read_device(TomlItem& item, Part& part) {
         info.block_sdo = services->boolean_or("block_sdo", false);
         info.limit_abort = services->word("limit_abort", {"range", "high_low"}, "high_low");
         info.error_list = services->word("error_list", {"history", "active"}, "history");
+        info.lss_bit_rates = services->text_or("lss_bit_rates", "");
+        info.lss_reset = services->boolean_or("lss_reset", false);
+        info.emcy_content = services->word("emcy_content", {"listed_errors", "detail"}, "listed_errors");
+        info.tpdo_trigger = services->word("tpdo_trigger", {"value_change", "event_timer"}, "value_change");
+        info.rpdos_answering_remote = services->integers("rpdos_answering_remote");
+        info.saves_in_pre_operational_only = services->boolean_or("saves_in_pre_operational_only", false);
+        info.services_place = services->place();
         services->finish();
     }
     item.finish();
@@ -156,6 +163,7 @@ Enumeration read_enumeration(TomlItem& item) {
         for (const auto& [word, number] : *table) {
             if (const auto* given = number.as_integer()) {
                 enumeration.values.emplace_back(std::string{word.str()}, given->get());
+                enumeration.hexadecimal = enumeration.hexadecimal || is_hexadecimal(number);
             } else {
                 item.fault(item.place("values"), fmt::format("{} has no number", word.str()), "write `word = number`");
             }
@@ -177,6 +185,7 @@ Constant read_constant(TomlItem& item) {
     constant.unit = item.text_or("unit", "");
     constant.value = item.value("value");
     constant.value_place = item.place("value");
+    constant.hexadecimal = item.has("value") && is_hexadecimal(*item.node("value"));
     constant.compiled_in = item.boolean_or("compiled_in", false);
     item.finish();
     return constant;
@@ -232,6 +241,15 @@ Decision read_decision(TomlItem& item) {
     return decision;
 }
 
+StandardObject read_standard_object(TomlItem& item) {
+    StandardObject object;
+    object.place = item.place();
+    object.index = static_cast<std::uint16_t>(item.integer("index", 0x1000, 0x1FFF));
+    object.name = item.text("name");
+    item.finish();
+    return object;
+}
+
 /// One [[review]]: who read which items when.
 void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
     const std::string date = item.text("date");
@@ -267,6 +285,8 @@ void read_items(TomlItem& file, Part& part) {
         part.signals.push_back(read_signal(item));
     for (TomlItem& item : file.items("decision"))
         part.decisions.push_back(read_decision(item));
+    for (TomlItem& item : file.items("standard_object"))
+        part.standard_objects.push_back(read_standard_object(item));
     for (TomlItem& item : file.items("review"))
         read_review(item, part.reviews);
     file.finish();

@@ -112,6 +112,8 @@ struct Entry {
 struct Object : Item {
     std::uint16_t index{0};
     std::string name;
+    std::string family;  ///< the name with {n} of the family that it belongs to; empty: none
+    int member{0};       ///< its n in the family
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
     bool alike{false};  ///< `array = N` wrote its entries: one type, one field of the firmware
     std::string unit;
@@ -135,12 +137,15 @@ struct Cell {
     struct Part {
         Value first;
         Value last;
+        bool hexadecimal{false};  ///< as spec/ writes it
     };
     std::vector<Part> parts;
     bool any() const { return parts.empty(); }
 };
 
 struct Table : Item {
+    std::string name;    ///< of its C++ namespace: `name`, or the words of the title up to the first punctuation mark
+    std::string errors;  ///< the column whose words are errors of the node; empty: none
     std::vector<Column> inputs;
     std::vector<Column> outputs;
     struct Row {
@@ -154,6 +159,7 @@ struct Table : Item {
 struct Enumeration : Item {
     std::string name;
     std::vector<std::pair<std::string, std::int64_t>> values;
+    bool hexadecimal{false};  ///< as spec/ writes its numbers
 };
 
 struct Constant : Item {
@@ -161,6 +167,7 @@ struct Constant : Item {
     std::string type;
     std::string unit;
     Value value;
+    bool hexadecimal{false};  ///< as spec/ writes it
     bool compiled_in{false};  ///< the firmware needs it while it is compiled, as the size of an array is
     Place value_place;
 };
@@ -219,9 +226,23 @@ struct DeviceInfo {
     Place source_place;
     Place manual_place;
     bool lss{false};
+    std::string lss_bit_rates;  ///< id of the table with columns index and bit_rate; empty: the standard's
+    bool lss_reset{false};      ///< communication is reset at each switch from LSS configuration to waiting
     bool block_sdo{false};
     std::string limit_abort{"high_low"};
     std::string error_list{"history"};
+    std::string emcy_content{"listed_errors"};
+    std::string tpdo_trigger{"value_change"};
+    std::vector<std::int64_t> rpdos_answering_remote;  ///< from 1
+    bool saves_in_pre_operational_only{false};
+    Place services_place;
+    Place place;
+};
+
+/// An object of the standard, by the name that shared code knows it by. Only the shared part has them.
+struct StandardObject {
+    std::uint16_t index{0};
+    std::string name;
     Place place;
 };
 
@@ -238,7 +259,8 @@ struct Part {
     std::vector<Constant> constants;
     std::vector<Signal> signals;
     std::vector<Decision> decisions;
-    std::map<std::string, Review> reviews;  ///< by id
+    std::vector<StandardObject> standard_objects;  ///< as spec/ lists them
+    std::map<std::string, Review> reviews;         ///< by id
     std::vector<std::string> files;
     bool inherited{false};  ///< the shared rules as they come with canproof: proven there, not in this project
 

@@ -20,6 +20,11 @@ Value literal(const toml::node& node) {
     return {};
 }
 
+bool is_hexadecimal(const toml::node& node) {
+    const auto number = node.as_integer();
+    return number != nullptr && (number->flags() & toml::value_flags::format_as_hexadecimal) != toml::value_flags::none;
+}
+
 Place TomlItem::place() const {
     return Place{file_, static_cast<unsigned>(table_.source().begin.line)};
 }

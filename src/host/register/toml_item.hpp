@@ -68,5 +68,7 @@ class TomlItem {
 };
 
 Value literal(const toml::node& node);
+/// Whether a whole number is written as 0x….
+bool is_hexadecimal(const toml::node& node);
 
 }  // namespace canproof::host

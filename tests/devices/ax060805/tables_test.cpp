@@ -26,7 +26,7 @@ TEST(InclinometerTables, FigureOfMerit) {
         for (const bool outside : {false, true}) {
             for (const bool weightless : {false, true}) {
                 for (const bool unsure : {false, true}) {
-                    const auto* row = own::t_inc_t5::find(error, outside, weightless, unsure);
+                    const auto* row = own::figure_of_merit::find(error, outside, weightless, unsure);
                     ASSERT_NE(row, nullptr);
                     EXPECT_EQ(row->state, error ? 2 : outside || weightless || unsure ? 1 : 0);
                 }
@@ -38,7 +38,7 @@ TEST(InclinometerTables, FigureOfMerit) {
 // 3.3 Table 4
 TEST(InclinometerTables, FiltersOfAnAngle) {
     verifies<req::INC_T4>();
-    namespace t = own::t_inc_t4;
+    namespace t = own::angle_filter;
     const std::array<t::Filter, 3> filters{t::Filter::none, t::Filter::moving_average, t::Filter::repeating};
     for (std::uint32_t type = 0; type < 3; ++type) {
         ASSERT_NE(t::find(type), nullptr);
@@ -50,7 +50,7 @@ TEST(InclinometerTables, FiltersOfAnAngle) {
 // 3.8 Table 10: the order of the rows is the number
 TEST(InclinometerTables, BinaryFunctions) {
     verifies<req::INC_T10>();
-    namespace t = own::t_inc_t10;
+    namespace t = own::binary_function;
     using F = t::Function;
     const std::array<F, 21> functions{
         F::undefined,  F::add,         F::subtract,   F::multiply,    F::divide,        F::modulus,    F::maximum,
@@ -70,7 +70,7 @@ TEST(InclinometerTables, BinaryFunctions) {
 // degrees, 3.0 degrees, 0.1 % and 1 %. No other part is made.
 TEST(InclinometerTables, SensorByPartNumber) {
     verifies<req::INC_T62>();
-    namespace t = own::t_inc_t62;
+    namespace t = own::sensor_accuracy;
     for (std::uint32_t part = 0; part <= 60841; ++part) {
         const bool first = part == 60805;
         const bool second = part == 60835 || part == 60840 || part == 60841;

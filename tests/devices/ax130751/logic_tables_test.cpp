@@ -22,7 +22,7 @@ constexpr std::array<Result, 4> results{Result::not_fulfilled, Result::fulfilled
 
 TEST(Ax130751LogicTables, T16Operators) {
     verifies<req::AOR_T16>();
-    namespace t = own::t_aor_t16;
+    namespace t = own::condition_operator;
     for (int argument = -1; argument <= 1; ++argument) {
         const t::Relation relation = argument < 0    ? t::Relation::less
                                      : argument == 0 ? t::Relation::equal
@@ -40,7 +40,7 @@ TEST(Ax130751LogicTables, T16Operators) {
 
 TEST(Ax130751LogicTables, T17ResultsOfACondition) {
     verifies<req::AOR_T17>();
-    namespace t = own::t_aor_t17;
+    namespace t = own::condition_result;
     for (const bool in_error : {false, true}) {
         for (const bool unavailable : {false, true}) {
             for (const bool holds : {false, true}) {
@@ -58,7 +58,7 @@ TEST(Ax130751LogicTables, T17ResultsOfACondition) {
 
 TEST(Ax130751LogicTables, T18LogicalOperators) {
     verifies<req::AOR_T18>();
-    namespace t = own::t_aor_t18;
+    namespace t = own::table_selection;
     for (const bool a : {false, true}) {
         for (const bool b : {false, true}) {
             for (const bool c : {false, true}) {
@@ -78,7 +78,7 @@ TEST(Ax130751LogicTables, T18LogicalOperators) {
 // in the default table, which asks nothing.
 TEST(Ax130751LogicTables, T19HowAConditionCounts) {
     verifies<req::AOR_T19>();
-    namespace t = own::t_aor_t19;
+    namespace t = own::condition_count;
     for (std::uint8_t logical = 0; logical <= 5; ++logical) {
         for (const Result result : results) {
             const auto rows = std::count_if(t::rows.begin(), t::rows.end(), [&](const t::Row& one) {
@@ -98,7 +98,7 @@ TEST(Ax130751LogicTables, T19HowAConditionCounts) {
 
 TEST(Ax130751LogicTables, T4BHasOneRowForEachSourceAndNumber) {
     verifies<req::AOR_T4B>();
-    namespace t = own::t_aor_t4b;
+    namespace t = own::control_number;
     for (int source = 0; source <= 9; ++source) {
         for (int number = 0; number <= 255; ++number) {
             EXPECT_EQ(std::count_if(t::rows.begin(), t::rows.end(),

@@ -19,7 +19,7 @@ using Quantity = own::Quantity;
 
 TEST(Ax130751Tables, T01DigitalOutputPolarity) {
     verifies<req::AOR_T01>();
-    namespace t = own::t_aor_t01;
+    namespace t = own::digital_polarity;
     const auto drive = [](std::uint8_t value, bool before, bool state) { return t::find(value, before, state)->drive; };
     for (const bool before : {false, true}) {
         EXPECT_EQ(drive(0, before, false), t::Drive::off);
@@ -37,17 +37,17 @@ TEST(Ax130751Tables, T01DigitalOutputPolarity) {
 
 TEST(Ax130751Tables, T02AndT09FaultModes) {
     verifies<req::AOR_T02, req::AOR_T09>();
-    EXPECT_EQ(own::t_aor_t02::find(0)->action, own::t_aor_t02::Action::keep);
-    EXPECT_EQ(own::t_aor_t02::find(1)->action, own::t_aor_t02::Action::fault_state);
-    EXPECT_EQ(own::t_aor_t02::rows.size(), 2U);
-    EXPECT_EQ(own::t_aor_t09::find(0)->action, own::t_aor_t09::Action::keep);
-    EXPECT_EQ(own::t_aor_t09::find(1)->action, own::t_aor_t09::Action::fault_value);
-    EXPECT_EQ(own::t_aor_t09::rows.size(), 2U);
+    EXPECT_EQ(own::digital_error_response::find(0)->action, own::digital_error_response::Action::keep);
+    EXPECT_EQ(own::digital_error_response::find(1)->action, own::digital_error_response::Action::fault_state);
+    EXPECT_EQ(own::digital_error_response::rows.size(), 2U);
+    EXPECT_EQ(own::analogue_error_response::find(0)->action, own::analogue_error_response::Action::keep);
+    EXPECT_EQ(own::analogue_error_response::find(1)->action, own::analogue_error_response::Action::fault_value);
+    EXPECT_EQ(own::analogue_error_response::rows.size(), 2U);
 }
 
 TEST(Ax130751Tables, T03OutputTypesAndTheirRanges) {
     verifies<req::AOR_T03, req::AOR_E_OUTPUT_TYPE>();
-    namespace t = own::t_aor_t03;
+    namespace t = own::output_type;
     const auto expect = [](int number, t::Kind kind, float minimum, float maximum) {
         const auto* row = t::find(static_cast<Type>(number));
         ASSERT_NE(row, nullptr) << number;
@@ -68,7 +68,7 @@ TEST(Ax130751Tables, T03OutputTypesAndTheirRanges) {
 TEST(Ax130751Tables, WhatAnAutomaticUpdateWrites) {
     verifies<req::AOR_T_TYPE_DEFAULTS>();
     const auto expect = [](int number, int scaling_1, int scaling_2, int digits) {
-        const auto* row = own::t_aor_t_type_defaults::find(static_cast<Type>(number));
+        const auto* row = own::type_defaults::find(static_cast<Type>(number));
         ASSERT_NE(row, nullptr) << number;
         EXPECT_EQ(row->scaling_1, scaling_1) << number;
         EXPECT_EQ(row->scaling_2, scaling_2) << number;
@@ -85,14 +85,14 @@ TEST(Ax130751Tables, WhatAnAutomaticUpdateWrites) {
 
 TEST(Ax130751Tables, T4AControlSources) {
     verifies<req::AOR_T4A>();
-    using M = own::t_aor_t4a::Meaning;
+    using M = own::control_source::Meaning;
     const std::array<M, 10> expected{M::not_used, M::canopen_message, M::relay_command,   M::lookup_table,
                                      M::math,     M::logic,           M::commanded_value, M::feedback_value,
                                      M::supply,   M::temperature};
     for (std::uint8_t source = 0; source < 10; ++source) {
-        EXPECT_EQ(own::t_aor_t4a::find(source)->meaning, expected[source]) << int{source};
+        EXPECT_EQ(own::control_source::find(source)->meaning, expected[source]) << int{source};
     }
-    EXPECT_EQ(own::t_aor_t4a::find(10), nullptr);
+    EXPECT_EQ(own::control_source::find(10), nullptr);
 }
 
 TEST(Ax130751Tables, T4BControlNumbers) {
@@ -122,7 +122,7 @@ TEST(Ax130751Tables, T4BControlNumbers) {
     for (int source = 0; source < 10; ++source) {
         for (int number = 0; number < 256; ++number) {
             const auto* row =
-                own::t_aor_t4b::find(static_cast<std::uint8_t>(source), static_cast<std::uint8_t>(number));
+                own::control_number::find(static_cast<std::uint8_t>(source), static_cast<std::uint8_t>(number));
             ASSERT_NE(row, nullptr);
             auto expected =
                 printed.count({source, number}) != 0 ? printed[{source, number}] : std::pair{Quantity::none, 0};
@@ -139,7 +139,7 @@ TEST(Ax130751Tables, T4BControlNumbers) {
 
 TEST(Ax130751Tables, T05LimitsAndDigits) {
     verifies<req::AOR_T05, req::AOR_E_QUANTITY>();
-    namespace t = own::t_aor_t05;
+    namespace t = own::value_limits;
     const auto expect = [](Quantity quantity, t::Lower lower, t::Upper upper, t::Digits digits) {
         const auto* row = t::find(quantity);
         ASSERT_NE(row, nullptr);
@@ -163,7 +163,7 @@ TEST(Ax130751Tables, T05LimitsAndDigits) {
 
 TEST(Ax130751Tables, T06ControlResponse) {
     verifies<req::AOR_T06>();
-    namespace t = own::t_aor_t06;
+    namespace t = own::control_response;
     const auto drive = [](std::uint8_t response, t::Position position) { return t::find(response, position)->drive; };
     EXPECT_EQ(drive(0, t::Position::below), t::Drive::profile);
     EXPECT_EQ(drive(0, t::Position::within), t::Drive::profile);
@@ -178,7 +178,7 @@ TEST(Ax130751Tables, T06ControlResponse) {
 
 TEST(Ax130751Tables, T07EnableResponse) {
     verifies<req::AOR_T07>();
-    using A = own::t_aor_t07::Action;
+    using A = own::enable_response::Action;
     struct Row {
         A on;
         A off;
@@ -190,27 +190,27 @@ TEST(Ax130751Tables, T07EnableResponse) {
                                        {A::ramp_off, A::run},
                                        {A::keep, A::run}}};
     for (std::uint8_t response = 0; response < 6; ++response) {
-        EXPECT_EQ(own::t_aor_t07::find(response, true)->action, expected[response].on) << int{response};
-        EXPECT_EQ(own::t_aor_t07::find(response, false)->action, expected[response].off) << int{response};
+        EXPECT_EQ(own::enable_response::find(response, true)->action, expected[response].on) << int{response};
+        EXPECT_EQ(own::enable_response::find(response, false)->action, expected[response].off) << int{response};
     }
-    EXPECT_EQ(own::t_aor_t07::find(6, true), nullptr);
+    EXPECT_EQ(own::enable_response::find(6, true), nullptr);
 }
 
 TEST(Ax130751Tables, T08AndT12OverrideResponses) {
     verifies<req::AOR_T08, req::AOR_T12>();
-    EXPECT_TRUE(own::t_aor_t08::find(0, true)->overridden);
-    EXPECT_FALSE(own::t_aor_t08::find(0, false)->overridden);
-    EXPECT_FALSE(own::t_aor_t08::find(1, true)->overridden);
-    EXPECT_TRUE(own::t_aor_t08::find(1, false)->overridden);
-    EXPECT_TRUE(own::t_aor_t12::find(0, true)->overridden);
-    EXPECT_FALSE(own::t_aor_t12::find(0, false)->overridden);
-    EXPECT_FALSE(own::t_aor_t12::find(1, true)->overridden);
-    EXPECT_TRUE(own::t_aor_t12::find(1, false)->overridden);
+    EXPECT_TRUE(own::override_response::find(0, true)->overridden);
+    EXPECT_FALSE(own::override_response::find(0, false)->overridden);
+    EXPECT_FALSE(own::override_response::find(1, true)->overridden);
+    EXPECT_TRUE(own::override_response::find(1, false)->overridden);
+    EXPECT_TRUE(own::relay_override_response::find(0, true)->overridden);
+    EXPECT_FALSE(own::relay_override_response::find(0, false)->overridden);
+    EXPECT_FALSE(own::relay_override_response::find(1, true)->overridden);
+    EXPECT_TRUE(own::relay_override_response::find(1, false)->overridden);
 }
 
 TEST(Ax130751Tables, T10RelayPolarity) {
     verifies<req::AOR_T10>();
-    namespace t = own::t_aor_t10;
+    namespace t = own::relay_polarity;
     using D = t::Drive;
     // before/now: OFF/OFF, OFF/ON, ON/OFF, ON/ON
     const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
@@ -232,28 +232,30 @@ TEST(Ax130751Tables, T10RelayPolarity) {
 
 TEST(Ax130751Tables, T11RelayEnableResponse) {
     verifies<req::AOR_T11>();
-    using A = own::t_aor_t11::Action;
+    using A = own::relay_enable_response::Action;
     const std::array<std::pair<A, A>, 6> on_and_off{
         {{A::run, A::off}, {A::off, A::run}, {A::off, A::run}, {A::run, A::off}, {A::run, A::keep}, {A::keep, A::run}}};
     for (std::uint8_t response = 0; response < 6; ++response) {
-        EXPECT_EQ(own::t_aor_t11::find(response, true)->action, on_and_off[response].first) << int{response};
-        EXPECT_EQ(own::t_aor_t11::find(response, false)->action, on_and_off[response].second) << int{response};
+        EXPECT_EQ(own::relay_enable_response::find(response, true)->action, on_and_off[response].first)
+            << int{response};
+        EXPECT_EQ(own::relay_enable_response::find(response, false)->action, on_and_off[response].second)
+            << int{response};
     }
 }
 
 TEST(Ax130751Tables, RelayOverrideStateAndContacts) {
     verifies<req::AOR_T11B, req::AOR_T_CONTACT>();
-    EXPECT_FALSE(own::t_aor_t11b::find(0)->on);
-    EXPECT_TRUE(own::t_aor_t11b::find(1)->on);
-    EXPECT_TRUE(own::t_aor_t_contact::find(true)->normally_closed);
-    EXPECT_FALSE(own::t_aor_t_contact::find(true)->normally_open);
-    EXPECT_FALSE(own::t_aor_t_contact::find(false)->normally_closed);
-    EXPECT_TRUE(own::t_aor_t_contact::find(false)->normally_open);
+    EXPECT_FALSE(own::relay_override_state::find(0)->on);
+    EXPECT_TRUE(own::relay_override_state::find(1)->on);
+    EXPECT_TRUE(own::relay_contact::find(true)->normally_closed);
+    EXPECT_FALSE(own::relay_contact::find(true)->normally_open);
+    EXPECT_FALSE(own::relay_contact::find(false)->normally_closed);
+    EXPECT_TRUE(own::relay_contact::find(false)->normally_open);
 }
 
 TEST(Ax130751Tables, T14PointResponses) {
     verifies<req::AOR_T14>();
-    namespace t = own::t_aor_t14;
+    namespace t = own::point_response;
     EXPECT_EQ(t::find(0, t::Point::first)->meaning, t::Meaning::data);
     EXPECT_EQ(t::find(1, t::Point::first)->meaning, t::Meaning::time);
     EXPECT_EQ(t::find(2, t::Point::first)->meaning, t::Meaning::not_allowed);
@@ -265,7 +267,7 @@ TEST(Ax130751Tables, T14PointResponses) {
 TEST(Ax130751Tables, T20LookupTablesOfTheLogicBlocks) {
     verifies<req::AOR_T20>();
     for (std::uint8_t block = 1; block <= 3; ++block) {
-        const auto* row = own::t_aor_t20::find(block);
+        const auto* row = own::shipped_tables::find(block);
         EXPECT_EQ(row->table_a, (3 * block) - 2);
         EXPECT_EQ(row->table_b, (3 * block) - 1);
         EXPECT_EQ(row->table_c, 3 * block);
@@ -274,43 +276,42 @@ TEST(Ax130751Tables, T20LookupTablesOfTheLogicBlocks) {
 
 TEST(Ax130751Tables, T21Operators) {
     verifies<req::AOR_T21>();
-    using O = own::t_aor_t21::Operation;
+    using O = own::math_operator::Operation;
     const std::array<O, 18> expected{
         O::equal,    O::not_equal, O::greater,   O::greater_or_equal, O::less,      O::less_or_equal,
         O::logic_or, O::logic_nor, O::logic_and, O::logic_nand,       O::logic_xor, O::logic_xnor,
         O::plus,     O::minus,     O::times,     O::divided_by,       O::minimum,   O::maximum};
     for (std::uint8_t number = 0; number < 18; ++number) {
-        EXPECT_EQ(own::t_aor_t21::find(number)->operation, expected[number]) << int{number};
+        EXPECT_EQ(own::math_operator::find(number)->operation, expected[number]) << int{number};
     }
-    EXPECT_EQ(own::t_aor_t21::find(18), nullptr);
+    EXPECT_EQ(own::math_operator::find(18), nullptr);
 }
 
 TEST(Ax130751Tables, T23AndTheCodesOfDiagnosticFaults) {
     verifies<req::AOR_T23, req::AOR_T_FAULT_CODES>();
-    namespace t = own::t_aor_t23;
-    const auto expect = [](t::Error error, int description, int channel, int code, int bits) {
+    namespace t = own::error_field_codes;
+    const auto expect = [](ErrorId error, int description, int channel, int code, int bits) {
         const auto* row = t::find(error);
         EXPECT_EQ(row->description, description);
         EXPECT_EQ(row->channel, channel);
         EXPECT_EQ(row->code, code);
         EXPECT_EQ(row->register_bits, bits);
     };
-    expect(t::Error::error_reset, 0x00, 0x00, 0x0000, 0);
-    expect(t::Error::rpdo_timeout, 0x00, 0x00, 0x8100, 1);
-    expect(t::Error::life_guarding, 0x10, 0x00, 0x8130, 1);
-    expect(t::Error::heartbeat, 0x80, 0x00, 0x8130, 1);
-    using F = own::t_aor_t_fault_codes::Fault;
-    EXPECT_EQ(own::t_aor_t_fault_codes::find(F::supply)->code, 0x3100);
-    EXPECT_EQ(own::t_aor_t_fault_codes::find(F::supply)->register_bits, 1);
-    EXPECT_EQ(own::t_aor_t_fault_codes::find(F::temperature)->code, 0x4200);
-    EXPECT_EQ(own::t_aor_t_fault_codes::find(F::temperature)->register_bits, 1);
+    expect(own::error::error_reset, 0x00, 0x00, 0x0000, 0);
+    expect(ErrorId::rpdo_timeout, 0x00, 0x00, 0x8100, 1);
+    expect(ErrorId::life_guarding, 0x10, 0x00, 0x8130, 1);
+    expect(ErrorId::heartbeat, 0x80, 0x00, 0x8130, 1);
+    EXPECT_EQ(own::fault_codes::find(own::error::supply)->code, 0x3100);
+    EXPECT_EQ(own::fault_codes::find(own::error::supply)->register_bits, 1);
+    EXPECT_EQ(own::fault_codes::find(own::error::temperature)->code, 0x4200);
+    EXPECT_EQ(own::fault_codes::find(own::error::temperature)->register_bits, 1);
 }
 
 TEST(Ax130751Tables, LevelsOf2240h) {
     verifies<req::AOR_T_DIGITAL_RANGE>();
-    EXPECT_EQ(own::t_aor_t_digital_range::find(0)->level_v, 5.0F);
-    EXPECT_EQ(own::t_aor_t_digital_range::find(1)->level_v, 12.0F);
-    EXPECT_EQ(own::t_aor_t_digital_range::rows.size(), 2U);
+    EXPECT_EQ(own::digital_range::find(0)->level_v, 5.0F);
+    EXPECT_EQ(own::digital_range::find(1)->level_v, 12.0F);
+    EXPECT_EQ(own::digital_range::rows.size(), 2U);
 }
 
 TEST(Ax130751Constants, OfTheBlocks) {

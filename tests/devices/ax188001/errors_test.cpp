@@ -231,7 +231,7 @@ TEST_F(Ax188001Errors, EachClassHasItsReaction) {
 
 TEST_F(Ax188001Errors, ClassesAreTheSubIndicesOf1029h) {
     verifies<req::TCS_T_REACTION>();
-    namespace table = generated::ax188001::t_tcs_t_reaction;
+    namespace table = generated::ax188001::error_reaction;
     EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
     EXPECT_EQ(table::find(table::Errors::tc_input)->subindex, 2);
     EXPECT_EQ(table::find(table::Errors::fault_detection)->subindex, 3);

@@ -20,7 +20,7 @@ namespace own = generated::ax188001;
 // 3.3.6 Table 7: open circuit outweighs a shutdown, that one a high warning, that one a low warning
 TEST(Ax188001Tables, StatusOfAChannel) {
     verifies<req::TCS_T7>();
-    namespace t = own::t_tcs_t7;
+    namespace t = own::channel_status;
     for (int told = 0; told < 16; ++told) {
         const bool open = (told & 1) != 0;
         const bool shutdown = (told & 2) != 0;
@@ -38,7 +38,7 @@ TEST(Ax188001Tables, StatusOfAChannel) {
 // 1.4 Table 3
 TEST(Ax188001Tables, StartInOperational) {
     verifies<req::TCS_T3>();
-    namespace t = own::t_tcs_t3;
+    namespace t = own::start_mode;
     for (std::uint32_t option = 0; option < 3; ++option) {
         ASSERT_NE(t::find(option), nullptr);
         EXPECT_EQ(t::find(option)->start, option != 0) << option;
@@ -50,7 +50,7 @@ TEST(Ax188001Tables, StartInOperational) {
 // 3.2.13
 TEST(Ax188001Tables, ErrorBehaviour) {
     verifies<req::TCS_T_BEHAVIOUR>();
-    namespace t = own::t_tcs_t_behaviour;
+    namespace t = own::error_behaviour;
     const std::array<t::Action, 3> actions{t::Action::pre_operational, t::Action::no_change, t::Action::stopped};
     for (std::uint32_t value = 0; value < 3; ++value) {
         ASSERT_NE(t::find(value), nullptr);
@@ -62,7 +62,7 @@ TEST(Ax188001Tables, ErrorBehaviour) {
 // 3.2.4 Tables 5 and 6: 8100h, communication, of no channel and without a description
 TEST(Ax188001Tables, SilentReceivePdo) {
     verifies<req::TCS_T5>();
-    const auto* row = own::t_tcs_t5::find(own::t_tcs_t5::Error::rpdo_timeout);
+    const auto* row = own::error_codes::find(ErrorId::rpdo_timeout);
     ASSERT_NE(row, nullptr);
     EXPECT_EQ(static_cast<int>(row->code), 0x8100);
     EXPECT_EQ(static_cast<int>(row->description), 0);
@@ -73,7 +73,7 @@ TEST(Ax188001Tables, SilentReceivePdo) {
 // the converter's.
 TEST(Ax188001Tables, RejectionOfMainsHum) {
     verifies<req::TCS_T_REJECTION>();
-    namespace t = own::t_tcs_t_rejection;
+    namespace t = own::hum_rejection;
     const auto left = [](t::FilterHz filter, t::MainsHz mains) {
         const auto* row = t::find(filter, mains);
         return row == nullptr ? -1.0F : row->left;
@@ -90,7 +90,7 @@ TEST(Ax188001Tables, RejectionOfMainsHum) {
 // (sin(pi x) / (pi x))^4 pass.
 TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
-    namespace t = own::t_tcs_t_rejection;
+    namespace t = own::hum_rejection;
     const auto passes = [](double x) {
         constexpr double pi = 3.14159265358979323846;
         return std::pow(std::sin(pi * x) / (pi * x), 4.0);

@@ -309,7 +309,7 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     inputs.mains_frequency = 0;
     set_inputs();
     EXPECT_EQ(swing(), 0);
-    namespace table = generated::ax188001::t_tcs_t_rejection;
+    namespace table = generated::ax188001::hum_rejection;
     for (const auto filter : {table::FilterHz::hz_50, table::FilterHz::hz_60}) {
         ASSERT_NE(table::find(filter, table::MainsHz::none), nullptr);
         EXPECT_EQ(table::find(filter, table::MainsHz::none)->left, 0.0F);

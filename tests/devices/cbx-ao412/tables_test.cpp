@@ -22,21 +22,21 @@ using State = own::IndicatorState;
 // when it is reported
 TEST(CbxTables, ErrorsAreToldAndListed) {
     verifies<req::AO4_T_ERRORS>();
-    namespace t = own::t_ao4_t_errors;
+    namespace t = own::error_codes;
     struct Error {
-        t::Error error;
+        ErrorId error;
         int code;
         int bits;
         bool sent;
     };
-    for (const Error& one : {Error{t::Error::can_overrun, 0x8110, 0x11, true},
-                             {t::Error::error_passive, 0x8120, 0x11, true},
-                             {t::Error::guard_or_heartbeat, 0x8130, 0x11, true},
-                             {t::Error::bus_off_recovered, 0x8140, 0x00, true},
-                             {t::Error::sync_length, 0x8240, 0x11, true},
-                             {t::Error::stored_set_checksum, 0x6000, 0x01, false},
-                             {t::Error::internal_software, 0x6110, 0x01, true},
-                             {t::Error::hardware, 0x5000, 0x01, true}}) {
+    for (const Error& one : {Error{ErrorId::can_overrun, 0x8110, 0x11, true},
+                             {ErrorId::error_passive, 0x8120, 0x11, true},
+                             {ErrorId::guard_or_heartbeat, 0x8130, 0x11, true},
+                             {ErrorId::bus_off_recovered, 0x8140, 0x00, true},
+                             {ErrorId::sync_length, 0x8240, 0x11, true},
+                             {ErrorId::stored_set_checksum, 0x6000, 0x01, false},
+                             {ErrorId::internal_software, 0x6110, 0x01, true},
+                             {own::error::hardware, 0x5000, 0x01, true}}) {
         const auto* row = t::find(one.error);
         ASSERT_NE(row, nullptr) << one.code;
         EXPECT_EQ(row->code, one.code);
@@ -51,7 +51,7 @@ TEST(CbxTables, ErrorsAreToldAndListed) {
 // pause.
 TEST(CbxTables, IndicatorStates) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
-    namespace t = own::t_ao4_t5;
+    namespace t = own::indicator_flashes;
     struct Indicator {
         State state;
         int flashes;
@@ -77,7 +77,7 @@ TEST(CbxTables, IndicatorStates) {
 // 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off outweighs a guarding error, that one the controller's warnings
 TEST(CbxTables, LedE) {
     verifies<req::AO4_T6>();
-    namespace t = own::t_ao4_t6;
+    namespace t = own::can_error_led;
     const auto led = [](bool invalid, t::Can can, bool guard) {
         const auto* row = t::find(invalid, can, guard);
         return row == nullptr ? State::flickering : row->led;
@@ -101,7 +101,7 @@ TEST(CbxTables, LedE) {
 // 3.2.3 Table 7 and 3.2.6
 TEST(CbxTables, LedS) {
     verifies<req::AO4_T7>();
-    namespace t = own::t_ao4_t7;
+    namespace t = own::status_led;
     for (const auto& [mode, led] :
          std::array<std::pair<t::Mode, State>, 5>{{{t::Mode::pre_operational, State::blinking},
                                                    {t::Mode::operational, State::on},
@@ -117,14 +117,14 @@ TEST(CbxTables, LedS) {
 // 3.2.4 Table 8 and 3.2.5 Table 9
 TEST(CbxTables, LedsMAndP) {
     verifies<req::AO4_T8, req::AO4_T9>();
-    namespace m = own::t_ao4_t8;
+    namespace m = own::error_led;
     for (const bool overrun : {false, true}) {
         ASSERT_NE(m::find(overrun, true), nullptr);
         EXPECT_EQ(m::find(overrun, true)->led, State::flash2);
         ASSERT_NE(m::find(overrun, false), nullptr);
         EXPECT_EQ(m::find(overrun, false)->led, overrun ? State::on : State::off);
     }
-    namespace p = own::t_ao4_t9;
+    namespace p = own::power_led;
     for (const bool runs : {false, true}) {
         ASSERT_NE(p::find(runs), nullptr);
         EXPECT_EQ(p::find(runs)->led, runs ? State::on : State::off);
@@ -134,7 +134,7 @@ TEST(CbxTables, LedsMAndP) {
 // 7.10.3
 TEST(CbxTables, ErrorModes) {
     verifies<req::AO4_T_ERROR_MODE>();
-    namespace t = own::t_ao4_t_error_mode;
+    namespace t = own::error_mode;
     const std::array<t::Action, 3> actions{t::Action::zero, t::Action::error_value, t::Action::keep};
     for (std::uint32_t mode = 0; mode < 3; ++mode) {
         ASSERT_NE(t::find(mode), nullptr);

@@ -326,7 +326,7 @@ TEST_F(Generated, LayoutFingerprintChangesWithWhatIsStored) {
 
 TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
     const std::string text = write_tables(loaded_.content, box());
-    EXPECT_THAT(text, HasSubstr("namespace t_ao4_t1 {"));
+    EXPECT_THAT(text, HasSubstr("namespace rate_by_setting {"));
     EXPECT_THAT(text, HasSubstr("enum class Word : std::uint8_t { a, b };\n"
                                 "enum class Action : std::uint8_t { run, and_, shut_off };"));
     const std::string state = ", canopen::NmtState::";

@@ -9,13 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "generated/ax060805/tables.hpp"
+
 namespace canproof::ax060805 {
 
-enum class AngleFilterKind : std::uint8_t {
-    none,            ///< the latest sample
-    moving_average,  ///< mean of the latest samples
-    repeating        ///< mean of a block of samples, repeated while the next block is collected
-};
+/// none: the latest sample. moving_average: the mean of the latest samples. repeating: the mean of a block of samples,
+/// repeated while the next block is collected.
+using AngleFilterKind = generated::ax060805::angle_filter::Filter;
 
 class AngleFilter {
   public:

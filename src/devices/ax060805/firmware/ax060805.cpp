@@ -1,9 +1,9 @@
 #include "devices/ax060805/firmware/ax060805.hpp"
 
-#include "firmware/axiomatic/axiomatic.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax060805/constants.hpp"
+#include "generated/ax060805/profile.hpp"
 #include "generated/ax060805/requirements.hpp"
 
 namespace canproof::ax060805 {
@@ -16,46 +16,16 @@ namespace field = generated::ax060805::field;
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
 constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
 
-constexpr ErrorId temperature_error = ErrorId::first_of_device;
-constexpr ErrorId accelerometer_error = error_after(ErrorId::first_of_device, 1U);
-
 static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004>);
-const auto bit_rates = lss_bit_rates(own::t_inc_t21::rows);
+using own::profile;
 
 static_assert(implements<req::INC_ERR_003> && implements<req::INC_ERR_008> && implements<req::INC_FILTER_006>);
-const NodeProfile profile = axiomatic_profile(bit_rates);
-
-constexpr ErrorId id_of(const own::t_inc_t22::Error error) noexcept {
-    using own::t_inc_t22::Error;
-    switch (error) {
-        case Error::sensor_temperature:
-            return temperature_error;
-        case Error::can_overrun:
-            return ErrorId::can_overrun;
-        case Error::life_guarding:
-            return ErrorId::life_guarding;
-        case Error::heartbeat:
-            return ErrorId::heartbeat_1;
-        case Error::bus_off_recovered:
-            return ErrorId::bus_off_recovered;
-        case Error::rpdo_length:
-            return ErrorId::rpdo_length;
-        case Error::rpdo_timeout:
-            return ErrorId::rpdo_timeout;
-        case Error::stored_set_checksum:
-            return ErrorId::stored_set_checksum;
-        case Error::accelerometer:
-        default:
-            return accelerometer_error;
-    }
-}
 
 static_assert(implements<req::INC_T22> && implements<req::INC_ERR_001> && implements<req::INC_ERR_004>);
 constexpr ErrorTable make_error_table() noexcept {
     ErrorTable table{};
-    for (const own::t_inc_t22::Row& row : own::t_inc_t22::rows) {
-        table[static_cast<std::size_t>(id_of(row.error))] =
-            ErrorRow{row.code, row.register_bits, row.sent, row.listed, row.detail};
+    for (const own::error_codes::Row& row : own::error_codes::rows) {
+        put_error(table, row.error, ErrorRow{row.code, row.register_bits, row.sent, row.listed, row.detail});
     }
     return table;
 }
@@ -70,7 +40,7 @@ constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
 /// is not there.
 constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
     std::uint8_t tag{0U};
-    for (const own::t_inc_t21::Row& row : own::t_inc_t21::rows) {
+    for (const own::bit_rates::Row& row : own::bit_rates::rows) {
         if (row.bit_rate == bit_rate) {
             tag = static_cast<std::uint8_t>(row.index + 1U);
         }
@@ -146,7 +116,7 @@ void Device::put_factory_values(const ParameterGroup group) {
 static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001> &&
               implements<req::INC_SLEW_002>);
 void Device::restart(const Instant now) {
-    namespace table = own::t_inc_t8;
+    namespace table = own::angle_configuration;
     const auto* const range = table::find(factory_.range);
     span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
@@ -167,7 +137,7 @@ void Device::restart(const Instant now) {
 static_assert(implements<req::INC_START_001>);
 void Device::booted(const Instant now) {
     // An error that outlasts a reset of communication does not begin anew, so that tell_errors() would let it start.
-    const bool failed = node_.has_error(temperature_error) || node_.has_error(accelerometer_error);
+    const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
     const bool keeps_out =
         failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);
     if (objects_.get(field::o5555_start_in_operational_mode) && !keeps_out) {
@@ -197,8 +167,8 @@ LssError Device::store_configuration(const LssConfiguration& configuration) {
 
 static_assert(implements<req::INC_ERR_005> && implements<req::INC_ERR_006> && implements<req::INC_ERR_011>);
 void Device::tell_errors(const Instant now) noexcept {
-    tell_sensor_error(temperature_error, is_temperature_outside(), now);
-    tell_sensor_error(accelerometer_error, !inclination_.is_measuring(), now);
+    tell_sensor_error(own::error::sensor_temperature, is_temperature_outside(), now);
+    tell_sensor_error(own::error::accelerometer, !inclination_.is_measuring(), now);
 }
 
 void Device::tell_sensor_error(const ErrorId error, const bool present, const Instant now) noexcept {

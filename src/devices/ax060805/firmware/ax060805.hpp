@@ -20,7 +20,7 @@ namespace canproof::ax060805 {
 
 using Inputs = generated::ax060805::Inputs;
 using Outputs = generated::ax060805::Outputs;
-using AngleConfiguration = generated::ax060805::t_inc_t8::Range;
+using AngleConfiguration = generated::ax060805::angle_configuration::Range;
 
 constexpr std::size_t function_count = 10U;
 constexpr std::size_t received_count = 3U;

@@ -2,42 +2,27 @@
 
 #include "devices/ax060805/firmware/ax060805.hpp"
 #include "firmware/base/requirement.hpp"
+#include "generated/ax060805/index.hpp"
 #include "generated/ax060805/requirements.hpp"
+#include "generated/ax060805/written.hpp"
 
 namespace canproof::ax060805 {
 
 namespace {
 
+namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
+namespace index = generated::ax060805::index;
 
-constexpr std::uint32_t slew_rate_index = 0x2000U;
-constexpr std::uint32_t input_filter_index = 0x2002U;
-constexpr std::uint32_t input_cut_off_index = 0x2003U;
-constexpr std::uint32_t filter_type_index = 0x2050U;
-constexpr std::uint32_t filter_constant_index = 0x2051U;
-constexpr std::uint32_t filter_rate_index = 0x2052U;
-constexpr std::uint32_t angle_type_index = 0x2100U;
-constexpr std::uint32_t initial_pitch_index = 0x2200U;
-constexpr std::uint32_t initial_roll_index = 0x2210U;
-constexpr std::uint32_t auto_null_index = 0x2300U;
-constexpr std::uint32_t received_index = 0x2500U;
-constexpr std::uint32_t function_operation_index = 0x300AU;
-constexpr std::uint32_t function_scaling_index = 0x300BU;
-constexpr std::uint32_t function_offset_index = 0x300CU;
-constexpr std::uint32_t first_function_index = 0x3010U;  // 30x0h of function 1
-constexpr std::uint32_t function_index_step = 0x0010U;
-
-/// 30x0h to 30x5h of one of the ten functions.
-constexpr bool is_function_input(const std::uint16_t index) noexcept {
-    constexpr std::size_t behind = first_function_index + (function_count * function_index_step);
-    return (index >= first_function_index) && (index < behind);
-}
+// From 30x0h of one function to that of the next.
+constexpr std::uint32_t function_index_step = generated::ax060805::index::binary_function_2_signal_source -
+                                              generated::ax060805::index::binary_function_1_signal_source;
 
 }  // namespace
 
 static_assert(implements<req::INC_INSTALL_005>);
 AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
-    const bool commands_null = (entry.index == auto_null_index) && (value[0U] != 0U);
+    const bool commands_null = (entry.index == index::auto_null_command) && (value[0U] != 0U);
     if (commands_null && !inclination_.nulling_angles(settings_).has_value()) {
         return AbortCode::device_state;
     }
@@ -47,50 +32,67 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
 static_assert(implements<req::INC_ANGLE_009> && implements<req::INC_INSTALL_008> && implements<req::INC_AVG_007> &&
               implements<req::INC_RPDO_002> && implements<req::INC_SLEW_001> && implements<req::INC_AUTO_001>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
-    switch (entry.index) {
-        case slew_rate_index:
+    using own::Parameter;
+    const own::Written change = own::written(entry.index, entry.row->subindex);
+    switch (change.parameter) {
+        case Parameter::can_slew_rate:
             drive_slew_rate();
             break;
-        case received_index:
+        case Parameter::rpdo_received_message_process_value:
             forget_overdue();
-            received_[entry.row->subindex - 1U] = true;  // the functions take it with the next sample
+            received_[change.subindex - 1U] = true;  // the functions take it with the next sample
             break;
-        case auto_null_index:
+        case Parameter::auto_null_command:
             obey_auto_null(now);
             publish();
             break;
-        case filter_type_index:
-        case filter_constant_index:
-            restart_filter(entry.row->subindex - 1U);
+        case Parameter::angular_filter_type:
+        case Parameter::angular_filter_constant:
+            restart_filter(change.subindex - 1U);
             publish();
             break;
-        case filter_rate_index:
+        case Parameter::angular_filter_rate:
             restart_filters(now);
             publish();
             break;
-        case angle_type_index:
-        case initial_pitch_index:
-        case initial_roll_index:
+        case Parameter::pitch_and_roll_angle_type:
+        case Parameter::initial_pitch_angle:
+        case Parameter::initial_roll_angle:
             take_settings();
             restart_filters(now);
             publish();
             break;
-        case input_filter_index:
-        case input_cut_off_index:
+        case Parameter::sensor_input_filter_enabled:
+        case Parameter::input_filter_cut_off_frequency:
             take_input_filter();
             publish();  // its delay
             break;
-        case function_operation_index:
-        case function_scaling_index:
-        case function_offset_index:
-            take_function(entry.row->subindex - 1U);
+        case Parameter::binary_function_operation:
+        case Parameter::binary_function_output_scaling:
+        case Parameter::binary_function_output_offset:
+            take_function(change.subindex - 1U);
             break;
-        default:
-            if (is_function_input(entry.index)) {
-                take_function(static_cast<std::size_t>(entry.index - first_function_index) / function_index_step);
-            } else {
-                publish();
-            }
+        case Parameter::binary_function_signal_source:
+        case Parameter::binary_function_signal_is_default:
+        case Parameter::binary_function_signal_default_value:
+        case Parameter::binary_function_signal_unary_function:
+        case Parameter::binary_function_signal_scaling:
+        case Parameter::binary_function_signal_offset:
+            take_function(change.member - 1U);
+            break;
+        case Parameter::accelerometer_data_decimal_digits:
+        case Parameter::accelerometer_data_inversion:
+        case Parameter::accelerometer_data_offset:
+        case Parameter::angular_data_decimal_digits:
+        case Parameter::angular_data_inversion:
+        case Parameter::angular_data_offset:
+        case Parameter::rpdo_decimal_digits:
+        case Parameter::rpdo_offset:
+        case Parameter::continuous_signal:
+        case Parameter::discrete_signal:
+        case Parameter::enable_automatic_updates:
+        case Parameter::start_in_operational_mode:
+            publish();
             break;
     }
 }
@@ -103,7 +105,7 @@ void Device::take_function(const std::size_t function) noexcept {
     const auto small = [this](const std::size_t index, const std::uint8_t sub) noexcept {
         return static_cast<std::uint8_t>(objects_.read(static_cast<std::uint16_t>(index), sub));
     };
-    const std::size_t first = first_function_index + (function * function_index_step);
+    const std::size_t first = index::binary_function_1_signal_source + (function * function_index_step);
     FunctionBlock& block = functions_[function];
     for (std::uint8_t input = 1U; input <= block.inputs.size(); ++input) {
         FunctionInput& taken = block.inputs[input - 1U];
@@ -114,8 +116,9 @@ void Device::take_function(const std::size_t function) noexcept {
         taken.linear = Linear{real(first + 4U, input), real(first + 5U, input)};
     }
     const std::uint8_t sub = static_cast<std::uint8_t>(function + 1U);
-    block.operation = small(function_operation_index, sub);
-    block.output = Linear{real(function_scaling_index, sub), real(function_offset_index, sub)};
+    block.operation = small(index::binary_function_operation, sub);
+    block.output =
+        Linear{real(index::binary_function_output_scaling, sub), real(index::binary_function_output_offset, sub)};
 }
 
 static_assert(implements<req::INC_INSTALL_003> && implements<req::INC_INSTALL_006>);

@@ -8,6 +8,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax060805/constants.hpp"
+#include "generated/ax060805/index.hpp"
 #include "generated/ax060805/requirements.hpp"
 
 namespace canproof::ax060805 {
@@ -16,9 +17,8 @@ namespace {
 
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
+namespace index = generated::ax060805::index;
 
-constexpr std::uint32_t supply_index = 0x5020U;
-constexpr std::uint32_t processor_temperature_index = 0x5030U;
 const Duration sample_period = microseconds(own::sample_period_us);
 
 /// Within the range of the sensor; NaN is not.
@@ -140,17 +140,8 @@ void Device::restart_filter(const std::size_t angle) noexcept {
 
 static_assert(implements<req::INC_T4>);
 AngleFilterKind Device::filter_kind(const std::uint8_t subindex) const noexcept {
-    using own::t_inc_t4::Filter;
     const std::uint8_t type = objects_.get(field::o2050_angular_filter_type[subindex]);
-    switch (cell_or(own::t_inc_t4::find(type), &own::t_inc_t4::Row::filter, Filter::none)) {
-        case Filter::moving_average:
-            return AngleFilterKind::moving_average;
-        case Filter::repeating:
-            return AngleFilterKind::repeating;
-        case Filter::none:
-        default:
-            return AngleFilterKind::none;
-    }
+    return cell_or(own::angle_filter::find(type), &own::angle_filter::Row::filter, AngleFilterKind::none);
 }
 
 static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TEMPERATURE_HIGH>);
@@ -192,7 +183,7 @@ void Device::publish_angles() noexcept {
 static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && implements<req::INC_FV_006> &&
               implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
 void Device::publish_diagnostics() noexcept {
-    namespace merit = own::t_inc_t5;
+    namespace merit = own::figure_of_merit;
     const auto* const row = merit::find(!inclination_.is_measuring(), is_temperature_outside(),
                                         inclination_.is_weightless(), inclination_.is_roll_unsure());
     const std::uint8_t worst = merit::rows[0U].state;
@@ -201,8 +192,8 @@ void Device::publish_diagnostics() noexcept {
     if (!std::isnan(inputs_.sensor_temperature)) {
         objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
     }
-    show_if_valid(supply_index, inputs_.supply_voltage);
-    show_if_valid(processor_temperature_index, inputs_.processor_temperature);
+    show_if_valid(index::power_supply_field_value, inputs_.supply_voltage);
+    show_if_valid(index::processor_temperature_field_value, inputs_.processor_temperature);
 }
 
 /// A value that its object cannot hold is no measurement: the last one stays.

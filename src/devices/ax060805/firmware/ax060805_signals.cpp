@@ -16,7 +16,8 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
 /// How far `signal` stands behind `first` in Table 1; large when it stands before.
-constexpr std::size_t distance(const own::t_inc_t1::Signal first, const own::t_inc_t1::Signal signal) noexcept {
+constexpr std::size_t distance(const own::signal_source::Signal first,
+                               const own::signal_source::Signal signal) noexcept {
     return static_cast<std::size_t>(signal) - static_cast<std::size_t>(first);
 }
 
@@ -49,8 +50,8 @@ void Device::forget_overdue() noexcept {
 static_assert(implements<req::INC_T1> && implements<req::INC_SIG_001> && implements<req::INC_SIG_002> &&
               implements<req::INC_SIG_005> && implements<req::INC_GLOBAL_003>);
 Signal Device::signal_of(const std::uint8_t source) const noexcept {
-    using Source = own::t_inc_t1::Signal;
-    const Source chosen = cell_or(own::t_inc_t1::find(source), &own::t_inc_t1::Row::signal, Source::none);
+    using Source = own::signal_source::Signal;
+    const Source chosen = cell_or(own::signal_source::find(source), &own::signal_source::Row::signal, Source::none);
     const std::size_t function = distance(Source::binary_function_1, chosen);
     if (function < function_count) {
         return results_[function];

@@ -11,8 +11,8 @@ namespace canproof::ax060805 {
 
 namespace {
 
-namespace table9 = generated::ax060805::t_inc_t9;
-namespace table10 = generated::ax060805::t_inc_t10;
+namespace table9 = generated::ax060805::unary_function;
+namespace table10 = generated::ax060805::binary_function;
 
 constexpr std::uint32_t bits_of_discrete = 32U;
 

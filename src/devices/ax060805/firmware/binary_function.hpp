@@ -11,8 +11,8 @@
 
 namespace canproof::ax060805 {
 
-using UnaryFunction = generated::ax060805::t_inc_t9::Function;
-using BinaryFunction = generated::ax060805::t_inc_t10::Function;
+using UnaryFunction = generated::ax060805::unary_function::Function;
+using BinaryFunction = generated::ax060805::binary_function::Function;
 
 /// Scale first, then offset.
 struct Linear {

@@ -19,7 +19,7 @@ namespace own = generated::ax060805;
 constexpr double pi = 3.14159265358979323846;
 
 float resolution_of(std::uint16_t part) {
-    const auto* const row = own::t_inc_t62::find(part);
+    const auto* const row = own::sensor_accuracy::find(part);
     return row == nullptr ? 0.0F : row->resolution;
 }
 

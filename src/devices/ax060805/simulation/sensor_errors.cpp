@@ -38,7 +38,7 @@ std::uint16_t model_of(const std::string& part_number) {
 
 static_assert(implements<req::INC_T62> && implements<req::INC_K_INITIAL_ACCURACY>);
 SensorErrors greatest_errors(std::uint16_t model) {
-    const auto* const row = own::t_inc_t62::find(model);
+    const auto* const row = own::sensor_accuracy::find(model);
     if (row == nullptr) {
         return {};
     }

@@ -1,9 +1,9 @@
 #include "devices/ax130751/firmware/ax130751.hpp"
 
-#include "firmware/axiomatic/axiomatic.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/profile.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
@@ -12,8 +12,6 @@ namespace {
 
 namespace own = generated::ax130751;
 
-constexpr ErrorId supply_error = ErrorId::first_of_device;
-constexpr ErrorId temperature_error = error_after(ErrorId::first_of_device, 1U);
 constexpr std::array<ErrorId, 4U> heartbeat_errors{
     {ErrorId::heartbeat_1, ErrorId::heartbeat_2, ErrorId::heartbeat_3, ErrorId::heartbeat_4}};
 
@@ -21,7 +19,7 @@ static_assert(implements<req::AOR_K_CYCLE>);
 const Duration cycle_time = milliseconds(own::cycle_ms);
 
 static_assert(implements<req::AOR_T22>);
-const auto bit_rates = lss_bit_rates(own::t_aor_t22::rows);
+using own::profile;
 
 // What the node does for every device, in the manner of this one.
 static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_ERR_001> &&
@@ -33,57 +31,22 @@ static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && im
               implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
 static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
               implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
-const NodeProfile profile = axiomatic_profile(bit_rates);
-
-constexpr void put_error(ErrorTable& table, const ErrorId id, const own::t_aor_t23::Row& row) noexcept {
-    const auto detail = static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
-    table[static_cast<std::size_t>(id)] = ErrorRow{row.code, row.register_bits, true, true, detail};
-}
-
-constexpr ErrorId id_of(const own::t_aor_t_node_errors::Error error) noexcept {
-    using own::t_aor_t_node_errors::Error;
-    switch (error) {
-        case Error::rpdo_length:
-            return ErrorId::rpdo_length;
-        case Error::rpdo_value:
-            return ErrorId::rpdo_value;
-        case Error::stored_set:
-        default:
-            return ErrorId::stored_set_checksum;
-    }
-}
 
 static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
               implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&
               implements<req::AOR_ERR_009> && implements<req::AOR_ERR_010> && implements<req::AOR_ERR_011>);
 constexpr ErrorTable make_error_table() noexcept {
-    using own::t_aor_t23::Error;
     ErrorTable table{};
-    for (const own::t_aor_t23::Row& row : own::t_aor_t23::rows) {
-        switch (row.error) {
-            case Error::rpdo_timeout:
-                put_error(table, ErrorId::rpdo_timeout, row);
-                break;
-            case Error::life_guarding:
-                put_error(table, ErrorId::life_guarding, row);
-                break;
-            case Error::heartbeat:
-                for (const ErrorId error : heartbeat_errors) {
-                    put_error(table, error, row);
-                }
-                break;
-            case Error::error_reset:
-            default:
-                break;
-        }
+    for (const own::error_field_codes::Row& row : own::error_field_codes::rows) {
+        const auto detail =
+            static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
+        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, detail});
     }
-    for (const own::t_aor_t_fault_codes::Row& row : own::t_aor_t_fault_codes::rows) {
-        const bool of_supply = row.fault == own::t_aor_t_fault_codes::Fault::supply;
-        table[static_cast<std::size_t>(of_supply ? supply_error : temperature_error)] =
-            ErrorRow{row.code, row.register_bits, true, true, 0U};
+    for (const own::fault_codes::Row& row : own::fault_codes::rows) {
+        put_error(table, row.fault, ErrorRow{row.code, row.register_bits, true, true, 0U});
     }
-    for (const own::t_aor_t_node_errors::Row& row : own::t_aor_t_node_errors::rows) {
-        table[static_cast<std::size_t>(id_of(row.error))] = ErrorRow{row.code, row.register_bits, true, true, 0U};
+    for (const own::node_error_codes::Row& row : own::node_error_codes::rows) {
+        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, 0U});
     }
     return table;
 }
@@ -190,8 +153,8 @@ bool Device::run_blocks(const Instant now) noexcept {
 static_assert(implements<req::AOR_DIAG_007>);
 void Device::tell_errors(const Instant now) noexcept {
     if (node_.state() != NmtState::initialising) {
-        node_.set_error(supply_error, supervision_.has_supply_fault(), now);
-        node_.set_error(temperature_error, supervision_.has_temperature_fault(), now);
+        node_.set_error(own::error::supply, supervision_.has_supply_fault(), now);
+        node_.set_error(own::error::temperature, supervision_.has_temperature_fault(), now);
     }
 }
 
@@ -323,13 +286,13 @@ LssError Device::store_configuration(const LssConfiguration& configuration) {
 }
 
 std::uint32_t Device::wanted_bit_rate() const noexcept {
-    return cell_or(own::t_aor_t22::find(objects_.get(field::o5b50_change_baud_rate)), &own::t_aor_t22::Row::bit_rate,
+    return cell_or(own::bit_rates::find(objects_.get(field::o5b50_change_baud_rate)), &own::bit_rates::Row::bit_rate,
                    kept_.bit_rate);
 }
 
 static_assert(implements<req::AOR_NODE_003>);
 void Device::show_bit_rate() noexcept {
-    for (const own::t_aor_t22::Row& row : own::t_aor_t22::rows) {
+    for (const own::bit_rates::Row& row : own::bit_rates::rows) {
         if (row.bit_rate == kept_.bit_rate) {
             objects_.set(field::o5b50_change_baud_rate, row.index);
         }

@@ -15,9 +15,9 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T14>);
 PointResponse point_response(const std::uint8_t value) noexcept {
-    using Meaning = own::t_aor_t14::Meaning;
-    switch (cell_or(own::t_aor_t14::find(value, own::t_aor_t14::Point::other), &own::t_aor_t14::Row::meaning,
-                    Meaning::ignore)) {
+    using Meaning = own::point_response::Meaning;
+    switch (cell_or(own::point_response::find(value, own::point_response::Point::other),
+                    &own::point_response::Row::meaning, Meaning::ignore)) {
         case Meaning::ramp:
             return PointResponse::ramp;
         case Meaning::jump:
@@ -81,7 +81,7 @@ bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noe
 }  // namespace
 
 bool is_over_time(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
-    namespace table = own::t_aor_t14;
+    namespace table = own::point_response;
     const std::uint8_t response = objects.get(lookup_fields[number - 1U].response[1U]);
     return cell_or(table::find(response, table::Point::first), &table::Row::meaning, table::Meaning::ignore) ==
            table::Meaning::time;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "devices/ax130751/firmware/lookup_table.hpp"
+#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/objects.hpp"
 
 namespace canproof::ax130751 {
@@ -24,9 +25,10 @@ struct TableEntry {
 };
 
 constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
-    constexpr std::uint32_t index_step = 0x0010U;  // of 3yz0h: 3010h is that of table 1, 3100h that of table 10
-    constexpr std::uint32_t place_before_tables = 0x300U;
-    constexpr std::uint32_t tenth_table_place = 0x310U;
+    namespace of = generated::ax130751::index;
+    constexpr std::uint32_t index_step = of::lt2_input_x_axis_source - of::lt1_input_x_axis_source;
+    constexpr std::uint32_t place_before_tables = (of::lt1_input_x_axis_source / index_step) - 1U;
+    constexpr std::uint32_t tenth_table_place = of::lt10_input_x_axis_source / index_step;
     const std::uint32_t place = index / index_step;
     // What lies before the tables comes out as a greater number than any of them has.
     const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);

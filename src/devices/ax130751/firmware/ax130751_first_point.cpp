@@ -3,27 +3,14 @@
 #include "devices/ax130751/firmware/ax130751_blocks.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
+#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
 namespace {
 
-constexpr std::uint32_t digits_fv_index = 0x6332U;
-constexpr std::uint32_t digits_pv_index = 0x6302U;
-constexpr std::uint32_t output_type_index = 0x6310U;
-constexpr std::uint32_t over_temperature_index = 0x5032U;
-constexpr std::uint32_t cooling_index = 0x5033U;
-constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
-constexpr std::uint32_t scaling_1_pv_index = 0x7320U;
-constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
-constexpr std::uint32_t scaling_2_pv_index = 0x7322U;
-constexpr std::uint32_t extra_digits_index = 0x2502U;
-constexpr std::uint32_t extra_scaling_1_index = 0x2520U;
-constexpr std::uint32_t extra_scaling_2_index = 0x2522U;
-constexpr std::uint32_t math_digits_index = 0x4032U;
-constexpr std::uint32_t math_scaling_1_index = 0x4021U;
-constexpr std::uint32_t math_scaling_2_index = 0x4023U;
+namespace index = generated::ax130751::index;
 
 /// Whether a write to `entry` may have given a source another minimum (Table 5). Other sources are never below 0.
 bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
@@ -31,22 +18,26 @@ bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
     const bool of_channel = std::uint32_t{entry.row->subindex} == ref.channel;
     switch (ref.quantity) {
         case Quantity::output_command:
-            return of_channel && ((index == scaling_1_pv_index) || (index == scaling_2_pv_index) ||
-                                  (index == digits_pv_index) || (index == output_type_index));
+            return of_channel &&
+                   ((index == index::ao_output_scaling_1_pv) || (index == index::ao_output_scaling_2_pv) ||
+                    (index == index::ao_decimal_digits_pv) || (index == index::ao_output_type));
         case Quantity::commanded_value:
         case Quantity::feedback_value:
-            return of_channel && ((index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
-                                  (index == digits_fv_index) || (index == output_type_index));
+            return of_channel &&
+                   ((index == index::ao_output_scaling_1_fv) || (index == index::ao_output_scaling_2_fv) ||
+                    (index == index::ao_decimal_digits_fv) || (index == index::ao_output_type));
         case Quantity::extra_received:
-            return of_channel && ((index == extra_scaling_1_index) || (index == extra_scaling_2_index) ||
-                                  (index == extra_digits_index));
+            return of_channel && ((index == index::ec_scaling_1_pv) || (index == index::ec_scaling_2_pv) ||
+                                  (index == index::ec_decimal_digits_pv));
         case Quantity::math:
             return of_channel &&
-                   ((index == math_scaling_1_index) || (index == math_scaling_2_index) || (index == math_digits_index));
+                   ((index == index::math_output_scaling_1_pv) || (index == index::math_output_scaling_2_pv) ||
+                    (index == index::math_output_decimal_digits_pv));
         case Quantity::lookup_table:
             return std::uint32_t{table_entry(entry.index).table} == ref.channel;
         case Quantity::temperature:
-            return (index == over_temperature_index) || (index == cooling_index);
+            return (index == index::over_temperature_threshold) ||
+                   (index == index::hysteresis_to_clear_temperature_fault);
         default:
             return false;
     }

@@ -16,60 +16,29 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T07>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
-    using Action = own::t_aor_t07::Action;
-    switch (cell_or(own::t_aor_t07::find(response, on), &own::t_aor_t07::Row::action, Action::shut_off)) {
-        case Action::run:
-            return EnableAction::run;
-        case Action::ramp_off:
-            return EnableAction::ramp_off;
-        case Action::keep:
-            return EnableAction::keep;
-        case Action::shut_off:
-        default:
-            return EnableAction::shut_off;
-    }
+    namespace table = own::enable_response;
+    return cell_or(table::find(response, on), &table::Row::action, EnableAction::shut_off);
 }
 
 static_assert(implements<req::AOR_T01>);
 SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool state) noexcept {
-    using Drive = own::t_aor_t01::Drive;
-    switch (cell_or(own::t_aor_t01::find(value, before, state), &own::t_aor_t01::Row::drive, Drive::off)) {
-        case Drive::on:
-            return SwitchDrive::on;
-        case Drive::keep:
-            return SwitchDrive::keep;
-        case Drive::change:
-            return SwitchDrive::change;
-        case Drive::blink:
-            return SwitchDrive::blink;
-        case Drive::off:
-        default:
-            return SwitchDrive::off;
-    }
+    namespace table = own::digital_polarity;
+    return cell_or(table::find(value, before, state), &table::Row::drive, SwitchDrive::off);
 }
 
 static_assert(implements<req::AOR_T06> && implements<req::AOR_OUT_006>);
 bool follows_profile(const std::uint8_t response, const ScalingPosition position) noexcept {
-    namespace table = own::t_aor_t06;
-    table::Position where{table::Position::within};
-    if (position == ScalingPosition::below) {
-        where = table::Position::below;
-    } else if (position == ScalingPosition::above) {
-        where = table::Position::above;
-    } else {
-        // within
-    }
-    using table::Drive;
-    return cell_or(table::find(response, where), &table::Row::drive, Drive::off) == Drive::profile;
+    namespace table = own::control_response;
+    return cell_or(table::find(response, position), &table::Row::drive, table::Drive::off) == table::Drive::profile;
 }
 
 /// The override input as Table 8 reads it.
 static_assert(implements<req::AOR_T08>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
-    return cell_or(own::t_aor_t08::find(response, on), &own::t_aor_t08::Row::overridden, false);
+    return cell_or(own::override_response::find(response, on), &own::override_response::Row::overridden, false);
 }
 
-OutputRange range_of(const own::t_aor_t03::Row& type) noexcept {
+OutputRange range_of(const own::output_type::Row& type) noexcept {
     return OutputRange{static_cast<double>(type.minimum), static_cast<double>(type.maximum)};
 }
 
@@ -119,11 +88,11 @@ static_assert(implements<req::AOR_T02> && implements<req::AOR_T09>);
 FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
     bool keeps{false};
     if (digital) {
-        namespace table = own::t_aor_t02;
+        namespace table = own::digital_error_response;
         const std::uint8_t mode = objects_.get(field::o6250_do_fault_mode_1_output_line[number_]);
         keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_state) == table::Action::keep;
     } else {
-        namespace table = own::t_aor_t09;
+        namespace table = own::analogue_error_response;
         const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
         keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_value) == table::Action::keep;
     }
@@ -189,7 +158,7 @@ static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && im
               implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_025>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
-    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    const own::output_type::Row& type = output_type(objects_, number_);
     const LinearScaling line = scaling();
     const AnalogueDemand demanded = demand(control_value(signals.control, line));
     const RampTimes times{std::fabs(line.y2 - line.y1), milliseconds(objects_.get(field::o2330_ao_ramp_up[number_])),
@@ -242,7 +211,7 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
 
 static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
 double UniversalOutput::level() const noexcept {
-    namespace table = own::t_aor_t_digital_range;
+    namespace table = own::digital_range;
     const std::uint8_t range = objects_.get(field::o2240_do_digital_range[number_]);
     return static_cast<double>(cell_or(table::find(range), &table::Row::level_v, 0.0F));
 }
@@ -283,7 +252,7 @@ bool UniversalOutput::show(const std::int16_t target, const std::int16_t feedbac
 static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);
 void UniversalOutput::take_type_defaults() noexcept {
     const auto type = static_cast<own::OutputType>(objects_.get(field::o6310_ao_output_type[number_]));
-    const auto* const row = own::t_aor_t_type_defaults::find(type);
+    const auto* const row = own::type_defaults::find(type);
     const bool updates = objects_.get(field::o5550_enable_automatic_updates) != 0U;
     if ((row == nullptr) || (type == own::OutputType::not_used) || (!updates)) {
         return;
@@ -301,7 +270,7 @@ void UniversalOutput::take_type_defaults() noexcept {
 
 static_assert(implements<req::AOR_OUT_024>);
 AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
-    const own::t_aor_t03::Row& type = output_type(objects_, number_);
+    const own::output_type::Row& type = output_type(objects_, number_);
     if ((type.kind == Kind::none) || (field_value == 0)) {
         return AbortCode::none;
     }

@@ -38,7 +38,7 @@ class UniversalOutput {
     AbortCode check_field_value(std::int16_t field_value) const noexcept;
 
   private:
-    using Kind = generated::ax130751::t_aor_t03::Kind;
+    using Kind = generated::ax130751::output_type::Kind;
 
     /// Control, enable and override at this moment.
     struct InputSignals {

@@ -1,22 +1,20 @@
 // What a new value of a parameter must be and sets off.
 
 #include "devices/ax130751/firmware/ax130751.hpp"
+#include "generated/ax130751/index.hpp"
 
 namespace canproof::ax130751 {
 
 namespace {
 
-constexpr std::uint32_t override_value_index = 0x2300U;
-constexpr std::uint32_t output_type_index = 0x6310U;
-constexpr std::uint32_t scaling_1_fv_index = 0x7321U;
-constexpr std::uint32_t scaling_2_fv_index = 0x7323U;
-constexpr std::uint32_t fault_value_index = 0x7341U;
+namespace index = generated::ax130751::index;
+
 constexpr std::uint32_t point_response_offset = 5U;
 constexpr std::uint32_t point_x_offset = 6U;
 
 bool is_field_value(const std::uint16_t index) noexcept {
-    return (index == override_value_index) || (index == scaling_1_fv_index) || (index == scaling_2_fv_index) ||
-           (index == fault_value_index);
+    return (index == index::ao_override_field_value) || (index == index::ao_output_scaling_1_fv) ||
+           (index == index::ao_output_scaling_2_fv) || (index == index::ao_fault_field_value);
 }
 
 std::int16_t to_int16(const ByteView value) noexcept {
@@ -47,7 +45,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         }
         tables_[place.table - 1U].reread();
     }
-    if (entry.index == output_type_index) {
+    if (entry.index == index::ao_output_type) {
         const std::uint8_t output = entry.row->subindex;
         const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
         if (std::uint32_t{type} != types_[output - 1U]) {

@@ -12,8 +12,8 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T10>);
 SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool control) noexcept {
-    using Drive = own::t_aor_t10::Drive;
-    switch (cell_or(own::t_aor_t10::find(value, before, control), &own::t_aor_t10::Row::drive, Drive::off)) {
+    using Drive = own::relay_polarity::Drive;
+    switch (cell_or(own::relay_polarity::find(value, before, control), &own::relay_polarity::Row::drive, Drive::off)) {
         case Drive::on:
             return SwitchDrive::on;
         case Drive::keep:
@@ -31,27 +31,21 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
 
 /// Polarity 0 is a relay that the unit does not have: nothing drives it.
 bool is_implemented(const std::uint8_t value) noexcept {
-    using Drive = own::t_aor_t10::Drive;
-    return cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::drive, Drive::none) != Drive::none;
+    using Drive = own::relay_polarity::Drive;
+    return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=
+           Drive::none;
 }
 
 UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
-    using Unlatch = own::t_aor_t10::Unlatch;
-    switch (cell_or(own::t_aor_t10::find(value, false, false), &own::t_aor_t10::Row::unlatch, Unlatch::ignored)) {
-        case Unlatch::to_off:
-            return UnlatchEffect::to_off;
-        case Unlatch::to_on:
-            return UnlatchEffect::to_on;
-        case Unlatch::ignored:
-        default:
-            return UnlatchEffect::ignored;
-    }
+    namespace table = own::relay_polarity;
+    return cell_or(table::find(value, false, false), &table::Row::unlatch, UnlatchEffect::ignored);
 }
 
 static_assert(implements<req::AOR_T11>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
-    using Action = own::t_aor_t11::Action;
-    switch (cell_or(own::t_aor_t11::find(response, on), &own::t_aor_t11::Row::action, Action::off)) {
+    using Action = own::relay_enable_response::Action;
+    switch (cell_or(own::relay_enable_response::find(response, on), &own::relay_enable_response::Row::action,
+                    Action::off)) {
         case Action::run:
             return EnableAction::run;
         case Action::keep:
@@ -64,12 +58,13 @@ EnableAction enable_action(const std::uint8_t response, const bool on) noexcept 
 
 static_assert(implements<req::AOR_T12>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
-    return cell_or(own::t_aor_t12::find(response, on), &own::t_aor_t12::Row::overridden, false);
+    return cell_or(own::relay_override_response::find(response, on), &own::relay_override_response::Row::overridden,
+                   false);
 }
 
 static_assert(implements<req::AOR_T11B>);
 bool override_state(const std::uint8_t value) noexcept {
-    return cell_or(own::t_aor_t11b::find(value), &own::t_aor_t11b::Row::on, false);
+    return cell_or(own::relay_override_state::find(value), &own::relay_override_state::Row::on, false);
 }
 
 }  // namespace
@@ -145,9 +140,9 @@ RelayTimes RelayOutput::times() const noexcept {
 /// The coil carries current in state OFF alone.
 static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_RELAY_019> && implements<req::AOR_T_CONTACT>);
 void RelayOutput::show(const bool on, const bool powered, Outputs& outputs) noexcept {
-    const auto* const row = own::t_aor_t_contact::find(on || (!powered));
-    outputs.relay_nc = cell_or(row, &own::t_aor_t_contact::Row::normally_closed, false);
-    outputs.relay_no = cell_or(row, &own::t_aor_t_contact::Row::normally_open, false);
+    const auto* const row = own::relay_contact::find(on || (!powered));
+    outputs.relay_nc = cell_or(row, &own::relay_contact::Row::normally_closed, false);
+    outputs.relay_no = cell_or(row, &own::relay_contact::Row::normally_open, false);
 }
 
 }  // namespace canproof::ax130751

@@ -5,6 +5,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
+#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
@@ -12,16 +13,12 @@ namespace canproof::ax130751 {
 namespace {
 
 namespace own = generated::ax130751;
-
-constexpr std::uint32_t write_state_index = 0x6220U;
-constexpr std::uint32_t process_value_index = 0x7300U;
-constexpr std::uint32_t extra_received_index = 0x2500U;
-constexpr std::uint32_t first_rpdo_mapping = 0x1600U;
+namespace index = generated::ax130751::index;
 
 /// Whether RPDO number + 1 maps an entry.
 bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
           const std::uint8_t subindex) noexcept {
-    const auto mapping = static_cast<std::uint16_t>(first_rpdo_mapping + number);
+    const auto mapping = static_cast<std::uint16_t>(index::rpdo1_mapping_parameter + number);
     const std::uint32_t count = objects.read(mapping, 0U);
     const std::uint32_t entry = (static_cast<std::uint32_t>(index) << 8U) | subindex;
     for (std::uint32_t position = 1U; position <= count; ++position) {
@@ -40,20 +37,20 @@ double to_tenths(const float measured) noexcept {
 }  // namespace
 
 static_assert(implements<req::AOR_T03> && implements<req::AOR_E_OUTPUT_TYPE>);
-const own::t_aor_t03::Row& output_type(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
+const own::output_type::Row& output_type(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
     const std::uint16_t type = objects.get(field::o6310_ao_output_type[output]);
-    const auto* const row = own::t_aor_t03::find(static_cast<own::OutputType>(type));
-    return (row == nullptr) ? own::t_aor_t03::rows[0U] : *row;
+    const auto* const row = own::output_type::find(static_cast<own::OutputType>(type));
+    return (row == nullptr) ? own::output_type::rows[0U] : *row;
 }
 
 static_assert(implements<req::AOR_DO_001>);
 bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
-    return output_type(objects, output).kind == own::t_aor_t03::Kind::digital;
+    return output_type(objects, output).kind == own::output_type::Kind::digital;
 }
 
 static_assert(implements<req::AOR_T4A> && implements<req::AOR_T4B> && implements<req::AOR_SRC_001>);
 SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept {
-    namespace table = own::t_aor_t4b;
+    namespace table = own::control_number;
     const auto* const row = table::find(source, number);
     return SourceRef{cell_or(row, &table::Row::quantity, Quantity::none),
                      cell_or(row, &table::Row::channel, std::uint8_t{0U})};
@@ -87,7 +84,7 @@ Sources::Place Sources::place(const SourceRef& ref) const noexcept {
     const bool of_output = (ref.quantity == Quantity::output_command) || (ref.quantity == Quantity::commanded_value) ||
                            (ref.quantity == Quantity::feedback_value);
     const bool digital = of_output && is_digital(objects_, ref.channel);
-    namespace table = own::t_aor_t05;
+    namespace table = own::value_limits;
     const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
     const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
     const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};
@@ -98,7 +95,7 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
         return BlockSignal{};
     }
-    namespace table = own::t_aor_t05;
+    namespace table = own::value_limits;
     const Place read = place(ref);
     const double first = lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits);
     const double second = upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits);
@@ -114,7 +111,7 @@ BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
 }
 
 double Sources::minimum(const SourceRef& ref) const noexcept {
-    namespace table = own::t_aor_t05;
+    namespace table = own::value_limits;
     const Place read = place(ref);
     return lesser(lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits),
                   upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits));
@@ -236,12 +233,12 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:
-            return network_state(process_value_index, ref.channel);
+            return network_state(index::ao_output_process_value, ref.channel);
         case Quantity::digital_command:
         case Quantity::relay_command:
-            return network_state(write_state_index, ref.channel);
+            return network_state(index::do_write_state_1_output_line, ref.channel);
         case Quantity::extra_received:
-            return network_state(extra_received_index, ref.channel);
+            return network_state(index::ec_extra_received_process_value, ref.channel);
         case Quantity::lookup_table:
             return lookup_states_[ref.channel - 1U];
         case Quantity::logic:

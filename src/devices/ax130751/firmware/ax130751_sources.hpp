@@ -16,7 +16,7 @@ namespace canproof::ax130751 {
 using generated::ax130751::Quantity;
 
 /// What drives an output of the type in 6310h, and its range; that of an unknown type is "none".
-const generated::ax130751::t_aor_t03::Row& output_type(const ObjectDictionary& objects, std::uint8_t output) noexcept;
+const generated::ax130751::output_type::Row& output_type(const ObjectDictionary& objects, std::uint8_t output) noexcept;
 /// Whether the digital output block drives it.
 bool is_digital(const ObjectDictionary& objects, std::uint8_t output) noexcept;
 
@@ -66,14 +66,14 @@ class Sources {
     double minimum(const SourceRef& ref) const noexcept;
 
   private:
-    using Lower = generated::ax130751::t_aor_t05::Lower;
-    using Upper = generated::ax130751::t_aor_t05::Upper;
-    using Digits = generated::ax130751::t_aor_t05::Digits;
+    using Lower = generated::ax130751::value_limits::Lower;
+    using Upper = generated::ax130751::value_limits::Upper;
+    using Digits = generated::ax130751::value_limits::Digits;
 
     /// What a reference reads, by Table 5.
     struct Place {
         SourceRef ref{};
-        const generated::ax130751::t_aor_t05::Row* row{nullptr};
+        const generated::ax130751::value_limits::Row* row{nullptr};
         std::uint8_t digits{0U};
     };
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "generated/ax130751/tables.hpp"
+
 namespace canproof::ax130751 {
 
 /// y1 at x1 and y2 at x2, where x1 < x2; y1 may lie above y2.
@@ -13,7 +15,7 @@ struct LinearScaling {
     double y2{1.0};
 };
 
-enum class ScalingPosition : std::uint8_t { below, within, above };
+using ScalingPosition = generated::ax130751::control_response::Position;
 
 /// Where x lies; x1 and x2 themselves are within.
 constexpr ScalingPosition position_of(const double x, const LinearScaling& scaling) noexcept {

@@ -14,7 +14,7 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T16> && implements<req::AOR_LOGIC_001>);
 bool holds(const LogicCondition& condition) noexcept {
-    namespace table = own::t_aor_t16;
+    namespace table = own::condition_operator;
     table::Relation relation{table::Relation::equal};
     if (condition.first.value < condition.second.value) {
         relation = table::Relation::less;
@@ -28,7 +28,7 @@ bool holds(const LogicCondition& condition) noexcept {
 
 static_assert(implements<req::AOR_T19>);
 bool counts(const std::uint8_t logical, const ConditionResult result) noexcept {
-    return cell_or(own::t_aor_t19::find(logical, result), &own::t_aor_t19::Row::counts, false);
+    return cell_or(own::condition_count::find(logical, result), &own::condition_count::Row::counts, false);
 }
 
 }  // namespace
@@ -37,15 +37,15 @@ static_assert(implements<req::AOR_T17> && implements<req::AOR_E_CONDITION> && im
 ConditionResult evaluate(const LogicCondition& condition) noexcept {
     const bool in_error = condition.first.is_in_error() || condition.second.is_in_error();
     const bool unavailable = (!condition.first.is_available()) || (!condition.second.is_available());
-    return cell_or(own::t_aor_t17::find(in_error, unavailable, holds(condition)), &own::t_aor_t17::Row::result,
-                   ConditionResult::error);
+    return cell_or(own::condition_result::find(in_error, unavailable, holds(condition)),
+                   &own::condition_result::Row::result, ConditionResult::error);
 }
 
 static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004>);
 bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept {
-    const auto* const row = own::t_aor_t18::find(logical, counts(logical, results[0U]), counts(logical, results[1U]),
-                                                 counts(logical, results[2U]));
-    return cell_or(row, &own::t_aor_t18::Row::selects, false);
+    const auto* const row = own::table_selection::find(logical, counts(logical, results[0U]),
+                                                       counts(logical, results[1U]), counts(logical, results[2U]));
+    return cell_or(row, &own::table_selection::Row::selects, false);
 }
 
 static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);

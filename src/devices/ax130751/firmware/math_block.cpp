@@ -12,7 +12,7 @@ namespace canproof::ax130751 {
 
 namespace {
 
-using Operation = generated::ax130751::t_aor_t21::Operation;
+using Operation = generated::ax130751::math_operator::Operation;
 
 constexpr double truth(const bool value) noexcept {
     return value ? 1.0 : 0.0;
@@ -27,7 +27,7 @@ constexpr bool is_same(const MathFunction& a, const MathFunction& b) noexcept {
 }
 
 Operation operation_of(const std::uint8_t number) noexcept {
-    namespace table = generated::ax130751::t_aor_t21;
+    namespace table = generated::ax130751::math_operator;
     return cell_or(table::find(number), &table::Row::operation, Operation::plus);
 }
 

@@ -3,13 +3,15 @@
 
 #include <cstdint>
 
+#include "generated/ax130751/tables.hpp"
+
 namespace canproof::ax130751 {
 
 /// What the enable input asks for (Tables 7 and 11).
-enum class EnableAction : std::uint8_t { run, shut_off, ramp_off, keep };
+using EnableAction = generated::ax130751::enable_response::Action;
 
 /// What an output does while an input is in error (Tables 2 and 9).
-enum class FaultAction : std::uint8_t { keep, fault_value };
+using FaultAction = generated::ax130751::analogue_error_response::Action;
 
 struct OutputConditions {
     bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off

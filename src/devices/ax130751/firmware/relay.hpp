@@ -4,11 +4,12 @@
 #include "devices/ax130751/firmware/delayed_state.hpp"
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "devices/ax130751/firmware/switch_polarity.hpp"
+#include "generated/ax130751/tables.hpp"
 
 namespace canproof::ax130751 {
 
 /// What the unlatch input does to a relay of some polarity, and where its latch rests.
-enum class UnlatchEffect : std::uint8_t { ignored, to_off, to_on };
+using UnlatchEffect = generated::ax130751::relay_polarity::Unlatch;
 
 struct RelayPolarity {
     SwitchPolarity answer{};

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 
+#include "generated/ax130751/tables.hpp"
+
 namespace canproof::ax130751 {
 
-enum class SwitchDrive : std::uint8_t { off, on, keep, change, blink };
+using SwitchDrive = generated::ax130751::digital_polarity::Drive;
 
 /// The drive for a logic state and the one of the cycle before.
 struct SwitchPolarity {

@@ -1,10 +1,10 @@
 #include "devices/ax188001/firmware/ax188001.hpp"
 
-#include "firmware/axiomatic/axiomatic.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "firmware/canopen/nmt.hpp"
 #include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/profile.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "generated/canopen/constants.hpp"
@@ -25,7 +25,7 @@ const Duration scan_period = milliseconds(own::update_period_ms);
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003>);
-const auto bit_rates = lss_bit_rates(own::t_tcs_t4::rows);
+using own::profile;
 
 static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> &&
               implements<req::TCS_ERR_006> && implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> &&
@@ -34,77 +34,38 @@ static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && im
               implements<req::TCS_PDO_005> && implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> &&
               implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
               implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
-/// What the node does for this device, beside its objects.
-const NodeProfile profile = axiomatic_profile(bit_rates);
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
-    return error_after(ErrorId::first_of_device, (static_cast<std::size_t>(fault) * channel_count) + channel);
+    const std::size_t offset = (static_cast<std::size_t>(fault) * channel_count) + channel;
+    return error_after(own::error::open_circuit_1, offset);
 }
+static_assert((channel_error(ChannelFault::open, 1U) == own::error::open_circuit_2) &&
+              (channel_error(ChannelFault::high, 0U) == own::error::high_warning_1) &&
+              (channel_error(ChannelFault::high, 1U) == own::error::high_warning_2) &&
+              (channel_error(ChannelFault::low, 0U) == own::error::low_warning_1) &&
+              (channel_error(ChannelFault::low, 1U) == own::error::low_warning_2) &&
+              (channel_error(ChannelFault::shutdown, 0U) == own::error::shutdown_1) &&
+              (channel_error(ChannelFault::shutdown, 1U) == own::error::shutdown_2));
+
 constexpr ErrorId unit_error(const UnitFault fault) noexcept {
-    return error_after(ErrorId::first_of_device,
-                       (channel_fault_count * channel_count) + static_cast<std::size_t>(fault));
+    return error_after(own::error::fd1_cpu_temperature, static_cast<std::size_t>(fault));
 }
-
-using ErrorName = own::t_tcs_t5::Error;
-
-/// The node's number for an error of Table 5.
-constexpr ErrorId error_id(const ErrorName name) noexcept {
-    switch (name) {
-        case ErrorName::rpdo_timeout:
-            return ErrorId::rpdo_timeout;
-        case ErrorName::can_overrun:
-            return ErrorId::can_overrun;
-        case ErrorName::life_guarding:
-            return ErrorId::life_guarding;
-        case ErrorName::bus_off_recovered:
-            return ErrorId::bus_off_recovered;
-        case ErrorName::stored_set:
-            return ErrorId::stored_set_checksum;
-        case ErrorName::open_circuit_1:
-            return channel_error(ChannelFault::open, 0U);
-        case ErrorName::open_circuit_2:
-            return channel_error(ChannelFault::open, 1U);
-        case ErrorName::high_warning_1:
-            return channel_error(ChannelFault::high, 0U);
-        case ErrorName::high_warning_2:
-            return channel_error(ChannelFault::high, 1U);
-        case ErrorName::low_warning_1:
-            return channel_error(ChannelFault::low, 0U);
-        case ErrorName::low_warning_2:
-            return channel_error(ChannelFault::low, 1U);
-        case ErrorName::shutdown_1:
-            return channel_error(ChannelFault::shutdown, 0U);
-        case ErrorName::shutdown_2:
-            return channel_error(ChannelFault::shutdown, 1U);
-        case ErrorName::fd1_cpu_temperature:
-            return unit_error(UnitFault::cpu_temperature);
-        case ErrorName::fd2_over_voltage:
-            return unit_error(UnitFault::over_voltage);
-        case ErrorName::fd3_under_voltage:
-            return unit_error(UnitFault::under_voltage);
-        case ErrorName::heartbeat:
-        default:
-            return ErrorId::heartbeat_1;
-    }
-}
+static_assert((unit_error(UnitFault::over_voltage) == own::error::fd2_over_voltage) &&
+              (unit_error(UnitFault::under_voltage) == own::error::fd3_under_voltage));
 
 static_assert(implements<req::TCS_T5> && implements<req::TCS_E_EMCY_CODE> && implements<req::TCS_E_DESCRIPTION> &&
               implements<req::TCS_ERR_007> && implements<req::TCS_ERR_009> && implements<req::TCS_ERR_011>);
 constexpr ErrorTable make_error_table() noexcept {
-    constexpr std::size_t producers = 4U;  // 1016h
     ErrorTable table{};
-    for (const auto& row : own::t_tcs_t5::rows) {
+    for (const auto& row : own::error_codes::rows) {
         const std::uint32_t description = static_cast<std::uint32_t>(row.description);
         ErrorRow told{};
         told.code = static_cast<std::uint16_t>(row.code);
         told.register_bits = generic_error;
         told.sent = true;
-        told.listed = row.error != ErrorName::bus_off_recovered;  // over when it is told
+        told.listed = row.error != ErrorId::bus_off_recovered;  // over when it is told
         told.detail = static_cast<std::uint16_t>((description << 8U) | row.channel);
-        const std::size_t copies = (row.error == ErrorName::heartbeat) ? producers : 1U;
-        for (std::size_t i = 0U; i < copies; ++i) {
-            table[static_cast<std::size_t>(error_after(error_id(row.error), i))] = told;
-        }
+        put_error(table, row.error, told);
     }
     return table;
 }
@@ -112,8 +73,8 @@ const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::TCS_T_REACTION>);
 /// Sub-index of 1029h; the node itself obeys that of communication errors.
-constexpr std::uint8_t reaction_to(const own::t_tcs_t_reaction::Errors errors) noexcept {
-    return cell_or(own::t_tcs_t_reaction::find(errors), &own::t_tcs_t_reaction::Row::subindex, std::uint8_t{0U});
+constexpr std::uint8_t reaction_to(const own::error_reaction::Errors errors) noexcept {
+    return cell_or(own::error_reaction::find(errors), &own::error_reaction::Row::subindex, std::uint8_t{0U});
 }
 
 }  // namespace
@@ -196,8 +157,8 @@ void Device::scan_when_due(const Instant now) noexcept {
 static_assert(implements<req::TCS_ERR_001> && implements<req::TCS_ERR_002> && implements<req::TCS_ERR_010> &&
               implements<req::TCS_LIM_004>);
 void Device::tell_faults(const Instant now) noexcept {
-    const std::uint32_t channel_reaction = reaction_to(own::t_tcs_t_reaction::Errors::tc_input);
-    const std::uint32_t unit_reaction = reaction_to(own::t_tcs_t_reaction::Errors::fault_detection);
+    const std::uint32_t channel_reaction = reaction_to(own::error_reaction::Errors::tc_input);
+    const std::uint32_t unit_reaction = reaction_to(own::error_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
         return;  // told when the node boots
     }
@@ -233,7 +194,7 @@ static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
     const std::size_t channel = (std::uint32_t{entry.row->subindex} == channel_count) ? 1U : 0U;
-    scanner_.reevaluate(entry.index, channel, now);
+    scanner_.reevaluate(own::written(entry.index, entry.row->subindex).parameter, channel, now);
     tell_faults(now);
 }
 
@@ -254,10 +215,10 @@ static_assert(implements<req::TCS_T3> && implements<req::TCS_START_001> && imple
               implements<req::TCS_START_003>);
 void Device::booted(const Instant now) {
     start_others_at_ = never;
-    const auto* const row = own::t_tcs_t3::find(objects_.get(field::o5555_start_in_operational_mode));
-    if (cell_or(row, &own::t_tcs_t3::Row::start, false)) {
+    const auto* const row = own::start_mode::find(objects_.get(field::o5555_start_in_operational_mode));
+    if (cell_or(row, &own::start_mode::Row::start, false)) {
         node_.start_at(now);
-        if (cell_or(row, &own::t_tcs_t3::Row::others, false)) {
+        if (cell_or(row, &own::start_mode::Row::others, false)) {
             start_others_at_ = now + milliseconds(objects_.get(field::o5556_start_in_operational_nmt_delay));
         }
     }
@@ -272,13 +233,13 @@ void Device::obey_lasting_faults(const Instant now) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         for (std::size_t i = 0U; i < channel_fault_count; ++i) {
             if (scanner_.told(channel, static_cast<ChannelFault>(i))) {
-                node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::tc_input), now);
+                node_.apply_error_behaviour(reaction_to(own::error_reaction::Errors::tc_input), now);
             }
         }
     }
     for (std::size_t i = 0U; i < unit_fault_count; ++i) {
         if (scanner_.told(static_cast<UnitFault>(i))) {
-            node_.apply_error_behaviour(reaction_to(own::t_tcs_t_reaction::Errors::fault_detection), now);
+            node_.apply_error_behaviour(reaction_to(own::error_reaction::Errors::fault_detection), now);
         }
     }
 }

@@ -28,7 +28,7 @@ static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && imp
               implements<req::TCS_K_GAIN_BACK>);
 constexpr ConverterCircuit make_circuit() noexcept {
     ConverterCircuit circuit{};
-    for (const auto& row : own::t_tcs_t_gain::rows) {
+    for (const auto& row : own::converter_gain::rows) {
         circuit.gains[row.step] = ConverterGain{row.gain, static_cast<double>(row.full_scale_uv)};
     }
     circuit.codes = static_cast<double>(own::converter_codes);
@@ -44,7 +44,7 @@ const std::size_t conversions_to_settle =
 
 static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
 double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
-    namespace table = own::t_tcs_t_rejection;
+    namespace table = own::hum_rejection;
     const table::FilterHz selected = (filter == filter_50_hz) ? table::FilterHz::hz_50 : table::FilterHz::hz_60;
     table::MainsHz frequency = table::MainsHz::none;
     if (mains == filter_50_hz) {
@@ -143,7 +143,7 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
     }
     Conversion result{};
     result.celsius = exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt);
-    namespace table = own::t_tcs_t1;
+    namespace table = own::thermocouple_type;
     const auto* const range = table::find(type);
     const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
     const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));

@@ -6,6 +6,7 @@
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/index.hpp"
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
@@ -16,29 +17,9 @@ namespace {
 
 namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
+namespace index = generated::ax188001::index;
 
-constexpr std::uint32_t channel_field_value_index = 0x6100U;
-constexpr std::uint32_t average_field_value_index = 0x2100U;
 // Parameters by what depends on them.
-constexpr std::uint32_t cold_junction_correction_index = 0x2000U;
-constexpr std::uint32_t filter_index = 0x2020U;
-constexpr std::uint32_t average_mode_index = 0x2112U;
-constexpr std::uint32_t average_factor_index = 0x2126U;
-constexpr std::uint32_t average_offset_index = 0x2127U;
-constexpr std::uint32_t cold_junction_factor_index = 0x3126U;
-constexpr std::uint32_t cold_junction_offset_index = 0x3127U;
-constexpr std::uint32_t low_warning_index = 0x4000U;
-constexpr std::uint32_t high_warning_index = 0x4010U;
-constexpr std::uint32_t shutdown_index = 0x4020U;
-constexpr std::uint32_t channel_delay_index = 0x4030U;
-constexpr std::uint32_t fault_set_index = 0x5041U;
-constexpr std::uint32_t fault_clear_index = 0x5042U;
-constexpr std::uint32_t fault_enable_index = 0x5050U;
-constexpr std::uint32_t fault_delay_index = 0x5051U;
-constexpr std::uint32_t sensor_type_index = 0x6110U;
-constexpr std::uint32_t operating_mode_index = 0x6112U;
-constexpr std::uint32_t channel_factor_index = 0x6126U;
-constexpr std::uint32_t channel_offset_index = 0x6127U;
 
 static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
               implements<req::TCS_K_FV_DISABLED>);
@@ -67,41 +48,40 @@ void Scanner::evaluate(const Instant now) noexcept {
 }
 
 static_assert(implements<req::TCS_IN_008> && implements<req::TCS_VAL_008>);
-void Scanner::reevaluate(const std::uint32_t index, const std::size_t channel, const Instant now) noexcept {
-    switch (index) {
-        case filter_index:
+void Scanner::reevaluate(const own::Parameter written, const std::size_t channel, const Instant now) noexcept {
+    using own::Parameter;
+    switch (written) {
+        case Parameter::adc_filter_frequency:
             change_filter();
             break;
-        case cold_junction_correction_index:
-        case low_warning_index:
-        case high_warning_index:
-        case shutdown_index:
-        case channel_delay_index:
-        case sensor_type_index:
-        case operating_mode_index:
-        case channel_factor_index:
-        case channel_offset_index:
+        case Parameter::cj_auto_correct:
+        case Parameter::tc_low_temperature_warning_threshold:
+        case Parameter::tc_high_temperature_warning_threshold:
+        case Parameter::tc_high_temperature_shutdown_threshold:
+        case Parameter::tc_error_react_delay:
+        case Parameter::tc_sensor_type:
+        case Parameter::tc_operating_mode:
+        case Parameter::tc_scaling_factor:
+        case Parameter::tc_scaling_offset:
             measurements_[channel] = evaluate_channel(channel, now);
             evaluate_average();
             put_status();
             break;
-        case average_mode_index:
-        case average_factor_index:
-        case average_offset_index:
+        case Parameter::avg_operating_mode:
+        case Parameter::avg_scaling_factor:
+        case Parameter::avg_scaling_offset:
             evaluate_average();
             break;
-        case cold_junction_factor_index:
-        case cold_junction_offset_index:
+        case Parameter::cj_scaling_factor:
+        case Parameter::cj_scaling_offset:
             evaluate_cold_junction();
             break;
-        case fault_set_index:
-        case fault_clear_index:
-        case fault_enable_index:
-        case fault_delay_index:
+        case Parameter::fd_set_threshold:
+        case Parameter::fd_clear_threshold:
+        case Parameter::fd_enable_fault_detection:
+        case Parameter::fd_error_response_delay:
             evaluate_unit(now);
             break;
-        default:
-            break;  // nothing measured depends on it
     }
     schedule();
 }
@@ -145,7 +125,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
 
 void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_value_bits,
                           const std::int16_t process_value) noexcept {
-    objects_.write(channel_field_value_index, subindex(channel), field_value_bits);
+    objects_.write(index::tc_input_field_value, subindex(channel), field_value_bits);
     objects_.set(field::o7130_tc_input_process_value[subindex(channel)], process_value);
 }
 
@@ -178,15 +158,16 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
 static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
               implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
 void Scanner::evaluate_average() noexcept {
-    using own::t_tcs_t2::Mode;
+    using own::average_mode::Mode;
     const std::uint8_t mode = objects_.get(field::o2112_avg_operating_mode);
-    const bool enabled = cell_or(own::t_tcs_t2::find(mode), &own::t_tcs_t2::Row::mode, Mode::disabled) == Mode::normal;
+    const bool enabled =
+        cell_or(own::average_mode::find(mode), &own::average_mode::Row::mode, Mode::disabled) == Mode::normal;
     const Measurement mean = enabled ? average(measurements_) : Measurement{};
     if (mean.valid) {
         const float field_value = static_cast<float>(mean.value);
         const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),
                               static_cast<double>(objects_.get(field::o2127_avg_scaling_offset))};
-        objects_.write(average_field_value_index, 0U, bits_of(field_value));
+        objects_.write(index::avg_input_field_value_tc1_and_tc2, 0U, bits_of(field_value));
         objects_.set(field::o2130_avg_input_process_value,
                      measured_process_value(static_cast<double>(field_value), scaling, reserved));
         return;
@@ -195,7 +176,7 @@ void Scanner::evaluate_average() noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         broken = broken || (is_enabled(channel) && converters_[channel].is_open());
     }
-    objects_.write(average_field_value_index, 0U, own::field_value_invalid_bits);
+    objects_.write(index::avg_input_field_value_tc1_and_tc2, 0U, own::field_value_invalid_bits);
     objects_.set(field::o2130_avg_input_process_value, (enabled && broken) ? reserved.open : reserved.disabled);
 }
 
@@ -243,7 +224,7 @@ void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultC
 
 static_assert(implements<req::TCS_T7> && implements<req::TCS_LIM_005>);
 void Scanner::put_status() noexcept {
-    namespace table = own::t_tcs_t7;
+    namespace table = own::channel_status;
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         const auto* const row =
             table::find(told(channel, ChannelFault::open) ? table::Open::yes : table::Open::no,

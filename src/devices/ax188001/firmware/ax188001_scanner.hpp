@@ -12,6 +12,7 @@
 #include "firmware/canopen/object_dictionary.hpp"
 #include "generated/ax188001/enumerations.hpp"
 #include "generated/ax188001/signals.hpp"
+#include "generated/ax188001/written.hpp"
 
 namespace canproof::ax188001 {
 
@@ -40,7 +41,7 @@ class Scanner {
     void evaluate(Instant now) noexcept;
     /// The parameter of this index, and of this channel where it has one (0 or 1), has a new value: what depends on it
     /// is converted and judged anew.
-    void reevaluate(std::uint32_t index, std::size_t channel, Instant now) noexcept;
+    void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Tells the faults whose delay has passed.
     void advance(Instant now) noexcept;
     /// When the next fault that waits is told.

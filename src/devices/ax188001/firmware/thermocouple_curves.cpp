@@ -18,7 +18,7 @@ const ExponentialTerm k_exponential =
     exponential_term(own::k_exponential_a0, own::k_exponential_a1, own::k_exponential_a2);
 
 static_assert(implements<req::TCS_T_REFERENCE>);
-constexpr ReferencePiece reference_piece_of(const own::t_tcs_t_reference::Row& row) noexcept {
+constexpr ReferencePiece reference_piece_of(const own::reference_function::Row& row) noexcept {
     ReferencePiece piece = reference_piece(row.from_c, row.to_c,
                                            {row.c0, row.c1, row.c2, row.c3, row.c4, row.c5, row.c6, row.c7, row.c8,
                                             row.c9, row.c10, row.c11, row.c12, row.c13, row.c14});
@@ -29,7 +29,7 @@ constexpr ReferencePiece reference_piece_of(const own::t_tcs_t_reference::Row& r
 }
 
 static_assert(implements<req::TCS_T_INVERSE>);
-constexpr InversePiece inverse_piece_of(const own::t_tcs_t_inverse::Row& row) noexcept {
+constexpr InversePiece inverse_piece_of(const own::inverse_function::Row& row) noexcept {
     return inverse_piece(row.from_mv, row.to_mv,
                          {row.d0, row.d1, row.d2, row.d3, row.d4, row.d5, row.d6, row.d7, row.d8, row.d9, row.d10});
 }
@@ -37,13 +37,13 @@ constexpr InversePiece inverse_piece_of(const own::t_tcs_t_inverse::Row& row) no
 static_assert(implements<req::TCS_CONV_001> && implements<req::TCS_CONV_007> && implements<req::TCS_K_B_MINIMUM>);
 constexpr ThermocoupleCurve make_curve(const SensorType type) noexcept {
     ThermocoupleCurve curve{};
-    for (const auto& row : own::t_tcs_t_reference::rows) {
+    for (const auto& row : own::reference_function::rows) {
         if (row.type == type) {
             curve.reference[curve.reference_count] = reference_piece_of(row);
             ++curve.reference_count;
         }
     }
-    for (const auto& row : own::t_tcs_t_inverse::rows) {
+    for (const auto& row : own::inverse_function::rows) {
         if (row.type == type) {
             curve.inverse[curve.inverse_count] = inverse_piece_of(row);
             ++curve.inverse_count;

@@ -12,8 +12,8 @@ namespace canproof::host {
 /// mV at `celsius`, of a type that has a row. Beyond its range the first or last piece is continued.
 inline long double reference_mv_exactly(generated::ax188001::SensorType type, long double celsius) {
     namespace own = generated::ax188001;
-    const own::t_tcs_t_reference::Row* piece = nullptr;
-    for (const auto& row : own::t_tcs_t_reference::rows) {  // the pieces of a type ascend
+    const own::reference_function::Row* piece = nullptr;
+    for (const auto& row : own::reference_function::rows) {  // the pieces of a type ascend
         if (row.type == type && (piece == nullptr || celsius >= static_cast<long double>(row.from_c))) {
             piece = &row;
         }

@@ -11,7 +11,7 @@ using namespace ax188001;
 
 ax188001::SensorType wire_type(std::uint8_t number, ax188001::SensorType configured) {
     const auto type = static_cast<ax188001::SensorType>(number);
-    const bool known = generated::ax188001::t_tcs_t1::find(type) != nullptr;
+    const bool known = generated::ax188001::thermocouple_type::find(type) != nullptr;
     return known ? type : configured;
 }
 

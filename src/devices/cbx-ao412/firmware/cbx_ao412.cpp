@@ -4,7 +4,10 @@
 #include "firmware/base/table_row.hpp"
 #include "firmware/canopen/indicator.hpp"
 #include "generated/cbx_ao412/constants.hpp"
+#include "generated/cbx_ao412/index.hpp"
+#include "generated/cbx_ao412/profile.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
+#include "generated/cbx_ao412/written.hpp"
 
 namespace canproof::cbx_ao412 {
 
@@ -12,19 +15,12 @@ namespace {
 
 namespace own = generated::cbx_ao412;
 namespace field = generated::cbx_ao412::field;
+namespace index = generated::cbx_ao412::index;
 using own::IndicatorState;
 
-constexpr std::uint32_t hardware_version_index = 0x1009U;
-constexpr std::uint32_t software_version_index = 0x100AU;
-constexpr std::uint32_t output_index = 0x6411U;
-constexpr std::uint32_t offset_index = 0x2404U;
-constexpr std::uint32_t gain_index = 0x2405U;
-constexpr std::uint32_t program_data_index = 0x1F50U;
 constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
 constexpr std::uint32_t max_node_id = 0x7FU;
-constexpr ErrorId hardware_error = ErrorId::first_of_device;
 
-constexpr std::uint32_t rpdo2_answers_remote = 0x02U;  // 7.7.2 names RPDO2 alone
 // What the node and the dictionary do for this device, in the manner of the profile below.
 static_assert(implements<req::AO4_ERR_001> && implements<req::AO4_ERR_002> && implements<req::AO4_ERR_003> &&
               implements<req::AO4_ERR_004> && implements<req::AO4_ERR_005> && implements<req::AO4_ERR_006> &&
@@ -37,8 +33,7 @@ static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> &
 static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
               implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
               implements<req::AO4_STORE_005>);
-constexpr NodeProfile profile{LimitAbort::range, ErrorList::history, EmcyContent::listed_errors, rpdo2_answers_remote,
-                              true};
+using own::profile;
 
 // 4.3.1: reference times the gain of the differential amplifier.
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
@@ -46,38 +41,10 @@ const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resis
 
 static_assert(implements<req::AO4_T_ERRORS>);
 constexpr ErrorTable make_error_table() noexcept {
-    namespace errors = own::t_ao4_t_errors;
+    namespace errors = own::error_codes;
     ErrorTable table{};
     for (const errors::Row& row : errors::rows) {
-        const ErrorRow told{row.code, row.register_bits, row.sent, row.listed};
-        switch (row.error) {
-            case errors::Error::can_overrun:
-                table[static_cast<std::size_t>(ErrorId::can_overrun)] = told;
-                break;
-            case errors::Error::error_passive:
-                table[static_cast<std::size_t>(ErrorId::error_passive)] = told;
-                break;
-            case errors::Error::guard_or_heartbeat:
-                table[static_cast<std::size_t>(ErrorId::guard_or_heartbeat)] = told;
-                break;
-            case errors::Error::bus_off_recovered:
-                table[static_cast<std::size_t>(ErrorId::bus_off_recovered)] = told;
-                break;
-            case errors::Error::sync_length:
-                table[static_cast<std::size_t>(ErrorId::sync_length)] = told;
-                break;
-            case errors::Error::stored_set_checksum:
-                table[static_cast<std::size_t>(ErrorId::stored_set_checksum)] = told;
-                break;
-            case errors::Error::internal_software:
-                table[static_cast<std::size_t>(ErrorId::internal_software)] = told;
-                break;
-            case errors::Error::hardware:
-                table[static_cast<std::size_t>(hardware_error)] = told;
-                break;
-            default:
-                break;
-        }
+        put_error(table, row.error, ErrorRow{row.code, row.register_bits, row.sent, row.listed});
     }
     return table;
 }
@@ -85,7 +52,7 @@ const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::AO4_T5>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
-    namespace table = own::t_ao4_t5;
+    namespace table = own::indicator_flashes;
     const auto* const row = table::find(state);
     const auto time = [row](std::uint16_t table::Row::*const column) noexcept {
         return milliseconds(cell_or(row, column, std::uint16_t{0U}));
@@ -116,7 +83,8 @@ static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && impl
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
-    bit_rate_ = cell_or(own::t_ao4_t11::find(inputs.switch_baud), &own::t_ao4_t11::Row::bit_rate, std::uint32_t{0U});
+    bit_rate_ = cell_or(own::bit_rate_switch::find(inputs.switch_baud), &own::bit_rate_switch::Row::bit_rate,
+                        std::uint32_t{0U});
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
         node_.power_on(node_id_, now);
@@ -142,7 +110,7 @@ void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
     internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
     node_.set_error(ErrorId::internal_software, software, now);
-    node_.set_error(hardware_error, inputs_.hardware_fault, now);
+    node_.set_error(own::error::hardware, inputs_.hardware_fault, now);
 }
 
 void Device::advance(const Instant now) noexcept {
@@ -157,7 +125,7 @@ Instant Device::next_deadline() const noexcept {
 static_assert(implements<req::AO4_PROG_001>);
 AbortCode Device::check_access(const EntryRef& entry) {
     // 7.12: program data can be loaded in the boot loader only, and the application is running.
-    return (entry.index == program_data_index) ? AbortCode::device_state : AbortCode::none;
+    return (entry.index == index::program_data) ? AbortCode::device_state : AbortCode::none;
 }
 
 AbortCode Device::before_write(const EntryRef&, const ByteView) {
@@ -166,21 +134,32 @@ AbortCode Device::before_write(const EntryRef&, const ByteView) {
 
 static_assert(implements<req::AO4_AOUT_005>);
 void Device::after_write(const EntryRef& entry, const Instant) {
-    const std::uint8_t number = entry.row->subindex;
-    if ((entry.index == output_index) && !failed_) {
-        command_output(number, objects_.get(field::o6411_write_analogue_output_16_bit[number]));
-    } else if ((entry.index == offset_index) || (entry.index == gain_index)) {
-        drive_output(number);
-    } else {
-        // no output changes at once
+    using own::Parameter;
+    const own::Written change = own::written(entry.index, entry.row->subindex);
+    switch (change.parameter) {
+        case Parameter::write_analogue_output_16_bit:
+            if (!failed_) {
+                command_output(change.subindex,
+                               objects_.get(field::o6411_write_analogue_output_16_bit[change.subindex]));
+            }
+            break;
+        case Parameter::calibration_offset_value:
+        case Parameter::calibration_gain_value:
+            drive_output(change.subindex);
+            break;
+        case Parameter::program_data:
+        case Parameter::program_control:
+        case Parameter::analogue_output_error_mode:
+        case Parameter::analogue_output_error_value:
+            break;  // no output changes at once
     }
 }
 
 static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
-        put_version(hardware_version_index, factory_.hardware_version);
-        put_version(software_version_index, factory_.software_version);
+        put_version(index::manufacturer_hardware_version, factory_.hardware_version);
+        put_version(index::manufacturer_software_version, factory_.software_version);
         objects_.set(field::o1f52_1_application_software_date, factory_.software_date);
         objects_.set(field::o1f52_2_application_software_time, factory_.software_time);
         objects_.set(field::o1018_3_revision_number, factory_.revision);
@@ -237,7 +216,7 @@ void Device::set_failed(const bool communication, const bool internal) noexcept 
 
 static_assert(implements<req::AO4_T_ERROR_MODE> && implements<req::AO4_AOUT_007>);
 void Device::apply_error_mode(const std::uint8_t number) noexcept {
-    namespace modes = own::t_ao4_t_error_mode;
+    namespace modes = own::error_mode;
     const std::uint8_t mode = objects_.get(field::o6443_analogue_output_error_mode[number]);
     const modes::Action action = cell_or(modes::find(mode), &modes::Row::action, modes::Action::zero);
     if (action == modes::Action::zero) {
@@ -280,7 +259,7 @@ void Device::drive_output(const std::uint8_t number) noexcept {
 
 static_assert(implements<req::AO4_LED_001> && implements<req::AO4_T7>);
 IndicatorState Device::status_indicator() const noexcept {
-    namespace table = own::t_ao4_t7;
+    namespace table = own::status_led;
     if (!runs_) {
         return led_of(table::find(table::Mode::invalid_node_id));
     }
@@ -298,7 +277,7 @@ IndicatorState Device::status_indicator() const noexcept {
 
 static_assert(implements<req::AO4_LED_002> && implements<req::AO4_T6>);
 IndicatorState Device::can_error_indicator() const noexcept {
-    namespace table = own::t_ao4_t6;
+    namespace table = own::can_error_led;
     table::Can can{table::Can::bus_off};
     switch (inputs_.can_state) {
         case static_cast<std::uint8_t>(CanState::error_active):
@@ -328,8 +307,8 @@ void Device::drive_leds(const Instant now) noexcept {
     next_led_change_ = never;
     outputs_.led_e = show(can_error_indicator(), red_shift(), now);
     outputs_.led_s = show(status_indicator(), Duration{}, now);
-    outputs_.led_m = show(led_of(own::t_ao4_t8::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
-    outputs_.led_p = show(led_of(own::t_ao4_t9::find(runs_)), Duration{}, now);
+    outputs_.led_m = show(led_of(own::error_led::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
+    outputs_.led_p = show(led_of(own::power_led::find(runs_)), Duration{}, now);
 }
 
 }  // namespace canproof::cbx_ao412

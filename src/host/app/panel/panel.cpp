@@ -7,6 +7,7 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "generated/canopen/index.hpp"
 #include "host/app/panel/assets.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/time_text.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint16_t error_register = 0x1001U;
+using generated::canopen::index::error_register;
 
 /// How the device's face is drawn; an empty object for one that has no view.
 json view_of(const Part* part) {

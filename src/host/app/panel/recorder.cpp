@@ -5,12 +5,13 @@
 #include <sstream>
 
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-constexpr std::uint16_t error_register = 0x1001U;         // CiA 301, 7.5.2.2
+using generated::canopen::index::error_register;
 constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // below lies the communication area
 
 /// Of `0.1 degC; 0.1 V` the part of that sub-index; a unit without parts is everyone's.

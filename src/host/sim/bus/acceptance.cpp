@@ -5,10 +5,13 @@
 #include "firmware/canopen/cob_id.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 
 namespace canproof::host {
 
 namespace {
+
+namespace index = generated::canopen::index;
 
 constexpr std::uint32_t nmt_identifier = 0x000U;
 constexpr std::uint32_t sdo_request_base = 0x600U;
@@ -60,21 +63,22 @@ std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects
     }
     list.add(generated::canopen::guarding_cob_id_base + node_id);
     list.add(sdo_request_base + node_id);
-    list.add_entry(0x1005U, 0U, 0U);  // SYNC, consumed whatever its bit 30 says
-    list.add_entry(0x100EU, 0U, 0U);  // guarding identifier
-    list.add_entry(0x1012U, 0U, 0U);  // TIME
+    list.add_entry(index::sync_cob_id, 0U, 0U);  // consumed whatever its bit 30 says
+    list.add_entry(index::guarding_identifier, 0U, 0U);
+    list.add_entry(index::time_cob_id, 0U, 0U);
     const TableView<ObjectRow>& rows = objects.tables().objects;
-    const auto from = [](const ObjectRow& row, unsigned index) { return row.index < index; };
-    const ObjectRow* const last = std::lower_bound(rows.begin(), rows.end(), 0x1A00U, from);
-    for (const ObjectRow* row = std::lower_bound(rows.begin(), rows.end(), 0x1200U, from); row != last; ++row) {
-        const bool server = row->index < 0x1280U;
-        const bool pdo = (row->index & 0xFE00U) == 0x1400U || (row->index & 0xFE00U) == 0x1800U;
+    const auto from = [](const ObjectRow& row, std::uint32_t wanted) { return row.index < wanted; };
+    const ObjectRow* const last = std::lower_bound(rows.begin(), rows.end(), index::tpdo_mapping, from);
+    for (const ObjectRow* row = std::lower_bound(rows.begin(), rows.end(), index::sdo_server_parameter, from); row != last; ++row) {
+        const bool server = row->index < index::sdo_client_parameter;
+        const bool pdo = (row->index & 0xFE00U) == index::rpdo_communication ||
+                         (row->index & 0xFE00U) == index::tpdo_communication;
         if (server || pdo) {
             list.add_entry(row->index, 1U, cob_id::not_valid);
         }
     }
-    for (unsigned sub = 1; objects.has(0x1016U, static_cast<std::uint8_t>(sub)) && sub <= 127; ++sub) {
-        const std::uint32_t watched = (objects.read(0x1016U, static_cast<std::uint8_t>(sub)) >> 16U) & 0x7FU;
+    for (unsigned sub = 1; objects.has(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) && sub <= 127; ++sub) {
+        const std::uint32_t watched = (objects.read(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) >> 16U) & 0x7FU;
         if (watched != 0U) {
             list.add(generated::canopen::guarding_cob_id_base + watched);
         }

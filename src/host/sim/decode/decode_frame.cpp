@@ -6,6 +6,7 @@
 
 #include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
+#include "generated/canopen/index.hpp"
 #include "host/sim/decode/object_words.hpp"
 
 namespace canproof::host {
@@ -14,13 +15,11 @@ namespace {
 
 namespace co = generated::canopen;
 
-constexpr std::uint32_t time_cob_id = 0x100U;   // CiA 301, 7.3.3
-constexpr std::uint16_t sync_cob_id = 0x1005U;  // CiA 301, 7.5.2.5
-constexpr std::uint16_t emcy_cob_id = 0x1014U;  // CiA 301, 7.5.2.17
-constexpr std::uint16_t first_rpdo = 0x1400U;   // communication; the mapping lies 200h above
-constexpr std::uint16_t first_tpdo = 0x1800U;
+constexpr std::uint32_t time_cob_id = 0x100U;  // CiA 301, 7.3.3
+constexpr std::uint16_t first_rpdo = co::index::rpdo_communication;
+constexpr std::uint16_t first_tpdo = co::index::tpdo_communication;
 constexpr std::uint16_t most_pdos = 0x200U;
-constexpr std::uint16_t to_mapping = 0x200U;
+constexpr std::uint16_t to_mapping = co::index::rpdo_mapping - co::index::rpdo_communication;
 constexpr std::uint32_t highest_node_id = 127U;
 
 /// The node-ID that `id` holds above `base`; 0 when it holds none.
@@ -74,14 +73,14 @@ bool decode_pdo(const Frame& frame, const std::vector<KnownNode>& nodes, FrameWo
 }
 
 bool is_emcy_of(const KnownNode& node, std::uint32_t id) {
-    return node.objects != nullptr && node.objects->has(emcy_cob_id, 0U) &&
-           cob_id::identifier(node.objects->read(emcy_cob_id, 0U)) == id;
+    return node.objects != nullptr && node.objects->has(co::index::emcy_cob_id, 0U) &&
+           cob_id::identifier(node.objects->read(co::index::emcy_cob_id, 0U)) == id;
 }
 
 bool is_sync(std::uint32_t id, const std::vector<KnownNode>& nodes) {
     return id == co::emcy_cob_id_base || std::any_of(nodes.begin(), nodes.end(), [&](const KnownNode& one) {
-               return one.objects != nullptr && one.objects->has(sync_cob_id, 0U) &&
-                      cob_id::identifier(one.objects->read(sync_cob_id, 0U)) == id;
+               return one.objects != nullptr && one.objects->has(co::index::sync_cob_id, 0U) &&
+                      cob_id::identifier(one.objects->read(co::index::sync_cob_id, 0U)) == id;
            });
 }
 

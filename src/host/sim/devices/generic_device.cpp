@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint8_t generic_error = 0x01;
 constexpr std::uint8_t communication_error = 0x11;  // bits 0 and 4 of 1001h
 
-const auto standard_bit_rates = lss_bit_rates(generated::canopen::t_co_t_lss_bit_rate::rows);
+const auto standard_bit_rates = lss_bit_rates(generated::canopen::lss_bit_rates::rows);
 
 }  // namespace
 

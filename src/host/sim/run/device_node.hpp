@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "generated/canopen/index.hpp"
 #include "host/sim/bus/bus.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
@@ -56,7 +57,7 @@ class DeviceNode final : public BusNode {
 
     static constexpr std::uint32_t first_sdo_request = 0x601U;
     static constexpr std::uint32_t last_sdo_request = 0x67FU;
-    static constexpr std::uint16_t second_sdo_server = 0x1201U;
+    static constexpr std::uint16_t second_sdo_server = generated::canopen::index::sdo_server_parameter + 1U;
 
     std::string name_;
     std::unique_ptr<SimulatedDevice> device_;

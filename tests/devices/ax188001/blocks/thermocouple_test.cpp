@@ -64,8 +64,8 @@ TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
 
 TEST(Thermocouple, EachPieceStandsOnceInItsTable) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
-    namespace reference = generated::ax188001::t_tcs_t_reference;
-    namespace inverse = generated::ax188001::t_tcs_t_inverse;
+    namespace reference = generated::ax188001::reference_function;
+    namespace inverse = generated::ax188001::inverse_function;
     using R = reference::Piece;
     using I = inverse::Piece;
     const std::vector<R> of_temperature{R::j1, R::j2, R::k1, R::k2, R::n1, R::n2, R::r1, R::r2, R::r3,
@@ -225,7 +225,7 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
 
 TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
     verifies<req::TCS_CONV_010, req::TCS_T1>();
-    namespace ranges = generated::ax188001::t_tcs_t1;
+    namespace ranges = generated::ax188001::thermocouple_type;
     struct Range {
         char letter;
         std::int32_t lowest_uv;

@@ -105,13 +105,12 @@ TEST(Alterations, OfATableAreAllItsCells) {
         "max = 9 } ]\n"
         "outputs = [\"word\", { name = \"gain\", type = \"REAL32\" }]\nrows = [ [\"0..4\", \"low\", 2.0], [\"5..9\", "
         "\"high\", 0.0] ]\n");
-    for (
-        const char* line :
-        {R"("row 1 n_last", "4 -> 5", &box::t_ao4_t_1::rows[0U].n_last)", R"("row 1 word", "low -> high")",
-         R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::t_ao4_t_1::Word::high))",
-         // 2.02F is 4001 47AEh
-         R"("row 1 gain", "2 -> 2.02", &box::t_ao4_t_1::rows[0U].gain, sizeof(box::t_ao4_t_1::rows[0U].gain), 0x400147AEU)",
-         R"("row 2 gain", "0 -> 0.01")"}) {
+    for (const char* line :
+         {R"("row 1 n_last", "4 -> 5", &box::x::rows[0U].n_last)", R"("row 1 word", "low -> high")",
+          R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::x::Word::high))",
+          // 2.02F is 4001 47AEh
+          R"("row 1 gain", "2 -> 2.02", &box::x::rows[0U].gain, sizeof(box::x::rows[0U].gain), 0x400147AEU)",
+          R"("row 2 gain", "0 -> 0.01")"}) {
         EXPECT_THAT(text, HasSubstr(line));
     }
 }

@@ -20,7 +20,7 @@ TEST(RelayCounterRelay, FollowsItsCommandInOperationalOnly) {
 
 TEST(RelayCounterRelay, HasARowForEachCommandAndState) {
     verifies<req::RC_T_RELAY>();
-    namespace table = generated::relay_counter::t_rc_t_relay;
+    namespace table = generated::relay_counter::relay_contact;
     for (const auto state :
          {NmtState::initialising, NmtState::pre_operational, NmtState::operational, NmtState::stopped}) {
         EXPECT_NE(table::find(0, state), nullptr);

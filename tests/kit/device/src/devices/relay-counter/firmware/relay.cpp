@@ -9,7 +9,7 @@ namespace canproof::relay_counter {
 
 static_assert(implements<req::RC_T_RELAY>);
 bool contact_is_closed(const std::uint8_t command, const NmtState state) noexcept {
-    namespace table = generated::relay_counter::t_rc_t_relay;
+    namespace table = generated::relay_counter::relay_contact;
     return cell_or(table::find(command, state), &table::Row::closed, false);
 }
 

@@ -1,0 +1,13 @@
+// Indices of objects as C++ constants.
+#pragma once
+
+#include <string>
+
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// The index of each object of a device, or of each standard object of the shared part, as a constant.
+std::string write_indices(const Part& part);
+
+}  // namespace canproof::host

@@ -1,0 +1,148 @@
+// What a write to an entry has changed, as an enumeration that a device can switch over without forgetting one.
+#include "host/codegen/write_written.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "host/codegen/cpp_text.hpp"
+#include "host/register/literals.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// Families that lie beside each other: `count` stretches of `step` indices from `first` on, alike but for the number.
+struct Stretch {
+    unsigned first;
+    unsigned step;
+    unsigned count;
+    int first_member;
+
+    unsigned end() const { return first + step * count; }
+};
+
+/// Whether the device hears of a write to one of the entries.
+bool is_heard(const Object& object) {
+    return std::any_of(object.entries.begin(), object.entries.end(), [&](const Entry& entry) {
+        const bool writable = entry.access == "rw" || entry.access == "wo";
+        return entry.service == "program" || (writable && entry.service != "none" && object.index >= 0x2000U);
+    });
+}
+
+/// The members of each family in the order of their numbers.
+std::map<std::string, std::vector<const Object*>> families_of(const Part& part) {
+    std::map<std::string, std::vector<const Object*>> families;
+    for (const Object& object : part.objects) {
+        if (!object.family.empty()) {
+            families[object.family].push_back(&object);
+        }
+    }
+    return families;
+}
+
+/// Whether each object within belongs to a family that goes through it in the same steps.
+bool is_pure(const Part& part, const std::map<std::string, std::vector<const Object*>>& families,
+             const Stretch& stretch) {
+    return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {
+        if (object.index < stretch.first || object.index >= stretch.end()) {
+            return true;
+        }
+        const auto found = families.find(object.family);
+        return found != families.end() && found->second.size() == stretch.count &&
+               found->second.front()->index < stretch.first + stretch.step &&
+               found->second.front()->member == stretch.first_member &&
+               object.index == found->second.front()->index +
+                                   static_cast<unsigned>(object.member - stretch.first_member) * stretch.step;
+    });
+}
+
+std::vector<Stretch> stretches_of(const Part& part) {
+    const auto families = families_of(part);
+    std::map<unsigned, Stretch> all;
+    for (const auto& [name, members] : families) {
+        if (members.size() < 2 || !is_heard(*members.front())) {
+            continue;
+        }
+        const unsigned step = members[1]->index - members[0]->index;
+        const Stretch one{members[0]->index / step * step, step, static_cast<unsigned>(members.size()),
+                          members[0]->member};
+        if (is_pure(part, families, one)) {
+            all.emplace(one.first, one);
+        }
+    }
+    std::vector<Stretch> list;
+    for (const auto& [first, one] : all) {
+        list.push_back(one);
+    }
+    return list;
+}
+
+const Stretch* stretch_at(const std::vector<Stretch>& stretches, unsigned index) {
+    const auto found = std::find_if(stretches.begin(), stretches.end(),
+                                    [&](const Stretch& one) { return index >= one.first && index < one.end(); });
+    return found == stretches.end() ? nullptr : &*found;
+}
+
+/// `Binary function {n} source` → `binary_function_source`.
+std::string family_word(std::string name) {
+    if (const auto at = name.find("{n}"); at != std::string::npos) {
+        name.erase(at, 3);
+    }
+    return cpp_word(name);
+}
+
+std::string enumerators(const Part& part, const std::vector<Stretch>& stretches) {
+    std::map<std::string, int> uses;
+    std::vector<std::pair<std::string, const Object*>> all;
+    for (const Object& object : part.objects) {
+        const Stretch* const stretch = stretch_at(stretches, object.index);
+        const bool is_later = stretch != nullptr && object.index >= stretch->first + stretch->step;
+        if (is_heard(object) && !is_later) {
+            all.emplace_back(stretch == nullptr ? cpp_word(object.name) : family_word(object.family), &object);
+            ++uses[all.back().first];
+        }
+    }
+    std::string text;
+    for (const auto& [name, object] : all) {
+        const std::string unique = uses[name] == 1 ? name : fmt::format("{}_{:04x}", name, object->index);
+        text += fmt::format("    {} = 0x{:04X}U,\n", unique, object->index);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string write_written(const Part& part) {
+    const auto stretches = stretches_of(part);
+    std::string text = heading(part);
+    text += fmt::format("#include <cstdint>\n\nnamespace canproof::generated::{} {{\n\n", part.cpp_name());
+    text +=
+        "/// The objects whose entries can be written and of which the device hears; members of a family count as "
+        "one.\n"
+        "enum class Parameter : std::uint16_t {\n" +
+        enumerators(part, stretches) + "};\n\n";
+    text +=
+        "/// What a write has changed.\n"
+        "struct Written {\n    Parameter parameter;\n"
+        "    std::uint8_t member;    ///< number within the family; 0: of none\n"
+        "    std::uint8_t subindex;  ///< position in an array, from 1\n};\n\n";
+    text +=
+        "/// `index` is that of an object of Parameter; another one is no enumerator.\n"
+        "constexpr Written written(const std::uint16_t index, const std::uint8_t subindex) noexcept {\n";
+    for (const Stretch& one : stretches) {
+        text += fmt::format(
+            "    if ((index >= 0x{0:04X}U) && (index < 0x{1:04X}U)) {{\n"
+            "        const std::uint32_t offset = index - 0x{0:04X}U;\n"
+            "        return Written{{static_cast<Parameter>(0x{0:04X}U + (offset % 0x{2:02X}U)),\n"
+            "                       static_cast<std::uint8_t>({3}U + (offset / 0x{2:02X}U)), subindex}};\n"
+            "    }}\n",
+            one.first, one.end(), one.step, one.first_member);
+    }
+    text += "    return Written{static_cast<Parameter>(index), 0U, subindex};\n}\n\n";
+    return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
+}
+
+}  // namespace canproof::host
