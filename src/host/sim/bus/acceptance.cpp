@@ -69,16 +69,19 @@ std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects
     const TableView<ObjectRow>& rows = objects.tables().objects;
     const auto from = [](const ObjectRow& row, std::uint32_t wanted) { return row.index < wanted; };
     const ObjectRow* const last = std::lower_bound(rows.begin(), rows.end(), index::tpdo_mapping, from);
-    for (const ObjectRow* row = std::lower_bound(rows.begin(), rows.end(), index::sdo_server_parameter, from); row != last; ++row) {
+    for (const ObjectRow* row = std::lower_bound(rows.begin(), rows.end(), index::sdo_server_parameter, from);
+         row != last; ++row) {
         const bool server = row->index < index::sdo_client_parameter;
-        const bool pdo = (row->index & 0xFE00U) == index::rpdo_communication ||
-                         (row->index & 0xFE00U) == index::tpdo_communication;
+        const bool pdo =
+            (row->index & 0xFE00U) == index::rpdo_communication || (row->index & 0xFE00U) == index::tpdo_communication;
         if (server || pdo) {
             list.add_entry(row->index, 1U, cob_id::not_valid);
         }
     }
-    for (unsigned sub = 1; objects.has(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) && sub <= 127; ++sub) {
-        const std::uint32_t watched = (objects.read(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) >> 16U) & 0x7FU;
+    for (unsigned sub = 1; objects.has(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) && sub <= 127;
+         ++sub) {
+        const std::uint32_t watched =
+            (objects.read(index::consumer_heartbeat_time, static_cast<std::uint8_t>(sub)) >> 16U) & 0x7FU;
         if (watched != 0U) {
             list.add(generated::canopen::guarding_cob_id_base + watched);
         }
