@@ -238,8 +238,13 @@ class Node final : private ObjectAccess {
                                    (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
                                    ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
     }
-    void watch_communication(Instant now) noexcept;
-    void take_note(CommunicationFaults faults, Instant now) noexcept;
+    void watch_communication(const Instant now) noexcept {
+        const CommunicationFaults faults = communication_faults();
+        if (faults.bits != faults_.bits) {
+            take_note(faults, now);
+        }
+    }
+    [[gnu::noinline]] void take_note(CommunicationFaults faults, Instant now) noexcept;
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;

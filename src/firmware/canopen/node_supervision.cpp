@@ -71,13 +71,6 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     watch_communication(now);
 }
 
-void Node::watch_communication(const Instant now) noexcept {
-    const CommunicationFaults faults = communication_faults();
-    if (faults.bits != faults_.bits) {
-        take_note(faults, now);
-    }
-}
-
 void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
     wake();
     faults_ = faults;
