@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "host/app/cli/files.hpp"
+#include "host/base/files.hpp"
 #include "host/report/line_plot.hpp"
 #include "tests/bench/fleet.hpp"
 

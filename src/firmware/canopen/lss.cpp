@@ -73,6 +73,7 @@ bool is_lss_node_id(const std::uint8_t node_id) noexcept {
     return is_one || (node_id == unconfigured_node_id);
 }
 
+static_assert(implements<req::CO_T_LSS_BIT_RATE>);
 std::uint32_t LssProfile::bit_rate(const std::uint8_t index) const noexcept {
     for (const LssBitRate& row : bit_rates_) {
         if (std::uint32_t{row.index} == index) {

@@ -1,8 +1,10 @@
 // Errors of the bus and of the device: what the node tells of them, and the state that 1029h (error behaviour) asks
 // for.
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/node.hpp"
 #include "generated/canopen/index.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -71,6 +73,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     watch_communication(now);
 }
 
+static_assert(implements<req::CO_PDO_032>);
 void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
     wake();
     faults_ = faults;

@@ -94,6 +94,8 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case Parameter::start_in_operational_mode:
             publish();
             break;
+        default:
+            break;  // -Wswitch-enum asks for a label of each parameter
     }
 }
 

@@ -18,19 +18,18 @@ constexpr std::array<ErrorId, 4U> heartbeat_errors{
 static_assert(implements<req::AOR_K_CYCLE>);
 const Duration cycle_time = milliseconds(own::cycle_ms);
 
-static_assert(implements<req::AOR_T22>);
-using own::profile;
-
 // What the node does for every device, in the manner of this one.
-static_assert(implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> && implements<req::AOR_ERR_001> &&
-              implements<req::AOR_ERR_002> && implements<req::AOR_ERR_003> && implements<req::AOR_ERR_004> &&
-              implements<req::AOR_ERR_005> && implements<req::AOR_ERR_006> && implements<req::AOR_ERR_007> &&
-              implements<req::AOR_GUARD_001> && implements<req::AOR_HB_001> && implements<req::AOR_HB_002>);
+static_assert(implements<req::AOR_T22> && implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> &&
+              implements<req::AOR_ERR_001> && implements<req::AOR_ERR_002> && implements<req::AOR_ERR_003> &&
+              implements<req::AOR_ERR_004> && implements<req::AOR_ERR_005> && implements<req::AOR_ERR_006> &&
+              implements<req::AOR_ERR_007> && implements<req::AOR_GUARD_001> && implements<req::AOR_HB_001> &&
+              implements<req::AOR_HB_002>);
 static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && implements<req::AOR_PDO_003> &&
               implements<req::AOR_PDO_004> && implements<req::AOR_PDO_005> && implements<req::AOR_PDO_006> &&
               implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
 static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
               implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
+const NodeProfile& profile = own::profile;
 
 static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
               implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&

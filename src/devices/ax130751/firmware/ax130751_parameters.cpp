@@ -1,7 +1,9 @@
 // What a new value of a parameter must be and sets off.
 
 #include "devices/ax130751/firmware/ax130751.hpp"
+#include "firmware/base/requirement.hpp"
 #include "generated/ax130751/index.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
@@ -36,6 +38,7 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
                                        : AbortCode::none;
 }
 
+static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_LT_018>);
 void Device::after_write(const EntryRef& entry, const Instant) {
     const TableEntry place = table_entry(entry.index);
     if (place.table != 0U) {

@@ -24,16 +24,15 @@ const Duration scan_period = milliseconds(own::update_period_ms);
 // Readings made up for when the caller comes late; what is missed beyond them is left out.
 constexpr std::size_t most_late_scans = 8U;
 
-static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003>);
-using own::profile;
-
-static_assert(implements<req::TCS_ERR_003> && implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> &&
-              implements<req::TCS_ERR_006> && implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> &&
-              implements<req::TCS_T_BEHAVIOUR> && implements<req::TCS_LSS_005> && implements<req::TCS_PDO_001> &&
-              implements<req::TCS_PDO_002> && implements<req::TCS_PDO_003> && implements<req::TCS_PDO_004> &&
-              implements<req::TCS_PDO_005> && implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> &&
-              implements<req::TCS_STORE_002> && implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> &&
-              implements<req::TCS_LIM_008> && implements<req::TCS_FD_006>);
+static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003> && implements<req::TCS_ERR_003> &&
+              implements<req::TCS_ERR_004> && implements<req::TCS_ERR_005> && implements<req::TCS_ERR_006> &&
+              implements<req::TCS_ERR_008> && implements<req::TCS_ERR_012> && implements<req::TCS_T_BEHAVIOUR> &&
+              implements<req::TCS_LSS_005> && implements<req::TCS_PDO_001> && implements<req::TCS_PDO_002> &&
+              implements<req::TCS_PDO_003> && implements<req::TCS_PDO_004> && implements<req::TCS_PDO_005> &&
+              implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> && implements<req::TCS_STORE_002> &&
+              implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> && implements<req::TCS_LIM_008> &&
+              implements<req::TCS_FD_006>);
+const NodeProfile& profile = own::profile;
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
     const std::size_t offset = (static_cast<std::size_t>(fault) * channel_count) + channel;

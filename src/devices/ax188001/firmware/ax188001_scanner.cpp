@@ -82,6 +82,8 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
         case Parameter::fd_error_response_delay:
             evaluate_unit(now);
             break;
+        default:
+            break;  // -Wswitch-enum asks for a label of each parameter
     }
     schedule();
 }

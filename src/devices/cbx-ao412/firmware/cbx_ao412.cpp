@@ -33,7 +33,7 @@ static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> &
 static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
               implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
               implements<req::AO4_STORE_005>);
-using own::profile;
+const NodeProfile& profile = own::profile;
 
 // 4.3.1: reference times the gain of the differential amplifier.
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
@@ -79,7 +79,8 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
-static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && implements<req::AO4_SW_003>);
+static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && implements<req::AO4_SW_003> &&
+              implements<req::AO4_T11>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
@@ -152,6 +153,8 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::analogue_output_error_mode:
         case Parameter::analogue_output_error_value:
             break;  // no output changes at once
+        default:
+            break;  // -Wswitch-enum asks for a label of each parameter
     }
 }
 

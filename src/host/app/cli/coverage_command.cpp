@@ -5,12 +5,12 @@
 
 #include <map>
 
-#include "host/app/cli/files.hpp"
 #include "host/assess/coverage/cobertura.hpp"
 #include "host/assess/coverage/coverage.hpp"
 #include "host/assess/coverage/coverage_records.hpp"
 #include "host/assess/coverage/read_coverage.hpp"
 #include "host/assess/coverage/stale_records.hpp"
+#include "host/base/files.hpp"
 
 namespace canproof::host {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/files.hpp"
+#include "host/base/files.hpp"
 
 namespace canproof::host {
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
@@ -17,6 +16,7 @@
 #include "host/assess/mutation/mutation_outcome.hpp"
 #include "host/assess/mutation/survivor_records.hpp"
 #include "host/assess/mutation/test_server.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
 

@@ -1,7 +1,7 @@
 // plot: what `--outputs` wrote as an SVG file.
 #include "host/app/cli/plot_command.hpp"
 
-#include "host/app/cli/files.hpp"
+#include "host/base/files.hpp"
 #include "host/report/output_plot.hpp"
 
 namespace canproof::host {

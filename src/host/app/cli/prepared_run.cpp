@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <set>
 
-#include "host/app/cli/files.hpp"
 #include "host/app/cli/make_bus.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/sim/devices/stored_memory_file.hpp"
 #include "host/sim/run/device_names.hpp"

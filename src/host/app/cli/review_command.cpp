@@ -9,9 +9,9 @@
 #include <ctime>
 #include <regex>
 
-#include "host/app/cli/files.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/trace/review.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {

@@ -1,4 +1,4 @@
-#include "host/app/cli/files.hpp"
+#include "host/base/files.hpp"
 
 #include <fmt/format.h>
 
