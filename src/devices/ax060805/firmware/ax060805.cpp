@@ -18,7 +18,7 @@ constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
 
 static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004> && implements<req::INC_ERR_003> &&
               implements<req::INC_ERR_008> && implements<req::INC_FILTER_006>);
-const NodeProfile& profile = own::profile;
+constexpr const NodeProfile& profile = own::profile;
 
 static_assert(implements<req::INC_T22> && implements<req::INC_ERR_001> && implements<req::INC_ERR_004>);
 constexpr ErrorTable make_error_table() noexcept {

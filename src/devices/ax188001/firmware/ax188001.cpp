@@ -32,7 +32,7 @@ static_assert(implements<req::TCS_T4> && implements<req::TCS_LSS_003> && impleme
               implements<req::TCS_PDO_006> && implements<req::TCS_STORE_001> && implements<req::TCS_STORE_002> &&
               implements<req::TCS_STORE_003> && implements<req::TCS_OD_001> && implements<req::TCS_LIM_008> &&
               implements<req::TCS_FD_006>);
-const NodeProfile& profile = own::profile;
+constexpr const NodeProfile& profile = own::profile;
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
     const std::size_t offset = (static_cast<std::size_t>(fault) * channel_count) + channel;

@@ -33,7 +33,7 @@ static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> &
 static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
               implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
               implements<req::AO4_STORE_005>);
-const NodeProfile& profile = own::profile;
+constexpr const NodeProfile& profile = own::profile;
 
 // 4.3.1: reference times the gain of the differential amplifier.
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
