@@ -17,6 +17,7 @@
 
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
@@ -26,7 +27,6 @@
 
 namespace canproof::fuzz {
 
-constexpr std::size_t device_record_size = 12;
 /// Longer inputs find nothing that shorter ones do not.
 constexpr std::size_t most_device_records = 150;
 
@@ -113,10 +113,6 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// Of a record of kind C.
-    static Duration duration_in(const std::uint8_t* record) {
-        return milliseconds((record[2] + 256U * record[3]) % 10000U);
-    }
     /// What holds after any record.
     void check() {
         check_values();
@@ -180,18 +176,7 @@ class DeviceWorld {
         return device_->objects().read(static_cast<std::uint16_t>(index), sub) & 0x7FFU;
     }
 
-    static Frame frame_of(std::uint32_t id, unsigned how, const std::uint8_t* data) {
-        Frame frame = data_frame(id, static_cast<std::uint8_t>(std::min(how & 0x0FU, 8U)));
-        std::copy_n(data, frame.length, frame.data.begin());
-        return frame;
-    }
     Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
-    static Frame any_frame(unsigned how, const std::uint8_t* data) {
-        Frame frame = frame_of((data[0] + 256U * data[1]) & 0x7FFU, how, data + 2);
-        frame.remote = (how & 0x80U) != 0;
-        frame.extended = (how & 0x40U) != 0;
-        return frame;
-    }
     /// Asks for the error control message, a TPDO or an RPDO.
     Frame remote_frame(unsigned how) const {
         const unsigned number = how % 9U;
@@ -224,17 +209,6 @@ class DeviceWorld {
         return std::nullopt;
     }
 
-    template <typename Value>
-    static Value value_of(const std::uint8_t* data) {
-        if constexpr (std::is_floating_point_v<Value>) {
-            constexpr float scales[]{0.001F, 0.01F, 0.1F, 1.0F};
-            const unsigned kind = data[4] % 8U;
-            const float number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
-            return kind < 4 ? bit_cast<float>(read_u32(ByteView{data, 4}, 0)) : number * scales[kind - 4U];
-        } else {
-            return static_cast<Value>(std::is_same_v<Value, bool> ? data[0] & 1U : data[0]);
-        }
-    }
     void set_input(unsigned which, const std::uint8_t* data) {
         unsigned count = 0;
         for_each_input(inputs_, [&count](const char*, auto&) { ++count; });
