@@ -124,7 +124,7 @@ RC_GTEST_PROP(Ax188001Model, TheDeviceDoesWhatTheManualSays, ()) {
              req::TCS_ERR_003, req::TCS_ERR_010, req::TCS_START_003, req::TCS_PDO_001>("property");
     const auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(45, rc::gen::inRange(0U, 1000000U)));
     const auto steps = *rc::gen::resize(
-        24,
+        50,
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     Pair pair;
     for (const TcsAction& action : writes_of(setup)) {
