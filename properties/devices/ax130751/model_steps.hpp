@@ -193,15 +193,11 @@ inline int some_value(int index, int sub) {
     return is_number ? some_number() : some_source();
 }
 
-/// A write to any parameter, each block being as likely as the other.
-inline void write_some(ModelPair& pair) {
-    const Group group = draw(rc::gen::weightedElement<Group>({{8, Group::output},
-                                                              {4, Group::relay},
-                                                              {1, Group::extra},
-                                                              {3, Group::table},
-                                                              {3, Group::logic},
-                                                              {3, Group::math},
-                                                              {1, Group::diagnostics}}));
+/// What a life is about: the groups that are written to now and then, a group as often as it stands here.
+using Focus = std::vector<Group>;
+
+/// A write to any parameter of the groups.
+inline void write_some(ModelPair& pair, const Focus& focus) {
     static const std::map<Group, std::vector<Address>> addresses = [&pair] {
         std::map<Group, std::vector<Address>> all;
         for (const auto& [address, entry] : pair.model().entries()) {
@@ -209,7 +205,7 @@ inline void write_some(ModelPair& pair) {
         }
         return all;
     }();
-    const auto [index, sub] = draw(rc::gen::elementOf(addresses.at(group)));
+    const auto [index, sub] = draw(rc::gen::elementOf(addresses.at(draw(rc::gen::elementOf(focus)))));
     pair.write(index, sub, some_value(index, sub));
 }
 
@@ -257,6 +253,9 @@ inline void wire_outputs(ModelPair& pair) {
         wire_input(pair, 0x2350, n, first + 1, {0, 1, 1, 1, 3, 5});
         wire_input(pair, 0x2360, n, first + 2, {0, 1, 1, 1, 3, 5});
     }
+}
+
+inline void wire_relay(ModelPair& pair) {
     for (const int index : {0x2242, 0x2250, 0x2282, 0x2292, 0x2293, 0x22A0, 0x22A1, 0x22A2}) {
         pair.write(index, 1, some_value(index, 1));
     }
@@ -297,11 +296,21 @@ inline void wire_logic_and_math(ModelPair& pair) {
     }
 }
 
-inline void wire(ModelPair& pair) {
+inline void wire(ModelPair& pair, const Focus& focus) {
+    const auto is_about = [&focus](Group group) { return std::find(focus.begin(), focus.end(), group) != focus.end(); };
     wire_extras(pair);
-    wire_tables(pair);
-    wire_logic_and_math(pair);
-    wire_outputs(pair);
+    if (is_about(Group::table)) {
+        wire_tables(pair);
+    }
+    if (is_about(Group::logic)) {
+        wire_logic_and_math(pair);
+    }
+    if (is_about(Group::output)) {
+        wire_outputs(pair);
+    }
+    if (is_about(Group::relay)) {
+        wire_relay(pair);
+    }
 }
 
 /// TPDOs of short periods, RPDO 2 and 3, a producer of heartbeats; what the model is told of it.
@@ -350,7 +359,7 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-inline void do_something(ModelPair& pair) {
+inline void do_something(ModelPair& pair, const Focus& focus) {
     switch (draw(rc::gen::inRange(0, 20))) {
         case 0:
         case 1:
@@ -378,8 +387,37 @@ inline void do_something(ModelPair& pair) {
         case 15:
             return pair.heartbeat();
         default:
-            return write_some(pair);
+            return write_some(pair, focus);
     }
+}
+
+/// A life of the device and its model, from the set-up to the first difference.
+inline void live(ModelPair& pair, const Focus& focus) {
+    wire(pair, focus);
+    const int changes = draw(rc::gen::inRange(0, 8));
+    for (int i = 0; i < changes; ++i) {
+        write_some(pair, focus);
+    }
+    if (draw(rc::gen::arbitrary<bool>())) {
+        pair.store();
+    }
+    pair.command(1);
+    const int steps = draw(rc::gen::inRange(20, 150));
+    for (int step = 0; step < steps && !pair.differs(); ++step) {
+        do_something(pair, focus);
+        const int event = draw(rc::gen::inRange(0, 60));
+        if (event == 0) {
+            pair.command(one_of({128, 129}));
+        } else if (event == 1) {
+            pair.store();
+        }
+        if (pair.model().state != naive_ax130751::Nmt::operational) {
+            pair.pass(one_of({0, 1, 5}));
+            pair.command(1);
+        }
+        pair.pass(one_of({0, 1, 1, 1, 2, 3, 4, 5, 6, 9, 10, 11, 20, 25}));
+    }
+    pair.compare_parameters();
 }
 
 }  // namespace canproof::test
