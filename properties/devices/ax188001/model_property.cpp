@@ -25,6 +25,7 @@ naive_tcs::Terminals terminals_of(const ax188001::Inputs& inputs) {
     at.cpu_c = inputs.cpu_temperature;
     at.supply_v = inputs.supply;
     at.overrun = inputs.can_overrun;
+    at.can = inputs.can_state;
     return at;
 }
 
@@ -122,7 +123,7 @@ RC_GTEST_PROP(Ax188001Model, TheDeviceDoesWhatTheManualSays, ()) {
     verifies<req::TCS_VAL_001, req::TCS_VAL_005, req::TCS_VAL_006, req::TCS_AVG_001, req::TCS_AVG_004, req::TCS_CJ_002,
              req::TCS_CJ_003, req::TCS_FD_002, req::TCS_FD_003, req::TCS_FD_004, req::TCS_FD_005, req::TCS_ERR_001,
              req::TCS_ERR_003, req::TCS_ERR_010, req::TCS_START_003, req::TCS_PDO_001>("property");
-    const auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(45, rc::gen::inRange(0U, 1000000U)));
+    const auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(50, rc::gen::inRange(0U, 1000000U)));
     const auto steps = *rc::gen::resize(
         50,
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
@@ -133,10 +134,9 @@ RC_GTEST_PROP(Ax188001Model, TheDeviceDoesWhatTheManualSays, ()) {
     for (const TcsAction& action : communication_of(setup)) {
         pair.happen(action);
     }
-    TcsAction start;
-    start.kind = TcsAction::command;
-    start.value = 1;
-    pair.happen(start);
+    for (const TcsAction& action : start_of(setup)) {
+        pair.happen(action);
+    }
     for (const auto& numbers : steps) {
         pair.happen(action_of(setup, numbers));
     }

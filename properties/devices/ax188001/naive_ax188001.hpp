@@ -23,15 +23,18 @@ class Ax188001 {
     void power_on(const Terminals& at, std::uint64_t now) {
         now_ = now;
         at_ = at;
-        at_.overrun = false;
         reset_node();
         start_when_allowed();
-        at_.overrun = at.overrun;
-        messages_.set(overrun_error, at.overrun);
         keep_sent();
     }
     void set_terminals(const Terminals& at) {
+        const bool was_off = is_off();
         at_ = at;
+        messages_.allow(may_tell());
+        if (was_off && !is_off()) {
+            messages_.tell_bus_off_over();
+        }
+        watch();
         messages_.set(overrun_error, at.overrun);
         keep_sent();
     }
@@ -41,14 +44,14 @@ class Ax188001 {
             return;
         }
         others_at_.reset();  // there is a master
-        if (node == 0 || node == 127) {
+        if (!is_off() && (node == 0 || node == 127)) {
             obey(specifier);
         }
         keep_sent();
     }
     /// A download of up to four bytes.
     void write(unsigned index, unsigned sub, std::uint32_t bits) {
-        if (state_ == State::stopped) {
+        if (state_ == State::stopped || is_off()) {
             return;
         }
         const std::uint32_t refused = change(index, sub, bits);
@@ -175,7 +178,15 @@ class Ax188001 {
                 begin_tpdo(i);
             }
         }
-        messages_.allow(next != State::stopped);
+        messages_.allow(may_tell());
+    }
+    bool is_off() const { return at_.can >= 3; }
+    bool may_tell() const { return state_ != State::stopped && !is_off(); }
+    /// Bus-off is a communication error of 1029h:1 (TCS-D-030).
+    void watch() {
+        if (std::exchange(fails_, is_off()) != is_off() && is_off()) {
+            react(communication_.reaction[1]);
+        }
     }
     void begin_tpdo(std::size_t i) {
         const Tpdo& tpdo = communication_.tpdos[i];
@@ -221,6 +232,7 @@ class Ax188001 {
         scanner_.evaluate(application_, now_);
         next_reading_ = now_ + reading_ms;
         messages_.set(overrun_error, at_.overrun);
+        fails_ = false;
         boot();
     }
     /// Boot-up message, pre-operational, then what 5555h and the faults that last say (1.4, 3.2.13, 3.4.22).
@@ -229,7 +241,8 @@ class Ax188001 {
         state_ = State::stopped;
         sent_.push_back("77F#00");
         enter(State::pre_operational);
-        starts_ = application_.start != 0;
+        watch();
+        starts_ = application_.start != 0 && (!fails_ || communication_.reaction[1] == 1);
         others_at_.reset();
         if (application_.start == 2) {
             others_at_ = now_ + application_.start_delay_ms;
@@ -323,6 +336,9 @@ class Ax188001 {
             }
         }
         drain(waiting);
+        if (is_off()) {
+            kept_.clear();
+        }
         sent_.clear();
     }
 
@@ -345,6 +361,7 @@ class Ax188001 {
     Messages messages_{sent_};
     State state_{State::stopped};
     bool starts_{false};
+    bool fails_{false};
     std::uint64_t next_reading_{0};
     std::optional<std::uint64_t> others_at_;
     std::array<std::optional<std::uint64_t>, 4> next_tpdo_{};

@@ -23,7 +23,8 @@ struct ErrorKind {
 constexpr std::size_t overrun_error = 0;
 constexpr std::size_t first_channel_error = 1;  ///< open, high, low, shutdown of channel 1, then of channel 2
 constexpr std::size_t first_unit_error = 9;     ///< FD1 to FD3
-constexpr std::array<ErrorKind, 12> error_kinds{{{0x8110, 0, 0x00},
+constexpr std::size_t bus_off_over = 12;        ///< announced, never lasting
+constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
                                                  {0xF001, 1, 0x00},
                                                  {0xF011, 1, 0x10},
                                                  {0xF011, 1, 0x20},
@@ -34,7 +35,8 @@ constexpr std::array<ErrorKind, 12> error_kinds{{{0x8110, 0, 0x00},
                                                  {0xF011, 2, 0x40},
                                                  {0x4200, 1, 0x10},
                                                  {0x3100, 2, 0x10},
-                                                 {0x3100, 3, 0x20}}};
+                                                 {0x3100, 3, 0x20},
+                                                 {0x8400, 0, 0x00}}};
 
 class Messages {
   public:
@@ -65,6 +67,10 @@ class Messages {
             list_.erase(std::remove(list_.begin(), list_.end(), entry), list_.end());
         }
         announce({error, !present});
+        flush();
+    }
+    void tell_bus_off_over() {
+        announce({bus_off_over, false});
         flush();
     }
     void empty_list() { list_.clear(); }

@@ -19,6 +19,7 @@ struct Terminals {
     float cpu_c{35.0F};
     float supply_v{24.0F};
     bool overrun{false};
+    unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
 };
 
 /// A fault that is told when it has lasted for its delay, and cleared at once (3.4.16, 3.4.21).

@@ -120,7 +120,9 @@ void change_one(TcsState& state, unsigned which, unsigned number) {
             return other(state.open[i], 1U, 0U);
         case 10:
         case 11:
-            return other(state.cold_junction_c, static_cast<double>(rest % 1500) / 10.0 - 40.0, 21.5);
+            return other(state.cold_junction_c,
+                         number % 2 == 0 ? static_cast<double>(rest % 1500) / 10.0 - 40.0 : state.cold_junction_c + 0.3,
+                         21.5);
         case 12:
             return other(state.filter_hz, 50U, 60U);
         case 13:

@@ -99,7 +99,7 @@ std::vector<std::uint32_t> listed(const TcsRig& rig, bool is_exchanged) {
 RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsExchangeEverything, ()) {
     verifies<req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_003, req::TCS_VAL_001, req::TCS_ERR_001, req::TCS_PDO_001>(
         "property");
-    auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(45, rc::gen::inRange(0U, 1000000U)));
+    auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(50, rc::gen::inRange(0U, 1000000U)));
     setup.reaction[1] = 1;  // which fault of a moment stops the node first depends on the order of the channels
     const auto steps = *rc::gen::resize(
         50,
@@ -123,6 +123,9 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsExchangeEverything, ()) {
         happen(action);
     }
     for (const TcsAction& action : communication_of(setup)) {
+        happen(action);
+    }
+    for (const TcsAction& action : start_of(setup)) {
         happen(action);
     }
     for (const auto& numbers : steps) {

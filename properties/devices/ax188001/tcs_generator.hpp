@@ -17,6 +17,9 @@ struct TcsSetup {
     std::array<unsigned, 2> fd_delay_ms{300, 500};
     std::array<unsigned, 4> event_ms{450, 1000, 330, 275};
     std::array<unsigned, 3> reaction{0, 1, 0};
+    unsigned start{0};
+    unsigned start_delay_ms{1000};
+    bool is_stored{false};
 };
 
 constexpr std::array<unsigned, 8> tcs_types{1, 2, 4, 5, 6, 7, 9, 10};
@@ -42,6 +45,9 @@ inline TcsSetup setup_of(const std::vector<unsigned>& numbers) {
     for (unsigned& one : setup.reaction) {
         one = next(3);
     }
+    setup.start = next(3);
+    setup.start_delay_ms = next(3) == 0 ? 0 : next(900);
+    setup.is_stored = next(2) == 0;
     return setup;
 }
 
@@ -91,6 +97,19 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     for (int sub = 1; sub <= 3; ++sub) {
         all.push_back(written(0x1029, sub, 1, setup.reaction[static_cast<std::size_t>(sub - 1)]));
     }
+    return all;
+}
+
+/// 5555h and 5556h, which act with the next boot, and a boot with all that was written or the NMT command start.
+inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
+    std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
+    if (setup.is_stored) {
+        all.push_back(written(0x1010, 1, 4, 0x65766173));
+    }
+    TcsAction command;
+    command.kind = TcsAction::command;
+    command.value = setup.is_stored ? 0x81 : 0x01;
+    all.push_back(command);
     return all;
 }
 
@@ -260,8 +279,8 @@ inline TcsAction action_of(const TcsSetup& setup, const std::array<unsigned, 4>&
             break;
         }
         case 5:
-            action.kind = TcsAction::overrun;
-            action.value = numbers[1] % 2;
+            action.kind = numbers[1] % 4 < 2 ? TcsAction::overrun : TcsAction::can;
+            action.value = numbers[1] % 4 < 2 ? numbers[1] % 2 : std::max(2U, numbers[2] % 4);
             break;
         default:
             action = input_of(setup, numbers);

@@ -12,7 +12,7 @@ namespace canproof::test {
 
 /// One thing that happens, and how long the device is left alone afterwards.
 struct TcsAction {
-    enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, write, command, power_cycle };
+    enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, can, write, command, power_cycle };
     Kind kind{heat};
     int channel{1};     ///< of heat, wire, voltage and hum
     double value{0.0};  ///< degC, uV or V; for wire and overrun 0 or 1; for a command its specifier
@@ -24,9 +24,9 @@ struct TcsAction {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const TcsAction& action) {
-    static constexpr std::array<const char*, 11> names{"heat",  "wire",    "voltage",    "cold junction",
-                                                       "cpu",   "supply",  "hum",        "overrun",
-                                                       "write", "command", "power cycle"};
+    static constexpr std::array<const char*, 12> names{"heat",      "wire",   "voltage", "cold junction",
+                                                       "cpu",       "supply", "hum",     "overrun",
+                                                       "CAN state", "write",  "command", "power cycle"};
     out << names[action.kind];
     if (action.kind == TcsAction::write) {
         out << fmt::format(" {:04X}h:{} = {:X}h", action.index, action.sub, action.bits);
@@ -89,6 +89,9 @@ inline void put_inputs(TcsBench& bench, const TcsAction& action) {
             break;
         case TcsAction::overrun:
             bench.inputs.can_overrun = action.value > 0;
+            break;
+        case TcsAction::can:
+            bench.inputs.can_state = static_cast<std::uint8_t>(action.value);
             break;
         case TcsAction::write:
         case TcsAction::command:

@@ -90,6 +90,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
                         std::uint32_t{0U});
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
         node_.power_on(node_id_, now);
     }
     set_inputs(inputs, now);
