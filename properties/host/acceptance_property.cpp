@@ -62,7 +62,7 @@ std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
 
 /// COB-IDs and consumers that a master may set, some of them refused.
 std::string any_setting() {
-    const auto number = *rc::gen::element<std::uint32_t>(0x080, 0x181, 0x185, 0x205, 0x305, 0x701, 0x711, 0x7FF);
+    const auto number = *rc::gen::element<std::uint32_t>(0x080, 0x181, 0x185, 0x205, 0x305, 0x701, 0x7FF, 0x10205);
     const auto flags = *rc::gen::element<std::uint32_t>(0, 0, 0x20000000, 0x40000000, 0x80000000, 0xA0000000);
     const auto at = *rc::gen::element<std::string>("051000", "0E1000", "121000", "011201", "001401", "011401", "001801",
                                                    "011801", "021801");
@@ -124,12 +124,17 @@ RC_GTEST_PROP(AcceptanceLaw, NodeHearsWhatItsDictionaryNamesAndNothingElse, ()) 
         twin.collect();
     }
     const std::set<Identifier> heard = heard_identifiers(*twin.node.device().objects());
-    Frame frame{};
-    for (frame.id = 0; frame.id <= 0x7FFU; ++frame.id) {
-        for (const bool extended : {false, true}) {
-            frame.extended = extended;
-            RC_ASSERT(twin.accepts(frame) == (heard.count({extended, frame.id}) != 0U));
-        }
+    const auto check = [&](std::uint32_t id, bool extended) {
+        Frame frame{};
+        frame.id = id;
+        frame.extended = extended;
+        RC_ASSERT(twin.accepts(frame) == (heard.count({extended, id}) != 0U));
+    };
+    for (std::uint32_t id = 0; id <= 0x7FFU; ++id) {
+        check(id, false);
+        check(id, true);
+        check(id | 0x00010000U, true);  // the same in its last eleven bits
+        check(id << 18U, true);         // the same in its first eleven bits
     }
 }
 

@@ -313,6 +313,10 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     EXPECT_EQ(one.state(), CanState::error_passive);
     one.received();
     EXPECT_EQ(one.receive_errors(), 119U);
+    one.switch_off();
+    one.recover();
+    EXPECT_EQ(one.state(), CanState::error_active);  // both counters begin anew
+    EXPECT_EQ(one.receive_errors(), 0U);
 }
 
 TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsNotHeardUntilMostHaveChanged) {
