@@ -127,13 +127,13 @@ class DeviceWorld {
 
     /// Time goes on to `end` with every deadline on the way kept.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;
+        constexpr unsigned most_at_once = 4;  // a block upload fills the queue as often as that
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
-            require(at_once <= most_at_once);  // what is due gets done
+            require(at_once <= most_at_once);
             now_ = device_->next_deadline() > now_ ? device_->next_deadline() : now_;
-            device_->advance(now_);
+            advance();
             drain(nullptr);
         }
         now_ = end;
@@ -142,7 +142,7 @@ class DeviceWorld {
     /// As with a driver that comes late: no deadline on the way is kept.
     void pass_unattended(Duration time) {
         now_ = now_ + time;
-        device_->advance(now_);
+        advance();
         drain(nullptr, true);
         run_until(now_);
     }
@@ -171,6 +171,10 @@ class DeviceWorld {
     }
 
   private:
+    void advance() {
+        device_->advance(now_);
+        require(device_->next_deadline() > now_, "what is due gets done");
+    }
     std::uint32_t node() const { return device_->node_id() & 0x7FU; }
     std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
         return device_->objects().read(static_cast<std::uint16_t>(index), sub) & 0x7FFU;

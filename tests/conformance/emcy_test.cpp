@@ -42,7 +42,7 @@ TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
 }
 
 TEST_F(Errors, RegisterShowsWhatIsActive) {
-    verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
+    verifies<req::CO_EMCY_018, req::AO4_ERR_006, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
     EXPECT_EQ(error_register(), "11");
@@ -163,6 +163,14 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_TRUE(can_state(2).empty());
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
+}
+
+TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
+    verifies<req::CO_EMCY_012>();
+    write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
 }
 
 TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {

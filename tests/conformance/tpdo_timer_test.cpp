@@ -108,6 +108,15 @@ TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
     EXPECT_EQ(pass(5), (Frames{"1:185#4400"}));
 }
 
+TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
+    verifies<req::CO_PDO_017, req::CO_PDO_018>();
+    set_inhibit_time("6400");  // 10 ms
+    start();
+    EXPECT_TRUE(send("000#8005").empty());
+    EXPECT_TRUE(pass(4).empty());
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
+}
+
 TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
     verifies<req::CO_PDO_017>();
     send("605#2B00180519000000");  // 25 ms

@@ -72,6 +72,8 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
 
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    outputs_ = Outputs{};
+    driven_.fill(Driven{});
     static_assert(implements<req::AO4_SW_001>);
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
     static_assert(implements<req::AO4_SW_003> && implements<req::AO4_T11>);
@@ -80,6 +82,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     static_assert(implements<req::AO4_SW_002>);
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
         node_.power_on(node_id_, now);
     }
     set_inputs(inputs, now);
