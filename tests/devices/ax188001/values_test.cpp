@@ -1,5 +1,6 @@
 // From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -110,8 +111,8 @@ TEST_F(Values, FahrenheitByFactorAndOffset) {
 }
 
 TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
-    verifies<req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
-             req::TCS_OD_3127>();
+    verifies<req::CO_SDO_040, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127,
+             req::TCS_OD_3126, req::TCS_OD_3127>();
     struct Place {
         int index;
         int sub;
