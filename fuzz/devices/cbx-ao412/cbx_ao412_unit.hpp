@@ -22,6 +22,14 @@ class CbxAo412Unit {
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
+    /// 7.10.3: 6443h = 2 leaves an output as it is while an internal failure lasts, a reset of the node included.
+    static bool keeps_outputs(const Device& device, const Inputs& inputs) {
+        bool keeps = false;
+        for (std::uint8_t number = 1; number <= 4; ++number) {
+            keeps = keeps || read(device, 0x6443, number) == 2;
+        }
+        return keeps && (inputs.internal_fault || inputs.hardware_fault);
+    }
 
     /// 4.3.1: no output is beyond 10.205 V. 7.10.3: in an internal fault an output stays where it was, or goes to 0 V
     /// or to its error value; nothing that is written moves it elsewhere.
