@@ -209,15 +209,15 @@ inline void set_up_network(ModelPair& pair) {
         pair.write(0x17FF + n, 5, one_of({0, 5, 7, 11}));
         pair.set_up(0x17FF + n, 1, no_rtr + 0x80 + 0x100 * static_cast<unsigned>(n) + ModelPair::node, 4);
         pair.set_up(0x13FF + n, 1, no_rtr + 0x100 + 0x100 * static_cast<unsigned>(n) + ModelPair::node, 4);
-        pair.model().parameters.transmit.at(at).valid = true;
-        pair.model().parameters.receive.at(at).valid = true;
+        pair.model().parameters.communication.transmit.at(at).valid = true;
+        pair.model().parameters.communication.receive.at(at).valid = true;
         pair.write(0x13FF + n, 5, one_of({0, 0, 10, 25}));
     }
     pair.write(0x1029, 1, one_of({0, 1, 1}));
-    pair.set_up(0x1016, 1, 0x00050000 + 20, 4);
-    pair.model().parameters.watches_heartbeat = draw(rc::gen::arbitrary<bool>());
-    if (!pair.model().parameters.watches_heartbeat) {
-        pair.set_up(0x1016, 1, 0, 4);
+    for (unsigned n = 0; n < 4; ++n) {
+        const int time = one_of({0, 15, 20, 30});
+        pair.set_up(0x1016, static_cast<int>(n) + 1, ((5 + n) << 16U) + static_cast<unsigned>(time), 4);
+        pair.model().parameters.communication.heartbeat_ms.at(n) = time;
     }
 }
 
@@ -281,7 +281,7 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
                 draw(rc::gen::element(35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F)),
                 draw(rc::gen::element(250.0F, 1.0e6F)), draw(rc::gen::element(500.0F, 2000.0F)));
         case 15:
-            return pair.heartbeat();
+            return pair.heartbeat(draw(rc::gen::inRange(5U, 9U)));
         case 16:
             return switch_a_block(pair, focus);
         default:
@@ -303,9 +303,9 @@ inline void live(ModelPair& pair, const Focus& focus) {
     const int steps = draw(rc::gen::inRange(20, 150));
     for (int step = 0; step < steps && !pair.differs(); ++step) {
         do_something(pair, focus);
-        const int event = draw(rc::gen::inRange(0, 60));
+        const int event = draw(rc::gen::inRange(0, 40));
         if (event == 0) {
-            pair.command(one_of({128, 129}));
+            pair.command(one_of({128, 129, 130}));
         } else if (event == 1) {
             pair.store();
         }
