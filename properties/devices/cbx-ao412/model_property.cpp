@@ -72,6 +72,7 @@ class Pair {
         bench_.now = next < bench_.now ? bench_.now : next;
         bench_.device->advance(bench_.now);
         note(bench_.sent());
+        RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // what is due gets done
         model_.pass(now_ms() - model_.now());
     }
     void compare() {
