@@ -17,6 +17,7 @@
 
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
@@ -26,7 +27,6 @@
 
 namespace canproof::fuzz {
 
-constexpr std::size_t device_record_size = 12;
 /// Longer inputs find nothing that shorter ones do not.
 constexpr std::size_t most_device_records = 150;
 
@@ -113,10 +113,6 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// Of a record of kind C.
-    static Duration duration_in(const std::uint8_t* record) {
-        return milliseconds((record[2] + 256U * record[3]) % 10000U);
-    }
     /// What holds after any record.
     void check() {
         check_values();
@@ -131,13 +127,13 @@ class DeviceWorld {
 
     /// Time goes on to `end` with every deadline on the way kept.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;
+        constexpr unsigned most_at_once = 4;  // a block upload fills the queue as often as that
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
-            require(at_once <= most_at_once);  // what is due gets done
+            require(at_once <= most_at_once);
             now_ = device_->next_deadline() > now_ ? device_->next_deadline() : now_;
-            device_->advance(now_);
+            advance();
             drain(nullptr);
         }
         now_ = end;
@@ -146,7 +142,7 @@ class DeviceWorld {
     /// As with a driver that comes late: no deadline on the way is kept.
     void pass_unattended(Duration time) {
         now_ = now_ + time;
-        device_->advance(now_);
+        advance();
         drain(nullptr, true);
         run_until(now_);
     }
@@ -175,23 +171,16 @@ class DeviceWorld {
     }
 
   private:
+    void advance() {
+        device_->advance(now_);
+        require(device_->next_deadline() > now_, "what is due gets done");
+    }
     std::uint32_t node() const { return device_->node_id() & 0x7FU; }
     std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
         return device_->objects().read(static_cast<std::uint16_t>(index), sub) & 0x7FFU;
     }
 
-    static Frame frame_of(std::uint32_t id, unsigned how, const std::uint8_t* data) {
-        Frame frame = data_frame(id, static_cast<std::uint8_t>(std::min(how & 0x0FU, 8U)));
-        std::copy_n(data, frame.length, frame.data.begin());
-        return frame;
-    }
     Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
-    static Frame any_frame(unsigned how, const std::uint8_t* data) {
-        Frame frame = frame_of((data[0] + 256U * data[1]) & 0x7FFU, how, data + 2);
-        frame.remote = (how & 0x80U) != 0;
-        frame.extended = (how & 0x40U) != 0;
-        return frame;
-    }
     /// Asks for the error control message, a TPDO or an RPDO.
     Frame remote_frame(unsigned how) const {
         const unsigned number = how % 9U;
@@ -224,17 +213,6 @@ class DeviceWorld {
         return std::nullopt;
     }
 
-    template <typename Value>
-    static Value value_of(const std::uint8_t* data) {
-        if constexpr (std::is_floating_point_v<Value>) {
-            constexpr float scales[]{0.001F, 0.01F, 0.1F, 1.0F};
-            const unsigned kind = data[4] % 8U;
-            const float number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
-            return kind < 4 ? bit_cast<float>(read_u32(ByteView{data, 4}, 0)) : number * scales[kind - 4U];
-        } else {
-            return static_cast<Value>(std::is_same_v<Value, bool> ? data[0] & 1U : data[0]);
-        }
-    }
     void set_input(unsigned which, const std::uint8_t* data) {
         unsigned count = 0;
         for_each_input(inputs_, [&count](const char*, auto&) { ++count; });

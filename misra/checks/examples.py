@@ -3,20 +3,20 @@ import pathlib
 import tempfile
 import tomllib
 
-from .rules import HERE, ROOT, Finding
+from .rules import HERE, HOME, ROOT, Finding, named
 from .tools import find
 
 
 def prove_rules(rules, generated, faults):
     """Every rule's checkers flag the marked lines of its bad examples, and nothing else there or in its good ones."""
     with tempfile.TemporaryDirectory() as graphs:
-        found = find(rules, [str(path.relative_to(ROOT)) for path in rules.examples()], [], generated, graphs, faults)
+        found = find(rules, [named(path) for path in rules.examples()], [], generated, graphs, faults)
     for rule, folder in rules.folders.items():
         kinds = {path.name.split(".")[0].split("_")[0] for path in folder.glob("*.?pp")}
         if not {"bad", "good"} <= kinds:
             faults.add(f"rule {rule} lacks a bad or a good example")
         for path in sorted(folder.glob("*.?pp")):
-            name = str(path.relative_to(ROOT))
+            name = named(path)
             lines = path.read_text().splitlines()
             expected = {at for at, text in enumerate(lines, 1) if "// flagged" in text}
             if path.name.startswith("bad") != bool(expected):
@@ -26,14 +26,18 @@ def prove_rules(rules, generated, faults):
                 faults.add(f"{name}: flagged in line(s) {sorted(flagged)}, must be {sorted(expected)}")
 
 
-def prove_on_firmware(rules, generated, faults):
-    """seeds.toml: violations appended to copies of firmware files, each flagged in its line under its rule. Returns their number."""
+def prove_on_firmware(rules, units, generated, faults):
+    """seeds.toml: violations appended to copies of firmware files, each flagged in its line under its rule. Another project
+    has its own first unit in place of a device of canproof's. Returns their number."""
     seeds = tomllib.loads((HERE / "seeds.toml").read_text())["seed"]
+    for seed in seeds:
+        if ROOT != HOME and not seed["file"].startswith("src/firmware/"):
+            seed["file"] = units[0]
     with tempfile.TemporaryDirectory() as scratch:
         expected = []
         for file in sorted({seed["file"] for seed in seeds}):
             copy = pathlib.Path(scratch).resolve() / file.replace("/", "_")
-            lines = (ROOT / file).read_text().splitlines()
+            lines = (HOME / file).read_text().splitlines()
             for seed in (seed for seed in seeds if seed["file"] == file):
                 lines.append(seed["line"])
                 expected.append(Finding(seed["rule"], str(copy), len(lines)))

@@ -165,6 +165,14 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
+TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
+    verifies<req::CO_EMCY_012>();
+    write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
+}
+
 TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms

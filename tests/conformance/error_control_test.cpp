@@ -167,6 +167,26 @@ TEST_F(ErrorControlService, AResetEndsTheMonitoringUntilTheNextHeartbeat) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
+TEST_F(ErrorControlService, WritingTheEntryAnewForgetsThatItsProducerFellSilent) {
+    verifies<req::CO_HB_002>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    send("731#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+    EXPECT_EQ(send("603#23161001C8003200"), (Frames{"083#0000000100000000", "583#6016100100000000"}));
+    send("732#05");
+    EXPECT_TRUE(pass(199).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110200000000"}));
+}
+
+TEST_F(ErrorControlService, AResetForgetsThatAProducerFellSilent) {
+    verifies<req::CO_HB_002, req::CO_NMT_006>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    send("731#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));  // 1003h is empty
+    EXPECT_TRUE(pass(1000).empty());
+}
+
 TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
     verifies<req::CO_GUARD_001>();
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));

@@ -32,8 +32,9 @@ void Emcy::show_register() noexcept {
     objects_.write(index::error_register, 0U, value);
 }
 
-static_assert(implements<req::CO_EMCY_011>);
+static_assert(implements<req::CO_EMCY_011> && implements<req::CO_EMCY_012>);
 void Emcy::refresh() noexcept {
+    may_send_at_ = Instant{};
     forget_when_switched_off();
     show_register();
     if (list_ == ErrorList::history) {

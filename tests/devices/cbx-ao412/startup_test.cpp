@@ -168,4 +168,17 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
     }
 }
 
+/// The boot-up message is lost, what the boot told of errors is not: passive, failed software, then the recovery.
+TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
+    verifies<req::AO4_ERR_011>();
+    CbxBench bench;
+    bench.inputs.can_state = 3;
+    bench.inputs.internal_fault = true;
+    EXPECT_EQ(bench.power_on(), Frames{});
+    EXPECT_EQ(bench.pass(500), Frames{});
+    bench.inputs.can_state = 0;
+    EXPECT_EQ(bench.set_inputs(),
+              (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
+}
+
 }  // namespace canproof::test

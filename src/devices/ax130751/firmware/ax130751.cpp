@@ -51,6 +51,11 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
+/// `deadline` when it lies behind `done`; never when it does not.
+constexpr Instant if_later(const Instant deadline, const Instant done) noexcept {
+    return (deadline > done) ? deadline : never;
+}
+
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
@@ -98,9 +103,8 @@ void Device::advance(const Instant now) noexcept {
         }
         node_.advance(due);
         watch_network(due);
-        // A deadline of the node that stayed where it is would wait for something else, such as room in the queue.
-        const Instant next = next_deadline();
-        due = (next > due) ? next : next_cycle_;
+        // What stayed due would wait for something else, such as room in the queue.
+        due = earliest(if_later(node_.next_deadline(), due), if_later(next_cycle_, due));
     }
     node_.advance(now);
     watch_network(now);

@@ -83,11 +83,14 @@ static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && impl
               implements<req::AO4_T11>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    outputs_ = Outputs{};
+    driven_.fill(Driven{});
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
     bit_rate_ = cell_or(own::bit_rate_switch::find(inputs.switch_baud), &own::bit_rate_switch::Row::bit_rate,
                         std::uint32_t{0U});
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
         node_.power_on(node_id_, now);
     }
     set_inputs(inputs, now);

@@ -10,6 +10,7 @@
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
+#include "host/assess/mutation/kill_run.hpp"
 #include "host/assess/mutation/mutation.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
@@ -83,12 +84,34 @@ void show_progress(std::size_t done, std::size_t all) {
     }
 }
 
+/// Renews reports/kills.csv, and leaves what is known by then when it is interrupted.
+int write_kills(const std::filesystem::path& root, const std::filesystem::path& programs, unsigned jobs) {
+    const auto file = root / "reports" / "kills.csv";
+    constexpr std::size_t step = 100;
+    const auto progress = [&](std::size_t done, std::size_t all, const KillRecord& known) {
+        show_progress(done, all);
+        if (done % step == 0) {
+            write_file(file, write_kill_record(known));
+        }
+    };
+    const KillRecord record =
+        record_kills({root, programs, jobs}, sound_register(root / "spec"), read_kill_record(file), progress);
+    write_file(file, write_kill_record(record));
+    const auto idle =
+        std::count_if(record.begin(), record.end(), [](const auto& line) { return line.second.kills.empty(); });
+    fmt::print("{} test(s) judged, {} of them notice no mutant of what they claim\n", record.size(), idle);
+    return 0;
+}
+
 }  // namespace
 
 int mutate(const MutateOptions& options) {
     const std::filesystem::path root{options.root};
     const auto programs =
         options.programs.empty() ? root / "build" / "mutation" : std::filesystem::path{options.programs};
+    if (options.kills) {
+        return write_kills(root, programs, options.jobs);
+    }
     const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
     const auto records = read_survivor_records(record_file);
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
