@@ -143,7 +143,9 @@ class Happening {
         const Setting& setting = pick(communication_settings(), event.which);
         const bool is_watched = setting.index == 0x1016 || setting.index == 0x100C || setting.index == 0x100D;
         const bool syncs = setting.index == 0x1005 || setting.index == 0x1006 || setting.index == 0x1019;
-        const bool tells = setting.index == 0x1003 || setting.index == 0x1014;  // a list emptied, messages taken back
+        // A list emptied, messages held back or taken back; a state that answers no more.
+        const bool tells =
+            setting.index == 0x1003 || setting.index == 0x1014 || setting.index == 0x1015 || setting.index == 0x1029;
         if (!is_watched && !syncs && !tells) {
             put(unit, setting, event);
         }
@@ -231,7 +233,7 @@ class Happening {
             case EventKind::late:
                 return unit.pass_unattended(microseconds(event.value % 40'000U));
             default:
-                return unit.pass(microseconds((event.which % 4U == 0 ? 1000U : 40U) * (event.value % 1000U)));
+                return unit.pass(microseconds((event.which % 4U == 0 ? 1000U : 50U) * (event.value % 300U)));
         }
     }
     static void set_input(Unit& unit, const Event& event) {

@@ -42,7 +42,7 @@ TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
 }
 
 TEST_F(Errors, RegisterShowsWhatIsActive) {
-    verifies<req::CO_EMCY_018, req::AO4_ERR_006, req::AO4_OD_1001>();
+    verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
     EXPECT_EQ(error_register(), "11");
@@ -166,7 +166,7 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
 }
 
 TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
-    verifies<req::CO_EMCY_012>();
+    verifies<req::CO_EMCY_018>();
     write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());

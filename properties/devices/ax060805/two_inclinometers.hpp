@@ -60,7 +60,7 @@ class NaiveErrors {
 
 class TwoInclinometers {
   public:
-    explicit TwoInclinometers(const NaiveUnit& unit) : naive_{unit, NaiveFelt{}} {
+    explicit TwoInclinometers(const NaiveUnit& unit) : unit_{unit}, naive_{unit, NaiveFelt{}} {
         ax060805::FactoryData factory;
         factory.calibration = {static_cast<float>(unit.calibration.pitch), static_cast<float>(unit.calibration.roll)};
         factory.range = static_cast<ax060805::AngleConfiguration>(unit.range);
@@ -81,6 +81,7 @@ class TwoInclinometers {
         inputs_.sensor_temperature = static_cast<float>(felt.sensor_temperature);
         inputs_.processor_temperature = static_cast<float>(felt.processor_temperature);
         inputs_.supply_voltage = static_cast<float>(felt.supply);
+        felt_ = felt;
         naive_.feel(felt);
         RC_LOG() << fmt::format("{} ms: {} {} {} g, fault {}, {} C, {} C, {} V\n", ms_, felt.acceleration.x,
                                 felt.acceleration.y, felt.acceleration.z, felt.fault, felt.sensor_temperature,
@@ -143,15 +144,29 @@ class TwoInclinometers {
         go(command == 0x01);
         compare_frames();
     }
+    /// NMT: reset of the node. Nothing was stored, so that it begins with its defaults.
+    void reset() {
+        lose_frames(false);
+        Frame frame = data_frame(0U, 2U);
+        frame.data[0] = 0x81;
+        hear(frame);
+        begun_ = ms_;
+        naive_ = NaiveInclinometer{unit_, felt_};
+        errors_ = NaiveErrors{};
+        operational_ = false;
+        watches_ = false;
+        expected_.push_back("77F#00");
+        tell_sensor_errors();
+        compare_frames();
+    }
     void clear_list() { set({0x1003, 0, 1, 0.0}); }
 
     void pass(std::uint64_t ms) {
         for (; ms > 0; --ms) {
             ++ms_;
-            naive_.run_to(ms_);
-            if (ms_ % 5U == 0U) {
-                tell_sensor_error(0x4200, naive_.has_temperature_error());
-                tell_sensor_error(0xFF00, naive_.has_sensor_error());
+            naive_.run_to(ms_ - begun_);
+            if ((ms_ - begun_) % 5U == 0U) {
+                tell_sensor_errors();
             }
             if (watches_ && late_at_ == ms_) {
                 watches_ = false;
@@ -237,6 +252,10 @@ class TwoInclinometers {
         return frame;
     }
 
+    void tell_sensor_errors() {
+        tell_sensor_error(0x4200, naive_.has_temperature_error());
+        tell_sensor_error(0xFF00, naive_.has_sensor_error());
+    }
     /// 1029h: a sensor error takes the node out of operational unless sub-index 2 is 1.
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
@@ -317,9 +336,12 @@ class TwoInclinometers {
     TransmitQueue queue_;
     ax060805::Inputs inputs_{};
     std::unique_ptr<ax060805::Device> device_;
+    NaiveUnit unit_;
+    NaiveFelt felt_;
     NaiveInclinometer naive_;
     NaiveErrors errors_;
     std::uint64_t ms_{0};
+    std::uint64_t begun_{0};  ///< when the node was switched on or reset
     bool operational_{false};
     bool watches_{false};  ///< the RPDO, since its last reception
     std::uint64_t late_at_{0};

@@ -33,10 +33,11 @@ class ModelPair {
         device_.receive(0x100 + 0x100 * static_cast<unsigned>(number) + node, bytes);
         model_.receive(number, bytes);
     }
-    void heartbeat() {
-        note("heartbeat");
-        device_.receive(0x705, {5});
-        model_.heartbeat();
+    /// Of node 5 to 8.
+    void heartbeat(unsigned producer) {
+        note(fmt::format("heartbeat of {}", producer));
+        device_.receive(0x700 + producer, {5});
+        model_.heartbeat(producer);
     }
     void command(int specifier) {
         note(fmt::format("NMT {}", specifier));

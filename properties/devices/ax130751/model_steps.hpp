@@ -13,6 +13,47 @@ inline bool is_about(const Focus& focus, Group group) {
     return std::find(focus.begin(), focus.end(), group) != focus.end();
 }
 
+/// A block of `count`, mostly one that is in use.
+template <typename IsUsed>
+int some_block(int count, const IsUsed& is_used) {
+    const int block = draw(rc::gen::inRange(1, count + 1));
+    return is_used(block) || one_of({0, 0, 0, 1}) == 1 ? block : draw(rc::gen::inRange(1, count + 1));
+}
+
+inline Address some_address_of_math(const naive_ax130751::Parameters& all) {
+    const auto is_used = [&all](int block) { return all.math.at(static_cast<std::size_t>(block - 1)).enable != 0; };
+    const int block = some_block(4, is_used);
+    const int base = 0x4000 + 0x100 * block;
+    const int place = one_of({0x00, 0x01, 0x02, 0x03, 0x20, 0x22, 0x40, 0x40, 0x50, -1});
+    if (place < 0) {
+        return {one_of({0x4000, 0x4021, 0x4023, 0x4032}), block};
+    }
+    return {base + place, draw(rc::gen::inRange(1, place == 0x50 ? 4 : 5))};
+}
+
+inline Address some_address_of_table() {
+    const int base = naive_ax130751::table_index(one_of({1, 1, 2, 2, 3, 3, 4, 4, 5, 6, 7, 8, 9, 10}));
+    const int place = one_of({0, 1, 2, 3, 4, 5, 6, 7, 5, 6, 7});
+    return {base + place, place < 5 ? 0 : draw(rc::gen::inRange(1, 12))};
+}
+
+inline Address some_address_of_logic(const naive_ax130751::Parameters& all) {
+    const auto is_used = [&all](int block) { return all.logic.at(static_cast<std::size_t>(block - 1)).enable != 0; };
+    const int block = some_block(3, is_used);
+    const int base = 0x3300 + 0x100 * block;
+    switch (draw(rc::gen::inRange(0, 6))) {
+        case 0:
+            return {0x3300, block};
+        case 1:
+            return {base + 1, draw(rc::gen::inRange(1, 4))};
+        case 2:
+            return {base + 2, draw(rc::gen::inRange(1, 4))};
+        default:
+            return {base + 0x10 * draw(rc::gen::inRange(1, 4)) + draw(rc::gen::inRange(1, 4)),
+                    draw(rc::gen::inRange(1, 6))};
+    }
+}
+
 /// Any parameter of the groups.
 inline Address some_address(ModelPair& pair, const Focus& focus) {
     static const std::map<Group, std::vector<Address>> addresses = [&pair] {
@@ -22,7 +63,17 @@ inline Address some_address(ModelPair& pair, const Focus& focus) {
         }
         return all;
     }();
-    return draw(rc::gen::elementOf(addresses.at(draw(rc::gen::elementOf(focus)))));
+    const Group group = draw(rc::gen::elementOf(focus));
+    switch (group) {
+        case Group::math:
+            return some_address_of_math(pair.model().parameters);
+        case Group::logic:
+            return some_address_of_logic(pair.model().parameters);
+        case Group::table:
+            return some_address_of_table();
+        default:
+            return draw(rc::gen::elementOf(addresses.at(group)));
+    }
 }
 
 inline void write_some(ModelPair& pair, const Focus& focus) {
@@ -86,9 +137,8 @@ inline void wire_relay(ModelPair& pair) {
     wire_input(pair, 0x2290, 1, 6, {0, 0, 1, 1, 3});
 }
 
-/// One logic block that selects by two extra values, and one math block over three.
-inline void wire_logic_and_math(ModelPair& pair) {
-    const int logic = draw(rc::gen::inRange(1, 4));
+/// A logic block that selects by extra values.
+inline void wire_logic(ModelPair& pair, int logic) {
     const int base = 0x3300 + 0x100 * logic;
     pair.write(0x3300, logic, 1);
     for (int function = 1; function <= 3; ++function) {
@@ -103,7 +153,10 @@ inline void wire_logic_and_math(ModelPair& pair) {
             pair.write(index, 5, one_of({0, 1, 2, 3, 4, 5}));
         }
     }
-    const int math = draw(rc::gen::inRange(1, 5));
+}
+
+/// A math block over extra values, which also feeds its functions back.
+inline void wire_math(ModelPair& pair, int math) {
     pair.write(0x4000, math, 1);
     for (int input = 1; input <= 4; ++input) {
         const bool feeds_back = one_of({0, 0, 1}) == 1;
@@ -116,6 +169,15 @@ inline void wire_logic_and_math(ModelPair& pair) {
     for (int function = 1; function <= 3; ++function) {
         pair.write(0x4050 + 0x100 * math, function, draw(rc::gen::inRange(0, 18)));
     }
+}
+
+inline void wire_logic_and_math(ModelPair& pair) {
+    const int logic = draw(rc::gen::inRange(1, 4));
+    wire_logic(pair, logic);
+    wire_logic(pair, logic % 3 + 1);
+    const int math = draw(rc::gen::inRange(1, 5));
+    wire_math(pair, math);
+    wire_math(pair, math % 4 + 1);
 }
 
 inline void wire(ModelPair& pair, const Focus& focus) {
@@ -147,15 +209,15 @@ inline void set_up_network(ModelPair& pair) {
         pair.write(0x17FF + n, 5, one_of({0, 5, 7, 11}));
         pair.set_up(0x17FF + n, 1, no_rtr + 0x80 + 0x100 * static_cast<unsigned>(n) + ModelPair::node, 4);
         pair.set_up(0x13FF + n, 1, no_rtr + 0x100 + 0x100 * static_cast<unsigned>(n) + ModelPair::node, 4);
-        pair.model().parameters.transmit.at(at).valid = true;
-        pair.model().parameters.receive.at(at).valid = true;
+        pair.model().parameters.communication.transmit.at(at).valid = true;
+        pair.model().parameters.communication.receive.at(at).valid = true;
         pair.write(0x13FF + n, 5, one_of({0, 0, 10, 25}));
     }
     pair.write(0x1029, 1, one_of({0, 1, 1}));
-    pair.set_up(0x1016, 1, 0x00050000 + 20, 4);
-    pair.model().parameters.watches_heartbeat = draw(rc::gen::arbitrary<bool>());
-    if (!pair.model().parameters.watches_heartbeat) {
-        pair.set_up(0x1016, 1, 0, 4);
+    for (unsigned n = 0; n < 4; ++n) {
+        const int time = one_of({0, 15, 20, 30});
+        pair.set_up(0x1016, static_cast<int>(n) + 1, ((5 + n) << 16U) + static_cast<unsigned>(time), 4);
+        pair.model().parameters.communication.heartbeat_ms.at(n) = time;
     }
 }
 
@@ -219,7 +281,7 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
                 draw(rc::gen::element(35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F)),
                 draw(rc::gen::element(250.0F, 1.0e6F)), draw(rc::gen::element(500.0F, 2000.0F)));
         case 15:
-            return pair.heartbeat();
+            return pair.heartbeat(draw(rc::gen::inRange(5U, 9U)));
         case 16:
             return switch_a_block(pair, focus);
         default:
@@ -241,9 +303,9 @@ inline void live(ModelPair& pair, const Focus& focus) {
     const int steps = draw(rc::gen::inRange(20, 150));
     for (int step = 0; step < steps && !pair.differs(); ++step) {
         do_something(pair, focus);
-        const int event = draw(rc::gen::inRange(0, 60));
+        const int event = draw(rc::gen::inRange(0, 40));
         if (event == 0) {
-            pair.command(one_of({128, 129}));
+            pair.command(one_of({128, 129, 130}));
         } else if (event == 1) {
             pair.store();
         }

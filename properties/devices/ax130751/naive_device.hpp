@@ -34,29 +34,27 @@ class Device {
         blocks_ = Blocks{};
         shown = Shown{};
         terminals = {};
-        network_ = Network{};
         errors = Errors{};
-        short_ = {};
-        rpdo_due_ = {};
-        tpdo_due_ = {};
-        heartbeat_due_ = 0;
         failed_ = false;
-        state = Nmt::pre_operational;
         for (std::size_t n = 0; n < 2; ++n) {
             blocks_.outputs.at(n).reset(parameters.outputs.at(n).type);
         }
         points_.begin(parameters);
         measure();
-        said.push_back({now, 0x700 + node_, {0}});
-        if (parameters.diagnostics.starts_self != 0) {
-            command(1);
-        }
+        boot();
+        start_itself();
         tell_faults();
     }
-    /// NMT: 1 start, 128 pre-operational, 129 reset of the node.
+    /// NMT: 1 start, 128 pre-operational, 129 reset of the node, 130 of the communication.
     void command(int specifier) {
         if (specifier == 129) {
             return start_up();
+        }
+        if (specifier == 130) {
+            parameters.communication = stored_.communication;
+            boot();
+            announce();
+            return start_itself();
         }
         const Nmt wanted = specifier == 1 ? Nmt::operational : Nmt::pre_operational;
         if (wanted == state) {
@@ -66,7 +64,7 @@ class Device {
         rpdo_due_ = {};
         tpdo_due_ = {};
         for (std::size_t n = 0; n < 4 && state == Nmt::operational; ++n) {
-            const Pdo& pdo = parameters.transmit.at(n);
+            const Pdo& pdo = parameters.communication.transmit.at(n);
             if (pdo.valid && pdo.event != 0) {
                 transmit(n);
             }
@@ -82,9 +80,11 @@ class Device {
                 network_.overdue.at(n) = true;
             }
         }
-        if (heartbeat_due_ == now) {
-            heartbeat_due_ = 0;
-            network_.silent = true;
+        for (std::size_t n = 0; n < 4; ++n) {
+            if (heartbeat_due_.at(n) == now) {
+                heartbeat_due_.at(n) = 0;
+                silent_.at(n) = true;
+            }
         }
         announce();
         for (std::size_t n = 0; n < 4; ++n) {
@@ -117,7 +117,7 @@ class Device {
     /// RPDO `number`, 1 to 4, with the values of its shipped mapping.
     void receive(int number, const std::vector<int>& bytes) {
         const auto n = static_cast<std::size_t>(number - 1);
-        const Pdo& pdo = parameters.receive.at(n);
+        const Pdo& pdo = parameters.communication.receive.at(n);
         if (state != Nmt::operational || !pdo.valid) {
             return;
         }
@@ -130,11 +130,12 @@ class Device {
         }
         announce();
     }
-    /// A heartbeat of the producer that is watched: node 5, every 20 ms.
-    void heartbeat() {
-        if (parameters.watches_heartbeat) {
-            heartbeat_due_ = now + 20;
-            network_.silent = false;
+    /// A heartbeat of node 5 to 8.
+    void heartbeat(unsigned producer) {
+        const int time = parameters.communication.heartbeat_ms.at(producer - 5);
+        if (time != 0) {
+            heartbeat_due_.at(producer - 5) = now + static_cast<std::uint64_t>(time);
+            silent_.at(producer - 5) = false;
             announce();
         }
     }
@@ -161,6 +162,23 @@ class Device {
         NaiveRelay relay;
     };
 
+    /// What each boot-up begins anew: communication, and no block.
+    void boot() {
+        network_ = Network{};
+        short_ = {};
+        silent_ = {};
+        rpdo_due_ = {};
+        tpdo_due_ = {};
+        heartbeat_due_ = {};
+        state = Nmt::pre_operational;
+        said.push_back({now, 0x700 + node_, {0}});
+    }
+    /// 5555h
+    void start_itself() {
+        if (parameters.diagnostics.starts_self != 0) {
+            command(1);
+        }
+    }
     /// Supply and temperature, and the contact of a relay that has no supply.
     void measure() {
         shown.supply = inputs.supply;
@@ -202,12 +220,14 @@ class Device {
     /// Errors of communication, and what 1029h:1 makes of the first of them.
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
-        constexpr std::uint32_t producer = 5;
-        errors.set(heartbeat_error | producer << 16U, network_.silent, now, 0x80 + node_, said);
+        network_.silent = any(silent_);
+        for (std::uint32_t n = 0; n < 4; ++n) {
+            errors.set(heartbeat_error | (5 + n) << 16U, silent_.at(n), now, 0x80 + node_, said);
+        }
         errors.set(length_error, any(short_), now, 0x80 + node_, said);
         errors.set(time_out_error, any(network_.overdue), now, 0x80 + node_, said);
         const bool failed = network_.silent || any(network_.overdue);
-        if (failed && !failed_ && parameters.error_behaviour == 0) {
+        if (failed && !failed_ && parameters.communication.error_behaviour == 0) {
             command(128);
         }
         failed_ = failed;
@@ -255,7 +275,7 @@ class Device {
             add(bits_of(shown.temperature), 4);
         }
         said.push_back({now, 0x180 + 0x100 * static_cast<unsigned>(n) + node_, data});
-        tpdo_due_.at(n) = now + static_cast<std::uint64_t>(parameters.transmit.at(n).event);
+        tpdo_due_.at(n) = now + static_cast<std::uint64_t>(parameters.communication.transmit.at(n).event);
     }
     /// IEEE 754 single precision.
     static std::uint32_t bits_of(float value) {
@@ -277,7 +297,8 @@ class Device {
     std::array<bool, 4> short_{};
     std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not watched
     std::array<std::uint64_t, 4> tpdo_due_{};
-    std::uint64_t heartbeat_due_{0};
+    std::array<bool, 4> silent_{};
+    std::array<std::uint64_t, 4> heartbeat_due_{};
     bool failed_{false};
 };
 

@@ -131,6 +131,14 @@ struct Pdo {
     int event{0};
 };
 
+/// 3.2.9, 3.2.13 to 3.2.15.
+struct Communication {
+    int error_behaviour{1};             ///< 1029h:1
+    std::array<int, 4> heartbeat_ms{};  ///< 1016h:1 to 4, of the nodes 5 to 8; 0: not watched
+    std::array<Pdo, 4> receive{{{true, 0}, {false, 0}, {false, 0}, {true, 0}}};
+    std::array<Pdo, 4> transmit{{{true, 100}, {false, 0}, {false, 0}, {false, 0}}};
+};
+
 struct Parameters {
     std::array<Output, 2> outputs;
     Relay relay;
@@ -140,10 +148,7 @@ struct Parameters {
     std::array<Logic, 3> logic;
     std::array<MathBlock, 4> math;
     Diagnostics diagnostics;
-    int error_behaviour{1};         ///< 1029h:1
-    bool watches_heartbeat{false};  ///< 1016h:1, set to node 5 and 20 ms
-    std::array<Pdo, 4> receive{{{true, 0}, {false, 0}, {false, 0}, {true, 0}}};
-    std::array<Pdo, 4> transmit{{{true, 100}, {false, 0}, {false, 0}, {false, 0}}};
+    Communication communication;
 
     Parameters() {
         outputs[0].control.number = 1;
@@ -313,11 +318,11 @@ inline Entries entries_of(Parameters& all) {
     }
     for (int n = 1; n <= 4; ++n) {
         add_math(entries, n, all.math.at(static_cast<std::size_t>(n - 1)));
-        entries[{0x13FF + n, 5}] = {&all.receive.at(static_cast<std::size_t>(n - 1)).event, 2};
-        entries[{0x17FF + n, 5}] = {&all.transmit.at(static_cast<std::size_t>(n - 1)).event, 2};
+        entries[{0x13FF + n, 5}] = {&all.communication.receive.at(static_cast<std::size_t>(n - 1)).event, 2};
+        entries[{0x17FF + n, 5}] = {&all.communication.transmit.at(static_cast<std::size_t>(n - 1)).event, 2};
     }
     add_diagnostics(entries, all.diagnostics);
-    entries[{0x1029, 1}] = {&all.error_behaviour, 1};
+    entries[{0x1029, 1}] = {&all.communication.error_behaviour, 1};
     return entries;
 }
 

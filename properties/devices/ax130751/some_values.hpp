@@ -55,6 +55,7 @@ inline Group group_of(int index) {
         case 0x44:
             return Group::math;
         case 0x50:
+        case 0x55:
             return Group::diagnostics;
         default:
             return Group::none;
@@ -184,6 +185,8 @@ inline int some_value(int index, int sub) {
         {0x5032, {50, 85, 100}},
         {0x5033, {0, 10, 25, 100}},
         {0x5034, {0, 1}},
+        {0x5550, {0, 1}},
+        {0x5555, {0, 1}},
     };
     const auto found = values.find(index);
     if (found != values.end()) {

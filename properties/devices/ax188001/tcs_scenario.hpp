@@ -2,6 +2,8 @@
 // generator chooses, and the device to which it happens.
 #pragma once
 
+#include <rapidcheck.h>
+
 #include <ostream>
 #include <utility>
 
@@ -135,6 +137,7 @@ class TcsRig {
         if (bench.device->next_deadline() <= bench.now) {
             bench.device->advance(bench.now);
             note(bench.sent());
+            RC_ASSERT(bench.device->next_deadline() > bench.now);  // what is due gets done
         }
     }
     std::uint64_t now_ms() const { return bench.now.us / 1000; }

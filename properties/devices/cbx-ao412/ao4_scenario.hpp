@@ -166,7 +166,7 @@ inline Ao4Action ao4_write_of(unsigned which, unsigned number) {
 inline Ao4Action ao4_action_of(const Ao4Numbers& numbers) {
     const unsigned number = numbers[1];
     Ao4Action action;
-    switch (numbers[0] % 16) {
+    switch (numbers[0] % 20) {
         case 0:
         case 1:
         case 2:
@@ -196,7 +196,9 @@ inline Ao4Action ao4_action_of(const Ao4Numbers& numbers) {
             action = ao4_frame(0x080, false, std::vector<unsigned>(number % 5 == 0 ? 1 : 0));
             break;
         case 9:
-            action = ao4_frame(0x731 + number % 2, false, {5});
+        case 16:
+        case 17:
+            action = ao4_frame(0x731 + (number % 5 == 0 ? 1U : 0U), false, {5});
             break;
         case 10:
             action.kind = Ao4Action::remote;
@@ -208,6 +210,8 @@ inline Ao4Action ao4_action_of(const Ao4Numbers& numbers) {
             action = ao4_terminal(3, number % 4);
             break;
         case 13:
+        case 18:
+        case 19:
             action = ao4_terminal(4 + number % 3, number / 3 % 2);
             break;
         case 14:

@@ -25,7 +25,7 @@ void Emcy::reset() noexcept {
     show_register();
 }
 
-static_assert(implements<req::CO_EMCY_018>);
+static_assert(implements<req::CO_EMCY_012>);
 void Emcy::show_register() noexcept {
     const std::uint8_t value = active_register();
     register_changed_ = register_changed_ || (std::uint32_t{value} != shown_register_);
@@ -33,7 +33,7 @@ void Emcy::show_register() noexcept {
     objects_.write(index::error_register, 0U, value);
 }
 
-static_assert(implements<req::CO_EMCY_011> && implements<req::CO_EMCY_012>);
+static_assert(implements<req::CO_EMCY_011> && implements<req::CO_EMCY_018>);
 void Emcy::refresh() noexcept {
     may_send_at_ = Instant{};
     forget_when_switched_off();

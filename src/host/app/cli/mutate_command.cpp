@@ -115,6 +115,10 @@ int mutate(const MutateOptions& options) {
     const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
     const auto records = read_survivor_records(record_file);
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
+    const auto idle = without_alteration(records, all);
+    for (const SurvivorRecord* record : idle) {
+        fmt::print("{}:{}: no alteration is like this record; remove it\n", record_file.string(), record->line);
+    }
     auto cells = options.code ? chosen_mutants(all, options.subject)
                               : chosen_cells(all, sound_register(root / "spec"), options.subject);
     const bool whole = options.subject.empty() && options.sample == 0;
@@ -129,14 +133,14 @@ int mutate(const MutateOptions& options) {
                         : mutate_cells({programs / "canproof_tests", programs / "canproof_properties",
                                         programs / "verdicts", options.jobs},
                                        cells, progress);
-    const auto idle = justify(outcomes, records);
+    const auto unneeded = justify(outcomes, records);
     print_survivors(outcomes);
     if (whole) {
         write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
         if (options.code) {
             replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
         }
-        for (const SurvivorRecord* record : idle) {
+        for (const SurvivorRecord* record : unneeded) {
             fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),
                        record->line);
         }
@@ -144,7 +148,7 @@ int mutate(const MutateOptions& options) {
     const MutationCount counted = total(count_by_item(outcomes));
     fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", counted.altered,
                options.code ? "places" : "cells", counted.noticed, counted.justified, counted.open());
-    return counted.open() == 0 && (!whole || idle.empty()) ? 0 : 1;
+    return counted.open() == 0 && idle.empty() && (!whole || unneeded.empty()) ? 0 : 1;
 }
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Names that a line holds in full.
+/// Tests that a line names, where they may be many.
 constexpr std::size_t most_names = 40;
 
 enum class Judgement { never, changed, as_it_was };
@@ -110,13 +110,13 @@ class Auditor {
     KillAudit audit_;
 };
 
-std::string named(const char* what, const std::vector<std::string>& names) {
+std::string named(const char* what, const std::vector<std::string>& names, std::size_t most = std::string::npos) {
     if (names.empty()) {
         return "";
     }
-    const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most_names, names.size()));
+    const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
     return fmt::format("  {}: {}{}\n", what, fmt::join(names.begin(), end, " "),
-                       names.size() > most_names ? fmt::format(" and {} more", names.size() - most_names) : "");
+                       names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
 }
 
 }  // namespace
@@ -134,9 +134,9 @@ std::string kill_summary(const KillAudit& audit) {
     text += named("no test notices a mutant of", audit.unnoticed);
     text += named("without mutants", audit.immutable);
     text += named("not judged as they are", audit.unjudged);
-    text += named("tests that notice no mutant of what they claim", audit.idle);
+    text += named("tests that notice no mutant of what they claim", audit.idle, most_names);
     text += named("tests that changed since they were judged", audit.changed);
-    text += named("tests never judged", audit.never);
+    text += named("tests never judged", audit.never, most_names);
     for (const auto& regression : audit.regressions) {
         text += fmt::format("  regression: {}\n", regression);
     }

@@ -172,6 +172,14 @@ TEST(Records, JustifySurvivorsAndTellWhichAreIdle) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
+TEST(Records, AboutNothingAreTold) {
+    const std::vector<SurvivorRecord> records{{"src/a.cpp", "f, line *", "x -> true", "a reason", 1},
+                                              {"src/a.cpp", "g, line *", "x -> true", "another", 5}};
+    const auto idle = without_alteration(records, {{0, "src/a.cpp", "f, line 7", "x -> true"}});
+    ASSERT_EQ(idle.size(), 1U);
+    EXPECT_EQ(idle[0]->line, 5U);
+}
+
 TEST(Records, WithoutAReasonAreRefused) {
     const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
     try {
