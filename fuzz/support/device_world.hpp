@@ -72,7 +72,7 @@ class DeviceWorld {
         const std::uint8_t* const data = record + 2;
         switch (record[0] & 0x0FU) {
             case 4:
-                return expedited_write(device_->objects().tables(), node(), data);
+                return entry_write(device_->objects().tables(), node(), data);
             case 5:
                 return frame_of(0x7E5, how, data);
             case 6:
