@@ -54,7 +54,7 @@ class FourOnABus {
         if (frame) {
             for_each([&frame](auto& world) { world.receive(*frame); });
         } else if ((record[0] & 0x0FU) == 0xCU) {
-            pass(fuzz::DeviceWorld<fuzz::CbxAo412Unit>::duration_in(record));
+            pass(fuzz::duration_in(record));
         }
         exchange();
         for_each([](auto& world) { world.check(); });

@@ -81,7 +81,7 @@ std::string frame_text(const std::string& id, const Bytes& bytes) {
     return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
 }
 
-/// 2200h takes -100 … 100 (slave_register.hpp); all else takes what its bits can hold.
+/// 2200h takes -100 … 100 (tests/support/slave); all else takes what its bits can hold.
 bool fits(const Mappable& line, std::uint64_t value) {
     const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
     return line.index != 0x2200 || (number >= -100 && number <= 100);

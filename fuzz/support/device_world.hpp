@@ -9,6 +9,7 @@
 //   again
 #pragma once
 
+#include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
@@ -17,6 +18,7 @@
 
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
@@ -26,7 +28,6 @@
 
 namespace canproof::fuzz {
 
-constexpr std::size_t device_record_size = 12;
 /// Longer inputs find nothing that shorter ones do not.
 constexpr std::size_t most_device_records = 150;
 
@@ -43,11 +44,13 @@ class DeviceWorld {
     using Inputs = typename Unit::Inputs;
 
     explicit DeviceWorld(const Circumstances& circumstances, Image memory = Image(Unit::memory_size, 0xFF))
+        : DeviceWorld{circumstances, std::move(memory), usual_inputs()} {}
+    DeviceWorld(const Circumstances& circumstances, Image memory, const Inputs& inputs)
         : memory_{std::move(memory)},
+          inputs_{inputs},
           garbage_{circumstances.garbage},
           start_{circumstances.begins_us},
           now_{circumstances.begins_us} {
-        Unit::prepare(inputs_);
         power_on();
     }
     ~DeviceWorld() { device_->~Device(); }
@@ -113,10 +116,6 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// Of a record of kind C.
-    static Duration duration_in(const std::uint8_t* record) {
-        return milliseconds((record[2] + 256U * record[3]) % 10000U);
-    }
     /// What holds after any record.
     void check() {
         check_values();
@@ -131,13 +130,13 @@ class DeviceWorld {
 
     /// Time goes on to `end` with every deadline on the way kept.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;
+        constexpr unsigned most_at_once = 4;  // a block upload fills the queue as often as that
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
-            require(at_once <= most_at_once);  // what is due gets done
+            require(at_once <= most_at_once);
             now_ = device_->next_deadline() > now_ ? device_->next_deadline() : now_;
-            device_->advance(now_);
+            advance();
             drain(nullptr);
         }
         now_ = end;
@@ -146,7 +145,7 @@ class DeviceWorld {
     /// As with a driver that comes late: no deadline on the way is kept.
     void pass_unattended(Duration time) {
         now_ = now_ + time;
-        device_->advance(now_);
+        advance();
         drain(nullptr, true);
         run_until(now_);
     }
@@ -163,6 +162,21 @@ class DeviceWorld {
 
     Instant now() const { return now_; }
     const Device& device() const { return *device_; }
+    const Inputs& inputs() const { return inputs_; }
+    const Image& memory() const { return memory_.image(); }
+    /// The memory and the CAN controller work again.
+    void recover() {
+        memory_.heal();
+        for_each_input(inputs_, [](const char* name, auto& input) {
+            if (std::strncmp(name, "can_", 4) == 0) {
+                input = std::decay_t<decltype(input)>{};
+            }
+        });
+        device_->set_inputs(inputs_, now_);
+        drain(nullptr, true);
+        run_until(now_);
+    }
+    bool has_sent() const { return !sent_.empty(); }
     /// What left the device since the last call.
     std::vector<Frame> take_sent() { return std::exchange(sent_, {}); }
 
@@ -175,23 +189,21 @@ class DeviceWorld {
     }
 
   private:
+    static Inputs usual_inputs() {
+        Inputs inputs{};
+        Unit::prepare(inputs);
+        return inputs;
+    }
+    void advance() {
+        device_->advance(now_);
+        require(device_->next_deadline() > now_, "what is due gets done");
+    }
     std::uint32_t node() const { return device_->node_id() & 0x7FU; }
     std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
         return device_->objects().read(static_cast<std::uint16_t>(index), sub) & 0x7FFU;
     }
 
-    static Frame frame_of(std::uint32_t id, unsigned how, const std::uint8_t* data) {
-        Frame frame = data_frame(id, static_cast<std::uint8_t>(std::min(how & 0x0FU, 8U)));
-        std::copy_n(data, frame.length, frame.data.begin());
-        return frame;
-    }
     Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
-    static Frame any_frame(unsigned how, const std::uint8_t* data) {
-        Frame frame = frame_of((data[0] + 256U * data[1]) & 0x7FFU, how, data + 2);
-        frame.remote = (how & 0x80U) != 0;
-        frame.extended = (how & 0x40U) != 0;
-        return frame;
-    }
     /// Asks for the error control message, a TPDO or an RPDO.
     Frame remote_frame(unsigned how) const {
         const unsigned number = how % 9U;
@@ -224,17 +236,6 @@ class DeviceWorld {
         return std::nullopt;
     }
 
-    template <typename Value>
-    static Value value_of(const std::uint8_t* data) {
-        if constexpr (std::is_floating_point_v<Value>) {
-            constexpr float scales[]{0.001F, 0.01F, 0.1F, 1.0F};
-            const unsigned kind = data[4] % 8U;
-            const float number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
-            return kind < 4 ? bit_cast<float>(read_u32(ByteView{data, 4}, 0)) : number * scales[kind - 4U];
-        } else {
-            return static_cast<Value>(std::is_same_v<Value, bool> ? data[0] & 1U : data[0]);
-        }
-    }
     void set_input(unsigned which, const std::uint8_t* data) {
         unsigned count = 0;
         for_each_input(inputs_, [&count](const char*, auto&) { ++count; });
@@ -285,9 +286,7 @@ class DeviceWorld {
         JournalMemory copy{image};
         TransmitQueue queue;
         const auto probe = std::make_unique<Device>(copy, queue, typename Unit::FactoryData{});
-        Inputs inputs{};
-        Unit::prepare(inputs);
-        probe->power_on(inputs, Instant{});
+        probe->power_on(usual_inputs(), Instant{});
         Digest digest;
         digest.add(probe->node_id());
         digest.add(probe->bit_rate());
@@ -401,24 +400,5 @@ class DeviceWorld {
 /// A multiple of 24 s, in which every LED pattern fits, 1.28 s before the count of microseconds has its low 32 bits at
 /// 0.
 constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
-
-template <typename Unit>
-std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circumstances& circumstances) {
-    DeviceWorld<Unit> world{circumstances};
-    const std::size_t count = std::min(size / device_record_size, most_device_records);
-    for (std::size_t i = 0; i < count; ++i) {
-        world.happen(data + i * device_record_size);
-        world.check();
-    }
-    world.settle();
-    return world.digest();
-}
-
-/// One input, lived through twice: what a device does depends on nothing but what happened to it.
-template <typename Unit>
-int fuzz_device(const std::uint8_t* data, std::size_t size) {
-    require(run_world<Unit>(data, size, {}) == run_world<Unit>(data, size, late_and_dirty), "two runs are equal");
-    return 0;
-}
 
 }  // namespace canproof::fuzz

@@ -11,9 +11,10 @@ template <typename Device, typename Drain>
 void keep_deadlines(Device& device, Instant& now, Instant end, const Drain& drain) {
     for (unsigned at_once = 0; device.next_deadline() <= end;) {
         at_once = device.next_deadline() > now ? 0 : at_once + 1;
-        require(at_once < 4, "what is due gets done");
+        require(at_once < 4, "a block upload fills the queue no more often");
         now = device.next_deadline() > now ? device.next_deadline() : now;
         device.advance(now);
+        require(device.next_deadline() > now, "what is due gets done");
         drain();
     }
     now = end;

@@ -1,7 +1,7 @@
 """MISRA C++:2023 over the firmware and the generated headers, by checkers that are themselves tested.
 
-misra/run BUILD_FOLDER [OUTPUT_FOLDER]
-misra/run review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
+misra/run [--root PROJECT] BUILD_FOLDER [OUTPUT_FOLDER]
+misra/run [--root PROJECT] review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
 
 Exit status 0: no open finding and no fault in checkers or records; 1: there are; 2: wrong use or a missing tool.
 """
@@ -18,16 +18,16 @@ from .callgraph import check_call_graph
 from .examples import prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
 from .reports import Outcome, lead, write_all
-from .rules import ROOT, Faults, Rules, firmware_files, short_path
+from .rules import HOME, ROOT, Faults, Rules, firmware_files, named, short_path
 from .seeds import prove_on_firmware
 from .structure import archives, check_layers, check_symbols
-from .tools import TOOLS, find
+from .tools import TOOLS, compile_each, find
 
 
 def scope(generated):
-    """The firmware's units, and every header with the generated ones."""
-    units = [str(path.relative_to(ROOT)) for path in firmware_files(ROOT / "src", "*.cpp")]
-    headers = [str(path.relative_to(ROOT)) for path in firmware_files(ROOT / "src", "*.hpp")]
+    """The project's units of firmware, and every header with the generated ones."""
+    units = [named(path) for path in firmware_files(ROOT / "src", "*.cpp")]
+    headers = [named(path) for path in firmware_files(ROOT / "src", "*.hpp")]
     headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))
     return units, headers
 
@@ -56,11 +56,14 @@ def check(build, output):
     with tempfile.TemporaryDirectory() as graphs:
         found = find(rules, units, headers, generated, graphs, faults)
         progress.step("call graph, stack, symbols, layers")
+        if ROOT != HOME:  # a device's stack is that of what it calls as well
+            shared = sorted((HOME / "src" / "firmware").rglob("*.cpp"))
+            compile_each([named(path) for path in shared], generated, graphs, faults)
         figures = check_call_graph(graphs, generated, faults)
     check_layers(faults)
     check_symbols(build, faults)
 
-    in_scope = {short_path(ROOT / path, generated) for path in [*units, *headers]}
+    in_scope = {short_path(HOME / path, generated) for path in [*units, *headers]}
     found = {item for item in found if item.path in in_scope}
     reviewed = {item for item in found if item.rule in rules.scopes}
     records, reviews = read_deviations(), read_reviews()

@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 import time
 
-from .rules import ROOT, run_tool
+from .rules import HOME, ROOT, run_tool
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
 NAME = re.compile(r'(?:"([^"]+)"|<([^>]+)>)')
@@ -108,9 +108,10 @@ def run_cached(command, files, generated, script="", scratch=None, leaves=None):
     """(exit status, output) of `command`, which reads `files` and nothing else of ours. A `@script@` in it becomes a file that holds
     `script`; `leaves` is a file that it writes, kept with its output; `scratch` is a folder of this run only."""
     generated = os.path.realpath(generated)
-    places = Places(root=str(ROOT), generated=generated, **({"scratch": scratch} if scratch else {}))
+    others = {"project": str(ROOT)} if ROOT != HOME else {}
+    places = Places(root=str(HOME), generated=generated, **others, **({"scratch": scratch} if scratch else {}))
     store, entry = folder(), None
-    texts = read_with_includes([ROOT / path for path in files], [str(ROOT / "src"), generated]) if store else None
+    texts = read_with_includes([HOME / path for path in files], [str(HOME / "src"), str(ROOT / "src"), generated]) if store else None
     if texts is not None:
         entry = store / (key_of(command, script, texts, places) + ".json")
         try:

@@ -7,8 +7,8 @@ import re
 import tempfile
 import tomllib
 
-from .rules import HERE, ROOT, run_tool
-from .tools import compile_with_gcc
+from .rules import HOME, ROOT, records_of
+from .tools import compile_each
 
 NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*?)\\n([^"\\]*?)\\n(\d+) bytes \(([a-z,]+)\)', re.MULTILINE)
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"(?: label: "([^"]*)")? \}', re.MULTILINE)
@@ -19,7 +19,7 @@ INDIRECT = "__indirect_call"
 def called_through(place):
     """`memory_` and `read` for the call at file:line:column, which is that of the opening parenthesis or the name's end."""
     path, line, column = place.rsplit(":", 2)
-    text = (ROOT / path).read_text().splitlines()[int(line) - 1]
+    text = (HOME / path).read_text().splitlines()[int(line) - 1]
     before = re.match(r"[\s\S]*", text[: int(column) - 1]).group()
     rest = re.match(r"\w*", text[int(column) - 1 :]).group()
     match = CALL.search(before + rest)
@@ -110,15 +110,10 @@ def check_call_graph(graphs, generated, faults):
             def add(self, text):
                 self.append(text)
         seeded = Collected()
-
-        class NoRules:
-            @staticmethod
-            def of_check(name):
-                return ()
-        list(compile_with_gcc(NoRules, ["misra/callgraph/bad.cpp"], generated, scratch, seeded))
+        compile_each(["misra/callgraph/bad.cpp"], generated, scratch, seeded)
         check(CallGraph(scratch), [], [{"name": "deep", "entry": r"\bdeep\(", "bytes": 512}], seeded)
     for word in ("recursion: ", "an indirect call that callgraph.toml does not list (place.read)", "stack: deep may use"):
         if not any(word in text for text in seeded):
             faults.add(f"the call graph's check misses what misra/callgraph/bad.cpp holds: {word} in {seeded}")
-    listed = tomllib.loads((HERE / "callgraph.toml").read_text())
-    return check(CallGraph(graphs), listed["indirect"], list(device_bounds()), faults)
+    listed = [one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])]
+    return check(CallGraph(graphs), listed, list(device_bounds()), faults)

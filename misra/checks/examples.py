@@ -1,20 +1,20 @@
 """Proof of the checkers on each rule's examples."""
 import tempfile
 
-from .rules import ROOT
+from .rules import HOME, ROOT, named
 from .tools import find
 
 
 def prove_rules(rules, generated, faults):
     """Every rule's checkers flag the marked lines of its bad examples, and nothing else there or in its good ones."""
     with tempfile.TemporaryDirectory() as graphs:
-        found = find(rules, [str(path.relative_to(ROOT)) for path in rules.examples()], [], generated, graphs, faults)
+        found = find(rules, [named(path) for path in rules.examples()], [], generated, graphs, faults)
     for rule, folder in rules.folders.items():
         kinds = {path.name.split(".")[0].split("_")[0] for path in folder.glob("*.?pp")}
         if not {"bad", "good"} <= kinds:
             faults.add(f"rule {rule} lacks a bad or a good example")
         for path in sorted(folder.glob("*.?pp")):
-            name = str(path.relative_to(ROOT))
+            name = named(path)
             lines = path.read_text().splitlines()
             expected = {at for at, text in enumerate(lines, 1) if "// flagged" in text}
             if path.name.startswith("bad") != bool(expected):

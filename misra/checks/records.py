@@ -8,9 +8,9 @@ import pathlib
 import re
 import tomllib
 
-from .rules import HERE, ROOT, Finding, without_comments_and_literals
+from .rules import HERE, ROOT, Finding, records_of, without_comments_and_literals
 
-REVIEWS = HERE / "reviews.toml"
+REVIEWS = ROOT / "misra" / "reviews.toml"
 WEAKER = {"mandatory": [], "required": ["mandatory"], "advisory": ["mandatory", "required", "disapplied"]}
 
 
@@ -47,7 +47,13 @@ def source_line(finding, generated):
 
 
 def read_deviations():
-    return tomllib.loads((HERE / "deviations.toml").read_text()).get("deviation", [])
+    """The project's own. Another project has those of canproof that name no file as well, and need not use them."""
+    records = []
+    for path in records_of("deviations.toml"):
+        borrowed = path.parent.parent != ROOT
+        found = tomllib.loads(path.read_text()).get("deviation", [])
+        records += [{**record, "borrowed": borrowed} for record in found if not (borrowed and record["place"].startswith("src/"))]
+    return records
 
 
 def apply_deviations(findings, generated, today, records, faults):
@@ -69,7 +75,7 @@ def apply_deviations(findings, generated, today, records, faults):
         else:
             open_findings.append(finding)
     for at, record in enumerate(records):
-        if at not in used:
+        if at not in used and not record["borrowed"]:
             faults.add(f"deviation {at + 1} (rule {record.get('rule')} in {record.get('place')}) matches no finding")
     return open_findings, deviated
 
@@ -117,7 +123,7 @@ def replace_file(path, text):
 
 
 def add_review(arguments, generated):
-    """`review FILE RULE --by NAME --judgement TEXT`: writes or renews the record for the file as it stands."""
+    """`review FILE RULE --by NAME --judgement TEXT`: writes or renews the project's record for the file as it stands."""
     file, rule = arguments.file, arguments.rule
     if not file_of(file, generated).exists():
         raise SystemExit(f"misra review: there is no {file}; name it from the project's folder, as the finding does")
@@ -129,4 +135,5 @@ def add_review(arguments, generated):
         quoted = review["judgement"].replace("\\", "\\\\").replace('"', '\\"')
         lines += ["[[review]]", f'rule = "{review["rule"]}"', f'file = "{review["file"]}"', f'date = {review["date"]}',
                   f'by = "{review["by"]}"', f'fingerprint = "{review["fingerprint"]}"', f'judgement = "{quoted}"', ""]
+    REVIEWS.parent.mkdir(exist_ok=True)
     replace_file(REVIEWS, "\n".join(lines))

@@ -7,14 +7,26 @@ import subprocess
 from typing import NamedTuple
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
-ROOT = HERE.parent
+HOME = HERE.parent  # canproof: the checkers, and the firmware that all devices share; tools run here
+ROOT = pathlib.Path(os.environ.get("CANPROOF_ROOT") or HOME).resolve()  # the project that is checked
 NO_GCC = "_without_gcc"  # ends the name of a copy with seeds that g++ refuses without exceptions and run-time types
+
+
+def records_of(name):
+    """Where people's records of this name stand: canproof's, and beside them those of another project."""
+    return [path for path in dict.fromkeys((HERE / name, ROOT / "misra" / name)) if path.exists()]
 
 
 def firmware_files(sources, pattern):
     """The firmware's files of that name in the folder of sources: firmware/** and devices/NAME/firmware/**."""
     folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware"))]
     return [path for folder in folders for path in sorted(folder.rglob(pattern))]
+
+
+def named(path):
+    """As the tools are told of a file: from where they run, or whole when it is another project's."""
+    path = pathlib.Path(path)
+    return str(path.relative_to(HOME) if path.is_relative_to(HOME) else path)
 
 
 class Finding(NamedTuple):
@@ -57,7 +69,7 @@ class Rules:
         """Whether checks of this tool look at a file: at an example only those of its own rule, for others may break it."""
         if tool == "gcc-" and pathlib.Path(path).stem.endswith(NO_GCC):
             return False
-        folder = (ROOT / path).parent
+        folder = (HOME / path).parent
         if folder.parent != HERE / "rules":
             return True
         return any(name.startswith(tool) and folder.name in rules for name, rules in self.checks.items())
@@ -88,12 +100,12 @@ def without_comments_and_literals(text):
 def short_path(path, generated):
     """As records and reports name a file: from the root of the sources, or generated/…"""
     path = os.path.realpath(path)
-    for base, prefix in ((os.path.realpath(generated), ""), (str(ROOT), "")):
+    for base in (os.path.realpath(generated), str(ROOT), str(HOME)):
         if path.startswith(base + os.sep):
-            return prefix + path[len(base) + 1 :]
+            return path[len(base) + 1 :]
     return path
 
 
 def run_tool(command):
-    result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    result = subprocess.run(command, cwd=HOME, capture_output=True, text=True, check=False)
     return result.returncode, result.stdout + result.stderr

@@ -9,7 +9,7 @@ import tempfile
 import tomllib
 from typing import NamedTuple
 
-from .rules import HERE, NO_GCC, ROOT
+from .rules import HERE, HOME, NO_GCC
 from .tools import find
 
 MARK = "// flagged"
@@ -59,7 +59,7 @@ def write_copies(hosts, folder):
         unit = folder / file.replace("/", "_").replace(".cpp", f"{ending}.cpp")
         header, text_only = unit.with_suffix(".hpp"), unit.with_suffix(".text.hpp")
         texts = {text_only: [], header: ["#pragma once", "", "#include <array>", "#include <cstdint>"],
-                 unit: [*starts, *(ROOT / file).read_text().splitlines(), f'#include "{header.name}"']}
+                 unit: [*starts, *(HOME / file).read_text().splitlines(), f'#include "{header.name}"']}
         for number, piece in sorted(enumerate(pieces), key=lambda one: one[1].bare):
             path = text_only if piece.text else header if piece.header else unit
             text = texts[path]

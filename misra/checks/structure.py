@@ -4,7 +4,7 @@ import pathlib
 import re
 import tempfile
 
-from .rules import HERE, ROOT, firmware_files, run_tool
+from .rules import HERE, HOME, ROOT, firmware_files, run_tool
 
 
 LAYERS = {
@@ -65,7 +65,7 @@ FORBIDDEN = re.compile(
 def archives(build):
     """The libraries of the firmware: that of all devices, and one a device."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
-    source = pathlib.Path(build) / "src"
+    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # as canproof_project() has it
     return [source / "firmware" / "libcanproof_firmware.a",
             *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]
 

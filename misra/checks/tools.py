@@ -6,7 +6,7 @@ import re
 
 from .cache import run_cached
 from .definitions import hidden_and_renamed, one_definition, same_aliases
-from .rules import ROOT, Finding, short_path, without_comments_and_literals
+from .rules import HOME, ROOT, Finding, short_path, without_comments_and_literals
 from .scans import scan
 
 LANGUAGE = ["-std=c++17", "-Isrc"]
@@ -19,8 +19,14 @@ CHUNK = 6  # files a run of a tool: clang-query keeps all their syntax trees
 TOOLS = ["clang-query-19", "clang-tidy-19", "cppcheck", "g++", "nm", "c++filt"]
 
 
+def language(files):
+    """How these files are compiled. A project elsewhere has headers of its own, and names its files whole."""
+    elsewhere = ROOT != HOME and any(pathlib.Path(path).is_absolute() for path in files)
+    return [*LANGUAGE, *([f"-I{ROOT}/src"] if elsewhere else [])]
+
+
 def query(rules, files, generated, scratch, faults):
-    status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *LANGUAGE, f"-I{generated}"],
+    status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *language(files), f"-I{generated}"],
                                 files, generated, script="\n".join(rules.matchers) + "\n", scratch=scratch)
     if status != 0:
         wrong = re.findall(r"^\d+:\d+: .*$", output, re.MULTILINE)  # in a matcher
@@ -28,7 +34,7 @@ def query(rules, files, generated, scratch, faults):
     for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
         faults.add("under clang-query: " + error)
     for path, line, rule in re.findall(r'^([^\s:]+):(\d+):\d+: note: "([\d.]+)" binds here$', output, re.MULTILINE):
-        yield Finding(rule, short_path(ROOT / path, generated), int(line))
+        yield Finding(rule, short_path(HOME / path, generated), int(line))
 
 
 def named_findings(rules, output, prefix, generated, faults):
@@ -39,21 +45,21 @@ def named_findings(rules, output, prefix, generated, faults):
             faults.add(f"does not compile: {path}:{line}: {text}")
         for name in names.split(","):
             for rule in rules.of_check(prefix + name, text):
-                yield Finding(rule, short_path(ROOT / path, generated), int(line))
+                yield Finding(rule, short_path(HOME / path, generated), int(line))
 
 
 def tidy(rules, files, generated, scratch, faults):
     checks = "-*," + ",".join(sorted(name for name in rules.checks if not name.startswith(("cppcheck-", "gcc-"))))
     _, output = run_cached(
         ["clang-tidy-19", "--quiet", f"--checks={checks}", "--header-filter=.*", "--config={}", *map(str, files), "--",
-         *LANGUAGE, *CLANG_WARNINGS, f"-I{generated}"], files, generated, scratch=scratch)
+         *language(files), *CLANG_WARNINGS, f"-I{generated}"], files, generated, scratch=scratch)
     yield from named_findings(rules, output, "", generated, faults)
 
 
 def cppcheck(rules, files, generated, scratch, faults):
     status, output = run_cached(
-        ["cppcheck", "--quiet", "--enable=warning,performance,portability,style", "--std=c++17", "--language=c++", "-Isrc",
-         f"-I{generated}", "--template={file}:{line}:{column}: {severity}: {message} [{id}]", *map(str, files)],
+        ["cppcheck", "--quiet", "--enable=warning,performance,portability,style", "--std=c++17", "--language=c++",
+         *language(files)[1:], f"-I{generated}", "--template={file}:{line}:{column}: {severity}: {message} [{id}]", *map(str, files)],
         files, generated, scratch=scratch)
     if status != 0:
         faults.add("cppcheck failed:\n" + output[-2000:])
@@ -64,7 +70,7 @@ def compile_with_gcc(rules, files, generated, graphs, faults):
     """g++'s warnings and analyzer; what it leaves in the folder `graphs` is the call graph with stack use."""
     for path in files:
         target = pathlib.Path(graphs) / (str(path).replace("/", "_") + ".o")
-        status, output = run_cached(["g++", *LANGUAGE, *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)],
+        status, output = run_cached(["g++", *language([path]), *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)],
                                     [path], generated, scratch=graphs, leaves=target.with_suffix(".ci"))
         if status != 0:
             faults.add("does not compile with g++:\n" + output[-2000:])
@@ -72,24 +78,34 @@ def compile_with_gcc(rules, files, generated, graphs, faults):
         yield from named_findings(rules, output, "gcc-", generated, faults)
 
 
+def compile_each(units, generated, graphs, faults):
+    """Leaves the call graphs of units whose findings nobody asks for."""
+    class NoRules:
+        @staticmethod
+        def of_check(name):
+            return ()
+    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        list(pool.map(lambda unit: list(compile_with_gcc(NoRules, [unit], generated, graphs, faults)), units))
+
+
 def search(rules, files, generated):
     for path in files:
-        text = (ROOT / path).read_text()
+        text = (HOME / path).read_text()
         code = without_comments_and_literals(text)
-        yield from scan(short_path(ROOT / path, generated), text)
+        yield from scan(short_path(HOME / path, generated), text)
         header = str(path).endswith(".hpp")
         for rule, pattern, raw in rules.patterns:
             if "header" in pattern.groupindex and not header:
                 continue
             for match in pattern.finditer(text if raw else code):
                 start = match.start("at") if "at" in pattern.groupindex else match.start()
-                yield Finding(rule, short_path(ROOT / path, generated), text.count("\n", 0, start) + 1)
+                yield Finding(rule, short_path(HOME / path, generated), text.count("\n", 0, start) + 1)
 
 
 def find(rules, units, headers, generated, graphs, faults, progress=lambda done, of: None):
     """All findings in the units, in what they include, and (by text) in the headers."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
-    texts = {short_path(ROOT / path, generated): (ROOT / path).read_text() for path in [*units, *headers]}
+    texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}
     work = [(tool, chunk) for chunk in chunks for tool in (query, tidy)]
     work += [(cppcheck, [path for path in chunk if rules.concerns("cppcheck-", path)]) for chunk in chunks]

@@ -146,6 +146,7 @@ class Node {
     }
     void reset_communication() {
         list_.clear();
+        may_send_at_ = 0;
         restore_defaults();
         enter(State::pre_operational);
         set(Error::rpdo_length, false);

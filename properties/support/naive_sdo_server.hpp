@@ -5,55 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <vector>
 
+#include "properties/support/naive_sdo_objects.hpp"
+
 namespace canproof::naive {
-
-using Bytes = std::vector<std::uint8_t>;
-using Message = std::array<std::uint8_t, 8>;
-
-/// One entry of a dictionary.
-struct Entry {
-    enum class Kind { number, text, domain };
-    Kind kind{Kind::number};
-    std::size_t capacity{0};  ///< bytes; a number has all of them
-    std::optional<Bytes> value{};
-    bool readable{true};
-    bool writable{true};
-    bool has_memory{true};  ///< a place in which a download can gather
-    /// Abort code for a number that may not be set; 0 when it may.
-    std::function<std::uint32_t(const Bytes&)> limits{[](const Bytes&) { return 0U; }};
-};
-
-using Objects = std::map<std::uint16_t, std::map<std::uint8_t, Entry>>;
-
-inline std::uint16_t crc16(const Bytes& bytes) {
-    std::uint32_t crc = 0;
-    for (const std::uint8_t byte : bytes) {
-        crc ^= static_cast<std::uint32_t>(byte) << 8;
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = (crc & 0x8000U) != 0 ? ((crc << 1) ^ 0x1021U) & 0xFFFFU : (crc << 1) & 0xFFFFU;
-        }
-    }
-    return static_cast<std::uint16_t>(crc);
-}
-
-/// Seven bytes each; an empty value is one piece of none.
-inline std::vector<Bytes> pieces_of_seven(const Bytes& value) {
-    std::vector<Bytes> pieces;
-    for (std::size_t from = 0; from < value.size(); from += 7) {
-        const std::size_t to = std::min(from + 7, value.size());
-        pieces.emplace_back(value.begin() + static_cast<std::ptrdiff_t>(from),
-                            value.begin() + static_cast<std::ptrdiff_t>(to));
-    }
-    if (pieces.empty()) {
-        pieces.emplace_back();
-    }
-    return pieces;
-}
 
 class Server {
   public:
@@ -69,20 +26,17 @@ class Server {
         block_end
     };
 
-    explicit Server(const Objects& objects) : as_new_{objects}, objects_{objects} {}
+    explicit Server(const Objects& objects) : store_{objects} {}
 
     /// As new, at time 0.
     void restart() {
-        for (const auto& [index, subindex] : written_) {
-            objects_[index][subindex].value = as_new_[index][subindex].value;
-        }
-        written_.clear();
+        store_.restore();
         doing_ = Doing::nothing;
         now_ = 0;
         progress_ = 0;
     }
 
-    const Objects& objects() const { return objects_; }
+    const Objects& objects() const { return store_.objects(); }
     Doing doing() const { return doing_; }
     /// Pieces of the sub-block that the client has not acknowledged yet.
     std::size_t pieces_out() const { return out_; }
@@ -166,63 +120,9 @@ class Server {
         index_ = static_cast<std::uint16_t>(m[1] + 256 * m[2]);
         subindex_ = m[3];
     }
-    /// The entry, or the abort code for its absence.
-    std::uint32_t find(Entry*& entry) {
-        const auto object = objects_.find(index_);
-        if (object == objects_.end()) {
-            return 0x06020000;
-        }
-        const auto found = object->second.find(subindex_);
-        if (found == object->second.end()) {
-            return 0x06090011;
-        }
-        entry = &found->second;
-        return 0;
-    }
-    std::uint32_t read(Bytes& value) {
-        Entry* entry = nullptr;
-        if (const std::uint32_t code = find(entry); code != 0) {
-            return code;
-        }
-        if (!entry->readable) {
-            return 0x06010001;
-        }
-        if (entry->kind == Entry::Kind::domain && !entry->has_memory) {
-            return 0x06010000;
-        }
-        if (!entry->value) {
-            return 0x08000024;
-        }
-        value = *entry->value;
-        return 0;
-    }
-    std::uint32_t write(Bytes value) {
-        Entry* entry = nullptr;
-        if (const std::uint32_t code = find(entry); code != 0) {
-            return code;
-        }
-        if (!entry->writable) {
-            return 0x06010002;
-        }
-        if (entry->kind == Entry::Kind::domain && !entry->has_memory) {
-            return 0x05040005;
-        }
-        if (value.size() > entry->capacity) {
-            return 0x06070012;
-        }
-        if (entry->kind == Entry::Kind::number && value.size() < entry->capacity) {
-            return 0x06070013;
-        }
-        if (const std::uint32_t code = entry->limits(value); code != 0) {
-            return code;
-        }
-        if (entry->kind == Entry::Kind::text) {
-            value.erase(std::find(value.begin(), value.end(), 0), value.end());
-        }
-        entry->value = value;
-        written_.emplace_back(index_, subindex_);
-        return 0;
-    }
+    std::uint32_t find(Entry*& entry) { return store_.find(index_, subindex_, entry); }
+    std::uint32_t read(Bytes& value) { return store_.read(index_, subindex_, value); }
+    std::uint32_t write(const Bytes& value) { return store_.write(index_, subindex_, value); }
 
     // -- answers ------------------------------------------------------------------------------------------------------
 
@@ -444,9 +344,7 @@ class Server {
         doing_ = Doing::block_end;
     }
 
-    Objects as_new_;
-    Objects objects_;
-    std::vector<std::pair<std::uint16_t, std::uint8_t>> written_;
+    ObjectStore store_;
     std::vector<Message> answers_;
     Doing doing_{Doing::nothing};
     std::uint64_t now_{0};

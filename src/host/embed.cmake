@@ -1,10 +1,10 @@
 # Files as a C++ source, for scripts that cmake -P runs.
 
-# canproof_embed(OUT FUNCTION HEADER ORIGIN NAME FILE [NAME FILE]…): writes FUNCTION(), which HEADER declares and which
-# returns the bytes of each FILE by its NAME. ORIGIN says in the written file where it comes from.
-function(canproof_embed out function header origin)
+# canproof_embed(OUT NAMESPACE FUNCTION HEADER ORIGIN NAME FILE [NAME FILE]…): writes NAMESPACE::FUNCTION(), which HEADER
+# declares and which returns the bytes of each FILE by its NAME. ORIGIN says in the written file where it comes from.
+function(canproof_embed out namespace function header origin)
   set(text "// Written by ${origin}. Do not edit.\n#include \"${header}\"\n\n")
-  string(APPEND text "namespace canproof::host {\n\nnamespace {\n\n")
+  string(APPEND text "namespace ${namespace} {\n\nnamespace {\n\n")
   set(rows "")
   set(number 0)
   set(rest ${ARGN})
@@ -18,6 +18,6 @@ function(canproof_embed out function header origin)
   endwhile()
   string(APPEND text "\n}  // namespace\n\nconst std::map<std::string, std::string>& ${function}() {\n")
   string(APPEND text "    static const std::map<std::string, std::string> files{\n${rows}    };\n    return files;\n}\n\n")
-  string(APPEND text "}  // namespace canproof::host\n")
+  string(APPEND text "}  // namespace ${namespace}\n")
   file(WRITE ${out} "${text}")
 endfunction()

@@ -33,7 +33,7 @@ TEST_F(Errors, MessageHoldsCodeRegisterAndCount) {
 }
 
 TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
-    verifies<req::AO4_ERR_002>();
+    verifies<req::CO_EMCY_015, req::AO4_ERR_002>();
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(pass(10000).empty());
@@ -42,7 +42,7 @@ TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
 }
 
 TEST_F(Errors, RegisterShowsWhatIsActive) {
-    verifies<req::AO4_ERR_006, req::AO4_OD_1001>();
+    verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
     EXPECT_EQ(error_register(), "11");
@@ -57,7 +57,7 @@ TEST_F(Errors, RegisterShowsWhatIsActive) {
 }
 
 TEST_F(Errors, EachErrorHasItsCode) {
-    verifies<req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
+    verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
     EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun lasts
@@ -86,7 +86,7 @@ TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
 }
 
 TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
-    verifies<req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
+    verifies<req::CO_EMCY_013, req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
     can_state(2);
     EXPECT_EQ(listed(0), "01000000");
     EXPECT_EQ(listed(1), "20810000");
@@ -104,7 +104,7 @@ TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
 }
 
 TEST_F(Errors, WritingZeroEmptiesTheList) {
-    verifies<req::AO4_ERR_004>();
+    verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
     EXPECT_EQ(listed(0), "01000000");
@@ -115,7 +115,7 @@ TEST_F(Errors, WritingZeroEmptiesTheList) {
 }
 
 TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
-    verifies<req::AO4_ERR_004>();
+    verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     for (int i = 0; i < 10; ++i) {
         overrun(true);
         overrun(false);
@@ -163,6 +163,14 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_TRUE(can_state(2).empty());
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
+}
+
+TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
+    verifies<req::CO_EMCY_018>();
+    write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
 }
 
 TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
@@ -217,7 +225,7 @@ TEST_F(Errors, AResetOfCommunicationEmptiesTheListOfWhatHasBeen) {
 }
 
 TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
-    verifies<req::AO4_ERR_008, req::AO4_ERR_011>();
+    verifies<req::CO_EMCY_016, req::CO_EMCY_017, req::AO4_ERR_008, req::AO4_ERR_011>();
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());

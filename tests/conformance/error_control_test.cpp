@@ -100,7 +100,7 @@ TEST_F(ErrorControlService, OtherWritesFeedNoLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
-    verifies<req::CO_HB_002, req::AO4_ERR_007>();
+    verifies<req::CO_EMCY_016, req::CO_HB_002, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // nothing heard yet, nothing watched
     send("731#05");
@@ -167,6 +167,26 @@ TEST_F(ErrorControlService, AResetEndsTheMonitoringUntilTheNextHeartbeat) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
+TEST_F(ErrorControlService, WritingTheEntryAnewForgetsThatItsProducerFellSilent) {
+    verifies<req::CO_HB_002>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    send("731#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+    EXPECT_EQ(send("603#23161001C8003200"), (Frames{"083#0000000100000000", "583#6016100100000000"}));
+    send("732#05");
+    EXPECT_TRUE(pass(199).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110200000000"}));
+}
+
+TEST_F(ErrorControlService, AResetForgetsThatAProducerFellSilent) {
+    verifies<req::CO_HB_002, req::CO_NMT_006>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    send("731#05");
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));  // 1003h is empty
+    EXPECT_TRUE(pass(1000).empty());
+}
+
 TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
     verifies<req::CO_GUARD_001>();
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
@@ -200,7 +220,7 @@ TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
 }
 
 TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
-    verifies<req::AO4_GUARD_001, req::AO4_OD_100E>();
+    verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
     write("603#230E100020070000");  // 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
     EXPECT_TRUE(send("703#R1").empty());
@@ -211,7 +231,7 @@ TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
 }
 
 TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
-    verifies<req::AO4_GUARD_002>();
+    verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {
@@ -239,7 +259,7 @@ std::string state_after_error(const std::string& begin, const std::string& react
 }  // namespace
 
 TEST(ErrorBehaviour, AHeartbeatErrorActsBy1029h) {
-    verifies<req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
+    verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
     EXPECT_EQ(state_after_error("01", "00"), "7F");  // operational: to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // no change
     EXPECT_EQ(state_after_error("01", "02"), "04");  // stopped
@@ -249,7 +269,7 @@ TEST(ErrorBehaviour, AHeartbeatErrorActsBy1029h) {
 }
 
 TEST_F(ErrorControlService, BusOffActsBy1029h) {
-    verifies<req::AO4_GUARD_003>();
+    verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     send("000#0103");
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());

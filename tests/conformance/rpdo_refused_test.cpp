@@ -1,9 +1,16 @@
 // Receive PDOs with a value that is refused: no reception, and told by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
+#include "tests/support/altered_slave.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
+
+namespace {
+
+class MovingLimit : public testing::Test, public AlteredSlaveBench {};
+
+}  // namespace
 
 TEST_F(Rpdo, ARefusedPdoIsNoReception) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
@@ -56,6 +63,32 @@ TEST_F(Rpdo, AValueErrorLastsWhileAnyPdoIsRefused) {
                     {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},  // a write ends it
                 });
     EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1
+}
+
+// 2200h may be -100 to the value of 2100h:1, which moves between the reception and the SYNC.
+TEST_F(MovingLimit, AnRpdoThatWaitsForTheSyncIsRefusedWhenALimitHasMoved) {
+    verifies<req::CO_PDO_033, req::CO_PDO_034>();
+    limit(0x2200, 0, {{LimitKind::value, 0xFF9C, 0}, {LimitKind::entry, 0x210001, 0}});
+    ship(0x2100, 1, 100);
+    power_on();
+    talk(*this, {
+                    {"605#2300180185010080", {"585#6000180100000000"}},  // TPDO1 and TPDO2 are not valid
+                    {"605#2301180185020080", {"585#6001180100000000"}},
+                    {"605#2F02160000000000", {"585#6002160000000000"}},
+                    {"605#2302160110000022", {"585#6002160100000000"}},
+                    {"605#2F02160001000000", {"585#6002160000000000"}},
+                    {"605#2F02140201000000", {"585#6002140200000000"}},  // type 1: at the next SYNC
+                    {"605#2302140105040000", {"585#6002140100000000"}},
+                    {"000#0105", {}},
+                    {"405#3200", {}},                                    // 50 waits
+                    {"605#2B00210128000000", {"585#6000210100000000"}},  // at most 40
+                    {"080#", {"085#0082110100000000"}},
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // as shipped
+                    {"080#", {}},                                        // nothing waits any more
+                    {"405#2800", {"085#0000000100000000"}},              // 40
+                    {"080#", {}},
+                    {"605#4000220000000000", {"585#4B00220028000000"}},
+                });
 }
 
 }  // namespace canproof::test

@@ -101,6 +101,33 @@ TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
     EXPECT_EQ(value(), "00000000");
 }
 
+TEST_F(SmallStore, ResetCommunicationTakesAllStoredValuesOrNone) {
+    verifies<req::CO_NMT_005, req::CO_STORE_006>();
+    keep(0x1015);  // the inhibit time of EMCY
+    keep(0x1017);  // the heartbeat
+    FaultyMemory faulty{128};
+    power_on_with(faulty);
+    send("605#2B15100064000000");
+    send("605#2B171000B80B0000");
+    EXPECT_EQ(save(), saved);
+    power_on_with(faulty);
+    faulty.fail_read(0);
+    EXPECT_EQ(send("000#8205"), Frames{"705#00"});
+    EXPECT_EQ(send("605#4015100000000000"), Frames{"585#4B15100064000000"});
+    EXPECT_EQ(send("605#4017100000000000"), Frames{"585#4B171000B80B0000"});
+    const std::size_t reads = faulty.reads;
+    ASSERT_GE(reads, 2U);
+    for (std::size_t n = 1; n <= reads; ++n) {
+        faulty.fail_read(0);
+        power_on_with(faulty);
+        faulty.fail_read(n);
+        EXPECT_EQ(send("000#8205"), (Frames{"705#00", corrupt})) << n;
+        EXPECT_EQ(send("605#4001100000000000"), Frames{"585#4F01100001000000"}) << n;
+        EXPECT_EQ(send("605#4015100000000000"), Frames{"585#4B15100000000000"}) << n;
+        EXPECT_EQ(send("605#4017100000000000"), Frames{"585#4B17100000000000"}) << n;
+    }
+}
+
 TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
     for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // void, header, value, CRC, committed

@@ -132,6 +132,18 @@ TEST_F(SyncService, CounterRunsFromOneToItsOverflow) {
     EXPECT_EQ(pass(5), (Frames{"1:080#01", "2:080#02", "3:080#03", "4:080#01", "5:080#02"}));
 }
 
+TEST_F(SyncService, TheCounterBeginsAtOneWhenAStoppedNodeGoesOn) {
+    verifies<req::CO_SYNC_004>();
+    write("603#2F1910000A000000");
+    write("603#23061000E8030000");  // 1 ms
+    write("603#2305100080000040");
+    EXPECT_EQ(pass(2), (Frames{"1:080#01", "2:080#02"}));
+    send("000#0203");
+    EXPECT_TRUE(pass(5).empty());
+    send("000#8003");
+    EXPECT_EQ(pass(2), (Frames{"1:080#01", "2:080#02"}));
+}
+
 TEST_F(SyncService, AProducedSyncTakesEffectInTheNode) {
     verifies<req::CO_SYNC_005>();
     make_rpdo2_synchronous();

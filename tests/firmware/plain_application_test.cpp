@@ -137,7 +137,7 @@ TEST_F(ByHand, AConstantIsNeverOverwritten) {
 }
 
 TEST_F(ByHand, ASelfStartWaitsForCommunicationUnless1029hSaysNoChange) {
-    verifies<req::CO_NMT_002>();
+    verifies<req::CO_NMT_008, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {
         node.start_at(now + milliseconds(100));

@@ -1,7 +1,7 @@
 // A whole AX130751: see support/device_world.hpp for what can happen to it and what must hold.
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/claims.hpp"
-#include "fuzz/support/device_world.hpp"
+#include "fuzz/support/fuzz_device.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "generated/ax130751/requirements.hpp"

@@ -20,6 +20,7 @@ struct Ax130751Unit {
         return entry.is(0x5B51, 0) && objects.read(0x5B51, 0) == unconfigured_node_id;
     }
     static bool may_also_send(const Frame&) { return false; }
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< through a reset of the node
 
     /// 1.3 Table 3, section 4: no output leaves the range of any type, and without a supply nothing is driven, not the
     /// coil of the relay either: AOR-D-283.

@@ -1,6 +1,8 @@
 // The AX188001 for DeviceWorld.
 #pragma once
 
+#include <cmath>
+
 #include "devices/ax188001/firmware/ax188001.hpp"
 #include "fuzz/support/require.hpp"
 
@@ -20,6 +22,7 @@ struct Ax188001Unit {
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
     }
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< through a reset of the node
 
     /// 1.1, 3.2.4, 3.3.6, 3.4.13 to 3.4.19.
     static void check(const Device& device, const Inputs&, bool) {
@@ -36,8 +39,13 @@ struct Ax188001Unit {
             require(word(0x4000, sub) >= -2730 && word(0x4000, sub) <= high - 100);
             require(high <= shutdown - 100 && shutdown <= 17350);
             check_value(read(0x6100, sub), read(0x7130, sub));
+            check_scaling(objects, Scaled{0x6100, 0x7130, 0x6126, 0x6127, sub, true});
+            require(status == 0 || read(0x1001, 0) == 1);
         }
         check_value(read(0x2100, 0), read(0x2130, 0));
+        check_scaling(objects, Scaled{0x2100, 0x2130, 0x2126, 0x2127, 0, true});
+        check_scaling(objects, Scaled{0x3100, 0x3130, 0x3126, 0x3127, 0, false});
+        check_average(objects);
         require(read(0x5042, 1) <= read(0x5041, 1) && read(0x5042, 2) <= read(0x5041, 2));
         require(read(0x5041, 3) <= read(0x5042, 3) && read(0x5042, 3) <= read(0x5042, 2));
         require(read(0x1003, 0) <= 9 && read(0x1001, 0) <= 1);
@@ -45,6 +53,42 @@ struct Ax188001Unit {
     }
 
   private:
+    static constexpr std::uint32_t not_a_number = 0xFFC00000;
+
+    /// A field value, its process value, and the factor and offset between them (1.1 to 1.3).
+    struct Scaled {
+        std::uint16_t field;
+        std::uint16_t process;
+        std::uint16_t factor;
+        std::uint16_t offset;
+        std::uint8_t sub;
+        bool gives_way;  ///< to -1 and -512, which mean something else
+    };
+    static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
+        const auto real = [&](std::uint16_t index) {
+            return static_cast<double>(bit_cast<float>(objects.read(index, at.sub)));
+        };
+        if (objects.read(at.field, at.sub) == not_a_number) {
+            return;
+        }
+        const double exact = std::round(real(at.field) * real(at.factor) + real(at.offset));
+        const double held = std::fmin(std::fmax(exact, -32768.0), 32767.0);
+        const double moved = at.gives_way && (held == -1.0 || held == -512.0) ? held + 1.0 : held;
+        require(static_cast<double>(static_cast<std::int16_t>(objects.read(at.process, at.sub))) == moved);
+    }
+    /// 1.2: the mean of the channels that have a temperature.
+    static void check_average(const ObjectDictionary& objects) {
+        double sum = 0.0;
+        int count = 0;
+        for (std::uint8_t sub = 1; sub <= 2 && objects.read(0x2112, 0) != 0; ++sub) {
+            const std::uint32_t bits = objects.read(0x6100, sub);
+            sum += bits == not_a_number ? 0.0 : static_cast<double>(bit_cast<float>(bits));
+            count += bits == not_a_number ? 0 : 1;
+        }
+        const std::uint32_t mean = objects.read(0x2100, 0);
+        require((mean == not_a_number) == (count == 0));
+        require(count == 0 || bit_cast<float>(mean) == static_cast<float>(sum / count));
+    }
     /// A sentinel in the process value goes with FFC00000h in the field value, and the other way round.
     static void check_value(std::uint32_t field_value, std::uint32_t process_value) {
         const bool sentinel = process_value == 0xFFFF || process_value == 0xFE00;

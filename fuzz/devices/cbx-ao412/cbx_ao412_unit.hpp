@@ -22,10 +22,19 @@ class CbxAo412Unit {
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
+    /// 7.10.3: 6443h = 2 leaves an output as it is while an internal failure lasts, a reset of the node included.
+    static bool keeps_outputs(const Device& device, const Inputs& inputs) {
+        bool keeps = false;
+        for (std::uint8_t number = 1; number <= 4; ++number) {
+            keeps = keeps || read(device, 0x6443, number) == 2;
+        }
+        return keeps && (inputs.internal_fault || inputs.hardware_fault);
+    }
 
     /// 4.3.1: no output is beyond 10.205 V. 7.10.3: in an internal fault an output stays where it was, or goes to 0 V
     /// or to its error value; nothing that is written moves it elsewhere.
     void check(const Device& device, const Inputs& inputs, bool) {
+        check_leds(device, inputs);
         for (std::uint8_t number = 1; number <= 4; ++number) {
             const float volts = device.outputs().aout[number - 1U];
             require(volts >= -10.2046F && volts <= 10.2046F);
@@ -45,6 +54,15 @@ class CbxAo412Unit {
         float volts{0.0F};
         std::uint32_t calibration{0U};
     };
+    /// 3.2: what each LED shows without a break.
+    static void check_leds(const Device& device, const Inputs& inputs) {
+        const auto& outputs = device.outputs();
+        require(outputs.led_p == has_values(device));
+        require(device.state() != NmtState::operational || outputs.led_s);
+        require((has_values(device) && inputs.can_state < 3) || outputs.led_e);
+        const bool guard_error = (device.objects().read(0x1001, 0) & 0x10U) != 0U;
+        require(!has_values(device) || inputs.can_state != 0 || guard_error || !outputs.led_e);
+    }
     static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
         return device.objects().read(index, sub) & 0xFFFFU;
     }

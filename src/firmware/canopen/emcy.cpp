@@ -25,6 +25,7 @@ void Emcy::reset() noexcept {
     show_register();
 }
 
+static_assert(implements<req::CO_EMCY_012>);
 void Emcy::show_register() noexcept {
     const std::uint8_t value = active_register();
     register_changed_ = register_changed_ || (std::uint32_t{value} != shown_register_);
@@ -32,8 +33,9 @@ void Emcy::show_register() noexcept {
     objects_.write(index::error_register, 0U, value);
 }
 
-static_assert(implements<req::CO_EMCY_011>);
+static_assert(implements<req::CO_EMCY_011> && implements<req::CO_EMCY_018>);
 void Emcy::refresh() noexcept {
+    may_send_at_ = Instant{};
     forget_when_switched_off();
     show_register();
     if (list_ == ErrorList::history) {
@@ -41,6 +43,7 @@ void Emcy::refresh() noexcept {
     }
 }
 
+static_assert(implements<req::CO_EMCY_015>);
 void Emcy::set(const ErrorId error, const bool present, const Instant now, const std::uint8_t channel) noexcept {
     const std::size_t at = static_cast<std::size_t>(error);
     const ErrorRow& row = errors_[at];
@@ -97,7 +100,7 @@ std::uint8_t Emcy::active_register() const noexcept {
     return static_cast<std::uint8_t>(bits);
 }
 
-static_assert(implements<req::CO_EMCY_008>);
+static_assert(implements<req::CO_EMCY_008> && implements<req::CO_EMCY_013>);
 void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
     const std::uint32_t capacity = list_capacity();
@@ -236,6 +239,7 @@ AbortCode Emcy::before_write(const EntryRef& entry, const std::uint32_t value) c
     return cob_id::check_change(current, value, cob_id::not_valid, cob_id::is_valid(current));
 }
 
+static_assert(implements<req::CO_EMCY_014>);
 void Emcy::after_write(const EntryRef& entry) noexcept {
     if (entry.is(index::error_list, 0U)) {
         clear_list();

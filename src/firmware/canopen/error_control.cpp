@@ -23,6 +23,7 @@ constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
 
 }  // namespace
 
+static_assert(implements<req::CO_GUARD_004>);
 void ErrorControl::refresh() noexcept {
     const auto configured = objects_.find(index::guarding_identifier, 0U);
     identifier_ = configured.ok() ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
@@ -93,6 +94,7 @@ void ErrorControl::act(const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_GUARD_005>);
 AbortCode ErrorControl::before_write(const EntryRef& entry, const std::uint32_t wanted) const noexcept {
     if (entry.index != index::guarding_identifier) {
         return AbortCode::none;

@@ -110,16 +110,17 @@ std::uint8_t Lss::take_node_id() noexcept {
     return active_.node_id;
 }
 
-static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031> && implements<req::CO_LSS_060> &&
-              implements<req::CO_LSS_061> && implements<req::CO_LSS_063> && implements<req::CO_K_LSS_RESPONSE_ID>);
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
     const requests::Row* const row = request_row(frame.data[0]);
+    static_assert(implements<req::CO_LSS_060>);
     if ((row == nullptr) || (std::uint32_t{frame.length} <= row->parameters) || !is_served(row->served, nmt)) {
         return false;
     }
     const LssState before = state_;
     std::uint32_t said{0U};
     if (execute(row->command, frame.data, now, said) && (row->answer_length != 0U)) {
+        static_assert(implements<req::CO_LSS_061> && implements<req::CO_LSS_063> &&
+                      implements<req::CO_K_LSS_RESPONSE_ID>);
         const bool in_full = frame.length == full_length;
         Frame answer = data_frame(generated::canopen::lss_response_cob_id,
                                   in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
@@ -127,6 +128,7 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
         set_field_le<1U, sizeof(said)>(answer.data, said);
         static_cast<void>(queue_.push(answer));
     }
+    static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031>);
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
     const bool has_got_node_id =
         (active_.node_id == unconfigured_node_id) && (pending_.node_id != unconfigured_node_id);
@@ -268,8 +270,7 @@ LssError Lss::store() noexcept {
     return error;
 }
 
-static_assert(implements<req::CO_LSS_013> && implements<req::CO_LSS_014> && implements<req::CO_LSS_015> &&
-              implements<req::CO_LSS_019>);
+static_assert(implements<req::CO_LSS_014> && implements<req::CO_LSS_015> && implements<req::CO_LSS_019>);
 void Lss::activate(const Duration delay, const Instant now) noexcept {
     delay_ = delay;
     switching_ = Switching::before;
@@ -277,6 +278,7 @@ void Lss::activate(const Duration delay, const Instant now) noexcept {
     advance(now);
 }
 
+static_assert(implements<req::CO_LSS_013>);
 void Lss::switch_bit_rate(const Instant now) noexcept {
     if (switching_ == Switching::before) {
         active_.bit_rate = pending_.bit_rate;

@@ -18,14 +18,15 @@ AllowedServices::AllowedServices(const NmtState state) noexcept {
     }
 }
 
-static_assert(implements<req::CO_NMT_003> && implements<req::CO_NMT_004> && implements<req::CO_E_NMT_COMMAND> &&
-              implements<req::CO_K_NMT_ID>);
+static_assert(implements<req::CO_E_NMT_COMMAND>);
 std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t node_id) noexcept {
     constexpr std::uint32_t command_length{2U};
+    static_assert(implements<req::CO_NMT_004> && implements<req::CO_K_NMT_ID>);
     if (frame.extended || frame.remote || (frame.id != generated::canopen::nmt_command_cob_id) ||
         (frame.length != command_length)) {
         return std::nullopt;
     }
+    static_assert(implements<req::CO_NMT_003>);
     const std::uint32_t addressed = frame.data[1];
     if ((addressed != 0U) && (addressed != node_id)) {
         return std::nullopt;

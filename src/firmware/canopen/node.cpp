@@ -80,6 +80,7 @@ void Node::reset_communication(const Instant now) noexcept {
     if (store_.is_damaged()) {
         load_group(ParameterGroup::communication);
     }
+    emcy_.enable(false, now);  // an EMCY that is queued before the boot-up would be dropped with the queue
     emcy_.refresh();
     tell_damage(now);
     boot_up(now);

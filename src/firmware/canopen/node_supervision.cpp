@@ -20,6 +20,7 @@ constexpr std::uint32_t to_stopped = 2U;
 
 }  // namespace
 
+static_assert(implements<req::CO_NMT_008>);
 void Node::start_at(const Instant at) noexcept {
     wake();
     const bool held = communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
@@ -31,6 +32,7 @@ void Node::change_error(const ErrorId error, const bool present, const Instant n
     wake();
 }
 
+static_assert(implements<req::CO_EMCY_016>);
 void Node::set_overrun(const bool lost, const Instant now) noexcept {
     overrun_ = lost;
     set_error(ErrorId::can_overrun, lost, now);
@@ -42,10 +44,12 @@ void Node::set_controller(const std::uint8_t state, const bool overrun, const In
     set_overrun(overrun, now);
 }
 
+static_assert(implements<req::CO_EMCY_017>);
 bool Node::may_send() const noexcept {
     return (can_state_ != CanState::bus_off) && !lss_.is_silent();
 }
 
+static_assert(implements<req::CO_EMCY_016> && implements<req::CO_EMCY_017>);
 void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (state == can_state_) {
         return;
@@ -89,6 +93,7 @@ void Node::take_note(const CommunicationFaults faults, const Instant now) noexce
     application_.communication_failed(failed, now);
 }
 
+static_assert(implements<req::CO_EMCY_016>);
 void Node::announce(const CommunicationFaults faults, const Instant now) noexcept {
     using Faults = CommunicationFaults;
     emcy_.set(ErrorId::guard_or_heartbeat, faults.has(Faults::guarding | Faults::silent_producers), now);
@@ -107,6 +112,7 @@ std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept 
     return objects_.read(index::error_behaviour, subindex);
 }
 
+static_assert(implements<req::CO_NMT_007> && implements<req::CO_NMT_008>);
 void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {
     const std::uint32_t wanted = error_behaviour(subindex);
     if (wanted != no_change) {

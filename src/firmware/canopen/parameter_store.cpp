@@ -192,10 +192,11 @@ void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id
     }
 }
 
-static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_002> && implements<req::CO_STORE_003> &&
-              implements<req::CO_K_STORE_SIGNATURE> && implements<req::CO_K_RESTORE_SIGNATURE>);
+static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_003>);
 AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool is_store = entry.index == index::store_parameters;
+    static_assert(implements<req::CO_STORE_002> && implements<req::CO_K_STORE_SIGNATURE> &&
+                  implements<req::CO_K_RESTORE_SIGNATURE>);
     if (value != (is_store ? store_signature : restore_signature)) {
         return AbortCode::cannot_store;
     }

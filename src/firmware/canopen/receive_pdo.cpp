@@ -69,10 +69,10 @@ void ReceivePdos::answer(const std::size_t number) noexcept {
     }
 }
 
-static_assert(implements<req::CO_PDO_001> && implements<req::CO_PDO_004> && implements<req::CO_PDO_020> &&
-              implements<req::CO_PDO_021> && implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
+static_assert(implements<req::CO_PDO_001>);
 void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
+    static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
     const bool too_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     short_ = with_bit(short_, number, too_short);
     if (too_short) {
@@ -81,6 +81,7 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
     if (!is_taken(number, frame)) {
         return;
     }
+    static_assert(implements<req::CO_PDO_021>);
     if (rpdo.parameters.event.us != 0U) {
         overdue_ = with_bit(overdue_, number, false);
         rpdo.due = now + rpdo.parameters.event;
@@ -95,6 +96,7 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
 }
 
 /// Whether no value of it is refused, and takes note of that.
+static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
 bool ReceivePdos::is_taken(const std::size_t number, const Frame& frame) noexcept {
     const bool taken = rpdos_[number].mapping.accepts(frame, objects_, access_);
     refused_ = with_bit(refused_, number, !taken);

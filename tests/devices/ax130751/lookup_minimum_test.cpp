@@ -78,6 +78,10 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(1, 1), -5000) << "7320h";
     set8(0x6302, 1, 4);
     EXPECT_EQ(x(1, 1), -500) << "6302h";
+    set16(0x7322, 1, 6000);
+    EXPECT_EQ(x(1, 1), -500) << "7322h lies above 7320h";
+    set16(0x7323, 1, 4000);
+    EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
     set16(0x6310, 1, 20);  // 5550h: 7320h is 0 again
     EXPECT_EQ(x(1, 1), 0) << "6310h";
     // 7321h and 7323h, the smaller of them
@@ -91,6 +95,10 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
         EXPECT_EQ(x(2, 1), -2000) << "7321h";
         set8(0x6332, 2, 4);
         EXPECT_EQ(x(2, 1), -200) << "6332h";
+        set16(0x6310, 2, 20);  // 5550h: 7321h is 0 again
+        EXPECT_EQ(x(2, 1), 0) << "6310h";
+        set16(0x6310, 2, 10);
+        set16(0x7321, 2, -200);
         set8(0x6332, 2, 3);
         set16(0x7321, 2, 0);
         EXPECT_EQ(x(2, 1), 0);

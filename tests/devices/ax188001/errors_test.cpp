@@ -323,4 +323,19 @@ TEST_F(Ax188001Errors, AreToldBeforeTheReadingOfALateCallThatEndsThem) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
+/// The boot-up message is lost, what the boot told of errors is not: 60 V is beyond the 50 V of 5041h:2.
+TEST(TcsStartup, AFaultFoundAtPowerOnInBusOffIsToldAfterIt) {
+    verifies<req::TCS_ERR_002>();
+    TcsBench bench;
+    bench.power_on();
+    EXPECT_EQ(bench.write(0x5051, 2, 2, 0), 0U);
+    EXPECT_EQ(bench.write(0x1010, 1, 4, 0x65766173), 0U);
+    bench.inputs.can_state = 3;
+    bench.inputs.supply = 60.0F;
+    EXPECT_EQ(bench.power_on(), Frames{});
+    EXPECT_EQ(bench.pass(500), Frames{});
+    bench.inputs.can_state = 0;
+    EXPECT_EQ(bench.set_inputs(), (Frames{"0FF#0031010210000000", "0FF#0084010000000000"}));
+}
+
 }  // namespace canproof::test

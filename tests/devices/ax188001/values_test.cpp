@@ -1,6 +1,6 @@
 // From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
-#include "generated/ax188001/tables.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -22,27 +22,6 @@ TEST_F(Values, AtBootBothChannelsShowTheTemperatureOfTheirTerminals) {
     EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
     EXPECT_EQ(process_value(1), 25 * 16 + 4368);
     EXPECT_EQ(process_value(2), 25 * 16 + 4368);
-}
-
-TEST_F(Values, ALargeVoltageIsThereWithTheBootUpMessage) {
-    verifies<req::TCS_IN_001>();
-    inputs.tc_microvolts[0] = 57000.0F;
-    EXPECT_EQ(power_on(), (Frames{"77F#00"}));
-    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // J: 1.277 mV at 25 degC
-}
-
-TEST_F(Values, AreReadEvery165Milliseconds) {
-    verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
-    heat(1, 100.0);
-    pass(164);
-    EXPECT_EQ(process_value(1), 4768);
-    pass(1);
-    EXPECT_EQ(process_value(1), 5968);
-    heat(1, 50.0);
-    pass(164);
-    EXPECT_EQ(process_value(1), 5968);
-    pass(1);
-    EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
 TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
@@ -71,16 +50,6 @@ TEST_F(Values, TypeEBeyondTheConverterIsTakenForOpen) {
     heat(1, 1000.0, 'E');  // 76.373 mV, at the terminals 78.628: more than 78.125
     settle();
     EXPECT_EQ(process_value(1), -512);
-}
-
-TEST_F(Values, TypeJIsReadToAHundredthAtItsHighestGain) {
-    verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
-    // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
-    for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
-        heat(1, celsius);
-        settle();
-        ASSERT_NEAR(static_cast<double>(field_value(1).real()), celsius, celsius < -100.0 ? 0.014 : 0.0075) << celsius;
-    }
 }
 
 TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
@@ -131,18 +100,6 @@ TEST_F(Values, MicrovoltsAreWholeAndSigned) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
-TEST_F(Values, TheConverterHas32768StepsOnEitherSide) {
-    verifies<req::TCS_K_CODES, req::TCS_IN_002>();
-    write(0x2000, 1, 1, 0);
-    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
-    microvolts(1, 15012.4);
-    read_once();
-    EXPECT_EQ(read(0x2010, 1).value, 15013U);
-    microvolts(1, 15008.7);
-    read_once();
-    EXPECT_EQ(read(0x2010, 1).value, 15008U);
-}
-
 TEST_F(Values, FahrenheitByFactorAndOffset) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
@@ -154,8 +111,8 @@ TEST_F(Values, FahrenheitByFactorAndOffset) {
 }
 
 TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
-    verifies<req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
-             req::TCS_OD_3127>();
+    verifies<req::CO_SDO_040, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127,
+             req::TCS_OD_3126, req::TCS_OD_3127>();
     struct Place {
         int index;
         int sub;
@@ -233,113 +190,6 @@ TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     cut(1, false);
     read_once();
     EXPECT_EQ(process_value(1), 4768);
-}
-
-TEST_F(Values, AnyVoltageIsReadWithin1500Milliseconds) {
-    verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_005, req::TCS_K_SETTLING, req::TCS_K_GAIN_BACK,
-             req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
-    write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);
-    pass(4 * 165);
-    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV overdrives 19.53 mV, then 39.06 mV
-    EXPECT_EQ(read(0x2010, 1).value, 0U);
-    pass(5 * 165);
-    EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
-    EXPECT_EQ(device->outputs().tc_gain[0], 32);
-    microvolts(1, 17578.5);  // a little above 90 % of 19531.25 uV
-    read_once();
-    EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
-    EXPECT_EQ(device->outputs().tc_gain[0], 64);
-    microvolts(1, 100.0);
-    pass(3 * 165);
-    EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
-    read_once();
-    EXPECT_NEAR(read(0x2010, 1).value, 100, 1);
-    EXPECT_EQ(device->outputs().tc_gain[0], 128);
-    EXPECT_EQ(device->outputs().tc_gain[1], 128);
-}
-
-TEST_F(Values, FullScalesOfTheThreeGains) {
-    verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
-    write(0x2000, 1, 1, 0);
-    const auto gain_at = [&](double uv) {
-        microvolts(1, uv);
-        settle();
-        return static_cast<int>(device->outputs().tc_gain[0]);
-    };
-    EXPECT_EQ(gain_at(19531.0), 128);  // full scale 19531.25
-    EXPECT_EQ(gain_at(19531.5), 64);
-    EXPECT_EQ(gain_at(39062.0), 64);  // 39062.5
-    EXPECT_EQ(gain_at(39063.0), 32);
-    EXPECT_EQ(gain_at(78124.0), 32);  // 78125
-    EXPECT_NEAR(read(0x2010, 1).value, 78124, 2);
-    EXPECT_EQ(gain_at(78126.0), 32);
-    EXPECT_EQ(process_value(1), -512);
-    EXPECT_EQ(gain_at(35157.0), 32);  // 90 % of 39062.5 is 35156.25
-    EXPECT_EQ(gain_at(35156.0), 64);
-    EXPECT_EQ(gain_at(17579.0), 64);  // 90 % of 19531.25 is 17578.125
-    EXPECT_EQ(gain_at(17578.0), 128);
-    EXPECT_EQ(gain_at(-39063.0), 32);
-}
-
-TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
-    verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
-             req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS>();
-    write(0x2000, 1, 1, 0);
-    inputs.tc_hum[0] = 1000000.0F;  // 1 V: 110 dB leave 3.16 uV
-    const auto swing = [&] {
-        settle();
-        const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
-        read_once();
-        return std::abs(static_cast<std::int32_t>(read(0x2010, 1).value) - first);
-    };
-    inputs.mains_frequency = 60;
-    set_inputs();
-    EXPECT_EQ(device->outputs().adc_filter, 60);
-    EXPECT_NEAR(swing(), 6, 1);
-    inputs.mains_frequency = 50;
-    set_inputs();
-    EXPECT_NEAR(swing(), 2 * 1330, 3);  // 57.5 dB
-    EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
-    EXPECT_EQ(device->outputs().adc_filter, 50);
-    EXPECT_NEAR(swing(), 6, 1);
-    inputs.mains_frequency = 60;
-    set_inputs();
-    EXPECT_NEAR(swing(), 2 * 590, 3);  // 64.6 dB
-    inputs.mains_frequency = 0;
-    set_inputs();
-    EXPECT_EQ(swing(), 0);
-    namespace table = generated::ax188001::hum_rejection;
-    for (const auto filter : {table::FilterHz::hz_50, table::FilterHz::hz_60}) {
-        ASSERT_NE(table::find(filter, table::MainsHz::none), nullptr);
-        EXPECT_EQ(table::find(filter, table::MainsHz::none)->left, 0.0F);
-    }
-}
-
-TEST_F(Values, HumFallsOnEitherSideInTurn) {
-    verifies<req::TCS_IN_007, req::TCS_IN_001>();
-    inputs.tc_hum[0] = 1000000.0F;
-    inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
-    power_on();
-    // J at the 25 degC of the cold junction: 1277 uV. The first of the nine conversions of the start sees the upper
-    // side, so that the ninth does too.
-    EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
-    read_once();
-    EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
-}
-
-TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
-    verifies<req::TCS_IN_008, req::TCS_OD_2020>();
-    EXPECT_EQ(read(0x2020).value, 60U);
-    for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
-        EXPECT_EQ(write(0x2020, 0, 1, hz), out_of_range) << hz;
-    }
-    microvolts(1, 1000.0);
-    EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
-    pass(3 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // the filter settles for four readings
-    pass(165);
-    EXPECT_NE(process_value(1), 4768);
 }
 
 TEST_F(Values, OnlyTheTypesOfTable1AreTakenAndAtOnce) {
@@ -477,26 +327,6 @@ TEST_F(Values, OneChannelLeavesTheOtherAlone) {
     EXPECT_EQ(status(2), 0);
     write(0x6112, 2, 1, 0);
     EXPECT_NE(field_value(1).value, not_a_number);
-}
-
-TEST_F(Values, ALateCallMakesUpForEightReadings) {
-    verifies<req::TCS_IN_001>();
-    write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gains to go down: the ninth reading shows it
-    now = now + milliseconds(9 * period_ms);
-    device->advance(now);
-    EXPECT_EQ(device->outputs().tc_gain[0], 32);
-    EXPECT_EQ(read(0x2010, 1).value, 0U);
-    read_once();
-    EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
-}
-
-TEST_F(Values, ALateCallReadsWhatWasMissedButNotWithoutEnd) {
-    verifies<req::TCS_IN_001>();
-    pass(period_ms);
-    now = now + milliseconds(100 * period_ms);
-    device->advance(now);
-    EXPECT_EQ(device->next_deadline().us, (now + milliseconds(period_ms)).us);
 }
 
 }  // namespace canproof::test

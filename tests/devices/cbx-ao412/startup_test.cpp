@@ -1,6 +1,7 @@
 // Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 
+#include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -91,7 +92,7 @@ TEST_F(Startup, TakesTwoAndEightOnly) {
 }
 
 TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
-    verifies<req::AO4_START_003>();
+    verifies<req::CO_NMT_008, req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
     power_on();
@@ -109,7 +110,7 @@ TEST_F(Startup, ProgramDataIsForTheBootLoader) {
 }
 
 TEST_F(Startup, ProgramControlKeepsItsValue) {
-    verifies<req::AO4_PROG_002, req::AO4_OD_1F51>();
+    verifies<req::CO_SDO_040, req::AO4_PROG_002, req::AO4_OD_1F51>();
     write("603#2F511F01FE000000");
     EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
@@ -160,12 +161,25 @@ NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
 }  // namespace
 
 TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
-    verifies<req::AO4_START_004>();
+    verifies<req::CO_NMT_008, req::AO4_START_004>();
     for (const bool before_boot_up : {false, true}) {
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
         EXPECT_EQ(started_in_bus_off("01", before_boot_up), NmtState::operational);
         EXPECT_EQ(started_in_bus_off("02", before_boot_up), NmtState::stopped);
     }
+}
+
+/// The boot-up message is lost, what the boot told of errors is not: passive, failed software, then the recovery.
+TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
+    verifies<req::AO4_ERR_011>();
+    CbxBench bench;
+    bench.inputs.can_state = 3;
+    bench.inputs.internal_fault = true;
+    EXPECT_EQ(bench.power_on(), Frames{});
+    EXPECT_EQ(bench.pass(500), Frames{});
+    bench.inputs.can_state = 0;
+    EXPECT_EQ(bench.set_inputs(),
+              (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
 }
 
 }  // namespace canproof::test

@@ -131,4 +131,70 @@ constexpr A& assigned(A& a, const V value) {
     return a;
 }
 
+/// A statement: the mutant leaves it out.
+constexpr bool kept(const unsigned mutant) {
+    if (__builtin_is_constant_evaluated()) {
+        return true;
+    }
+    tell(mutant, true);
+    return !is(mutant);
+}
+
+/// Which of `count` calls is the one at this step; mutant `first + n` swaps those at n and n + 1.
+constexpr unsigned ordered(const unsigned first, const unsigned step, const unsigned count) {
+    if (__builtin_is_constant_evaluated()) {
+        return step;
+    }
+    for (unsigned n = 0U; n + 1U < count; ++n) {
+        tell(first + n, true);
+        if (is(first + n) && ((step == n) || (step == n + 1U))) {
+            return (step == n) ? n + 1U : n;
+        }
+    }
+    return step;
+}
+
+/// A number written out: the mutant has one more.
+template <typename T>
+constexpr T zero(const unsigned mutant, const T value) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
+    tell(mutant, true);
+    return is(mutant) ? static_cast<T>(value + 1) : value;
+}
+/// The next mutant has one less.
+template <typename T>
+constexpr T literal(const unsigned mutant, const T value) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
+    tell(mutant + 1U, true);
+    return is(mutant + 1U) ? static_cast<T>(value - 1) : zero(mutant, value);
+}
+
+/// An index: that of the mutant is 0.
+template <typename T>
+constexpr T index(const unsigned mutant, const T value) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
+    tell(mutant, value != T{});
+    return is(mutant) ? T{} : value;
+}
+
+/// The value of a variable: the mutant reads another one.
+template <typename T, typename U>
+constexpr T other(const unsigned mutant, const T& value, const U& another) {
+    if (__builtin_is_constant_evaluated()) {
+        return value;
+    }
+    if constexpr (__is_class(T)) {
+        tell(mutant, value.us != another.us);
+    } else {
+        tell(mutant, !(value == another));
+    }
+    return is(mutant) ? another : value;
+}
+
 }  // namespace canproof::mutants

@@ -3,16 +3,14 @@
 
 A comparison becomes true, false, and the one with equality moved, unless it chooses between two values that are then the
 same, as in `a < b ? a : b`; any other condition true and false; && becomes || and
-back; + - * / % << >> & | ^, alone and before =, become another of them. What stands in a constant expression stays: a
-mutant there would not be one of the running program.
+back; + - * / % << >> & | ^, alone and before =, become another of them. Statements, names, indices and literals: statements.py.
+What stands in a constant expression stays: a mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
 Reads src/firmware and src/devices/NAME/firmware, writes them below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list for
 tests/mutation/main.cpp."""
 import collections
-import glob
-import json
 import os
 import re
 import sys
@@ -20,6 +18,10 @@ from concurrent.futures import ProcessPoolExecutor
 
 import clang.cindex
 from clang.cindex import CursorKind as K
+
+sys.dont_write_bytecode = True
+from mutant_list import LIST, firmware_files, lines_of, number_text, write_changed  # noqa: E402
+from statements import SCOPES, Statements, plain_type  # noqa: E402
 
 COMPARISONS = {"<": ("less", "<="), "<=": ("less_equal", "<"), ">": ("greater", ">="), ">=": ("greater_equal", ">")}
 EQUALITIES = {"==", "!="}
@@ -32,7 +34,7 @@ WRAPPERS = {K.PAREN_EXPR, K.UNEXPOSED_EXPR}
 SPACE = "::canproof::mutants::"
 
 
-class Rewriter:
+class Rewriter(Statements):
     """The edits of one file. Mutants are numbered from 0; `NUMBER[n]` in the text stands for the final number."""
 
     def __init__(self, path, name):
@@ -44,6 +46,7 @@ class Rewriter:
         self.removed = {}                            # offset of an operator: its length
         self.mutants = []                            # (line, function, original, mutated)
         self.function = ""
+        self.scope = []    # (name, type) of the parameters and local variables that can be named here
 
     def source(self, cursor):
         return self.text[cursor.extent.start.offset:cursor.extent.end.offset].decode()
@@ -118,7 +121,7 @@ class Rewriter:
         elif core.kind == K.CXX_BOOL_LITERAL_EXPR:
             pass
         else:
-            self.forced(cursor, lambda: self.children(core))
+            self.forced(cursor, lambda: self.variable(core, core) or self.children(core))
 
     def logical(self, cursor, operation):
         sign, _, first, last = operation
@@ -172,6 +175,17 @@ class Rewriter:
                 self.visit(child)
 
     def visit(self, cursor):
+        outer = len(self.scope)
+        if cursor.kind == K.LAMBDA_EXPR:
+            self.scope, outside = [], self.scope  # what it does not capture cannot be named in it
+            self.children(cursor)
+            self.scope = outside
+            return
+        self.visit_here(cursor)
+        if cursor.kind in SCOPES:
+            del self.scope[outer:]
+
+    def visit_here(self, cursor):
         kind = cursor.kind
         if kind in (K.STATIC_ASSERT, K.CXX_UNARY_EXPR, K.TYPEDEF_DECL, K.TYPE_ALIAS_DECL, K.ENUM_DECL):
             return
@@ -181,6 +195,7 @@ class Rewriter:
             return  # below it are arguments of a template only: constants
         if kind == K.VAR_DECL:
             self.children(cursor, cursor.location.offset)  # what stands before its name is its type
+            self.scope.append((cursor.spelling, plain_type(cursor)))
             return
         operation = self.operator_of(cursor)
         if operation:
@@ -197,8 +212,11 @@ class Rewriter:
             if kind == K.COMPOUND_ASSIGNMENT_OPERATOR and sign[:-1] in ARITHMETIC:
                 self.assignment(cursor, operation)
                 return
+        if self.named(cursor):
+            return
         visitor = {K.IF_STMT: self.if_statement, K.WHILE_STMT: self.loop, K.DO_STMT: self.loop, K.FOR_STMT: self.for_statement,
-                   K.CONDITIONAL_OPERATOR: self.choice, K.RETURN_STMT: self.result, K.CASE_STMT: self.case}.get(kind)
+                   K.CONDITIONAL_OPERATOR: self.choice, K.RETURN_STMT: self.result, K.CASE_STMT: self.case,
+                   K.DEFAULT_STMT: lambda default: self.statement(list(default.get_children())[-1])}.get(kind)
         if visitor:
             visitor(cursor)
         else:
@@ -276,7 +294,7 @@ class Rewriter:
 
     def case(self, cursor):
         for child in list(cursor.get_children())[1:]:
-            self.visit(child)
+            self.statement(child)
 
     def declarations(self, cursor, scope=""):
         """Bodies of functions; nothing outside them runs."""
@@ -286,6 +304,8 @@ class Rewriter:
             if child.kind in FUNCTIONS:
                 owner = child.semantic_parent.spelling if child.semantic_parent is not None else ""
                 self.function = (owner + "::" if owner and child.semantic_parent.kind != K.NAMESPACE else "") + child.spelling
+                self.scope = [(part.spelling, plain_type(part)) for part in child.get_children()
+                              if part.kind == K.PARM_DECL and part.spelling]
                 for part in child.get_children():
                     if part.kind == K.COMPOUND_STMT:
                         self.visit(part)
@@ -321,61 +341,6 @@ def rewrite(job):
     return name, rewriter.result_text(), rewriter.mutants
 
 
-def number_text(text, first):
-    """The text with NUMBER[n] as numbers of the program, from `first` on."""
-    parts = text.split("NUMBER[")
-    out = [parts[0]]
-    for part in parts[1:]:
-        digits, rest = part.split("]", 1)
-        out.append(f"{first + int(digits)}U{rest}")
-    return "".join(out)
-
-
-def write_changed(path, text):
-    """Leaves a file alone that holds this already: nothing is compiled anew."""
-    if os.path.exists(path) and open(path, encoding="utf-8").read() == text:
-        return
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w", encoding="utf-8") as out:
-        out.write(text)
-
-
-LIST = """// Written by tests/mutation/code/schemata.py: the mutants of the firmware.
-#include <iterator>
-
-#include "host/codegen/alteration.hpp"
-
-namespace canproof::mutants {{
-unsigned chosen = 0U;
-unsigned char* told = nullptr;
-}}  // namespace canproof::mutants
-
-namespace canproof::host {{
-
-namespace {{
-
-// {{file, function and line, change, address, size, number}}
-const Alteration all[] = {{
-{lines}}};
-
-}}  // namespace
-
-Alterations generated_alterations() {{
-    return {{all, std::size(all)}};
-}}
-
-}}  // namespace canproof::host
-"""
-
-
-def firmware_files(source):
-    """The sources and headers of the firmware: what all devices share, then that of each device."""
-    src = os.path.join(source, "src")
-    roots = [os.path.join(src, "firmware"), *sorted(glob.glob(os.path.join(src, "devices", "*", "firmware")))]
-    return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
-            if file.endswith((".cpp", ".hpp"))]
-
-
 def main():
     source, output, *arguments = sys.argv[1:]
     jobs = [(path, os.path.relpath(path, source), arguments) for path in firmware_files(source)]
@@ -383,10 +348,7 @@ def main():
     with ProcessPoolExecutor(max_workers=2) as pool:
         for name, text, mutants in pool.map(rewrite, jobs, chunksize=4):
             write_changed(os.path.join(output, name), number_text(text, first))
-            for offset, (line, function, original, mutated) in enumerate(mutants):
-                cell = json.dumps(f"{function}, line {line}")
-                lines.append(f"    {{{json.dumps(name)}, {cell}, {json.dumps(original + ' -> ' + mutated, ensure_ascii=False)}, "
-                             f"&mutants::chosen, sizeof(unsigned), {first + offset}U}},\n")
+            lines += lines_of(name, mutants, first)
             first += len(mutants)
     write_changed(os.path.join(output, "mutants.cpp"), LIST.format(lines="".join(lines)))
     print(f"{first - 1} mutants in {len(jobs)} files")

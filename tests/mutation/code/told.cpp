@@ -1,5 +1,5 @@
-// With CANPROOF_TOLD=FILE in the environment each test leaves a line there: its name, its seconds of processor time,
-// and the mutants that would have computed something else in it. No other test can notice them.
+// With CANPROOF_TOLD=FILE in the environment each test leaves a line there: its name, its source, its seconds of
+// processor time, and the mutants that would have computed something else in it. No other test can notice them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Teller : public testing::EmptyTestEventListener {
         if (mutants::told != nullptr) {
             std::copy_n(mutants::told, told_.size(), told_.begin());
             mutants::told = nullptr;
-            write("startup", 0.0);
+            write("startup", "-", 0.0);
         }
     }
     void OnTestStart(const testing::TestInfo& /*test*/) override {
@@ -34,13 +34,13 @@ class Teller : public testing::EmptyTestEventListener {
     }
     void OnTestEnd(const testing::TestInfo& test) override {
         mutants::told = nullptr;
-        write(std::string{test.test_suite_name()} + "." + test.name(),
+        write(std::string{test.test_suite_name()} + "." + test.name(), test.file(),
               static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC);
     }
 
   private:
-    void write(const std::string& name, const double seconds) {
-        std::fprintf(out_, "%s\t%.3f", name.c_str(), seconds);
+    void write(const std::string& name, const char* const file, const double seconds) {
+        std::fprintf(out_, "%s\t%s\t%.3f", name.c_str(), file, seconds);
         for (std::size_t mutant = 1; mutant < told_.size(); ++mutant) {
             if (told_[mutant] != 0U) {
                 std::fprintf(out_, "\t%zu", mutant - 1U);

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/ax060805/requirements.hpp"
+
 namespace canproof::ax060805 {
 
 namespace {
@@ -22,6 +25,7 @@ float arctangent_of_small(const float t) noexcept {
 }
 
 /// Degrees, 0…45, for a ratio of 0…1.
+static_assert(implements<req::INC_ANGLE_012>);
 float arctangent_of_ratio(const float ratio) noexcept {
     if (ratio <= tangent_of_22_5) {
         return arctangent_of_small(ratio) * degrees_per_radian;

@@ -16,8 +16,7 @@ namespace field = generated::ax060805::field;
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
 constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
 
-static_assert(implements<req::INC_T21> && implements<req::INC_LSS_004> && implements<req::INC_ERR_003> &&
-              implements<req::INC_ERR_008> && implements<req::INC_FILTER_006>);
+static_assert(implements<req::INC_T21>);
 constexpr const NodeProfile& profile = own::profile;
 
 static_assert(implements<req::INC_T22> && implements<req::INC_ERR_001> && implements<req::INC_ERR_004>);
@@ -31,6 +30,7 @@ constexpr ErrorTable make_error_table() noexcept {
 const ErrorTable error_table = make_error_table();
 
 /// A value of 2000h.
+static_assert(implements<req::INC_SLEW_002> && implements<req::INC_K_FAST_SLEW>);
 constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
@@ -56,10 +56,10 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
-static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006> && implements<req::INC_K_NODE_ID> &&
-              implements<req::INC_K_BIT_RATE>);
+static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    static_assert(implements<req::INC_K_NODE_ID> && implements<req::INC_K_BIT_RATE>);
     const LssConfiguration stored = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     use_bit_rate(stored.bit_rate);
     node_.power_on(stored, now);
@@ -90,8 +90,7 @@ AbortCode Device::check_access(const EntryRef&) {
     return AbortCode::none;  // no entry depends on the state of the device
 }
 
-static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002> && implements<req::INC_SLEW_002> &&
-              implements<req::INC_K_FAST_SLEW>);
+static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
@@ -112,10 +111,9 @@ void Device::put_factory_values(const ParameterGroup group) {
     }
 }
 
-static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002> && implements<req::INC_FILTER_001> &&
-              implements<req::INC_SLEW_002>);
 void Device::restart(const Instant now) {
     namespace table = own::angle_configuration;
+    static_assert(implements<req::INC_T8> && implements<req::INC_RANGE_002>);
     const auto* const range = table::find(factory_.range);
     span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
@@ -126,6 +124,7 @@ void Device::restart(const Instant now) {
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
     }
+    static_assert(implements<req::INC_SLEW_002>);
     if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
         objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
     }

@@ -29,8 +29,7 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
     return AbortCode::none;
 }
 
-static_assert(implements<req::INC_ANGLE_009> && implements<req::INC_INSTALL_008> && implements<req::INC_AVG_007> &&
-              implements<req::INC_RPDO_002> && implements<req::INC_SLEW_001> && implements<req::INC_AUTO_001>);
+static_assert(implements<req::INC_AUTO_001>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     using own::Parameter;
     const own::Written change = own::written(entry.index, entry.row->subindex);
@@ -136,6 +135,7 @@ void Device::obey_auto_null(const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::INC_SLEW_001>);
 void Device::drive_slew_rate() noexcept {
     outputs_.slew_rate_fast = objects_.get(field::o2000_can_slew_rate) != 0U;
 }

@@ -33,6 +33,7 @@ constexpr float reversed_if(const bool reversed, const float value) noexcept {
 }  // namespace
 
 /// The first sample of a new life.
+static_assert(implements<req::INC_FILTER_001>);
 void Device::restart_sensor(const Instant now) noexcept {
     inclination_.restart();
     for (AngleFilter& filter : filters_) {
@@ -111,7 +112,8 @@ void Device::take_input_filter() noexcept {
     settings_.filter_share = filtered ? low_pass_coefficient(cut_off, sample_period) : 1.0F;
 }
 
-static_assert(implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
+static_assert(implements<req::INC_ANGLE_009> && implements<req::INC_K_GIMBAL_LOCK> &&
+              implements<req::INC_K_LEAST_GRAVITY>);
 void Device::take_settings() noexcept {
     settings_.calibration = PitchRoll{objects_.get(field::o2400_calibrated_pitch_angle_data),
                                       objects_.get(field::o2401_calibrated_roll_angle_data)};
@@ -123,6 +125,7 @@ void Device::take_settings() noexcept {
     inclination_.update(settings_);
 }
 
+static_assert(implements<req::INC_INSTALL_008>);
 void Device::restart_filters(const Instant now) noexcept {
     for (std::size_t angle = 0U; angle < angle_count; ++angle) {
         restart_filter(angle);
@@ -130,6 +133,7 @@ void Device::restart_filters(const Instant now) noexcept {
     next_filter_ = now + milliseconds(objects_.get(field::o2052_angular_filter_rate));
 }
 
+static_assert(implements<req::INC_AVG_007>);
 void Device::restart_filter(const std::size_t angle) noexcept {
     const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
     filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]));
@@ -158,8 +162,7 @@ void Device::publish() noexcept {
     publish_diagnostics();
 }
 
-static_assert(implements<req::INC_FV_001> && implements<req::INC_FV_002> && implements<req::INC_FV_003> &&
-              implements<req::INC_FV_004> && implements<req::INC_FV_005> && implements<req::INC_ANGLE_001>);
+static_assert(implements<req::INC_FV_005>);
 void Device::publish_accelerations() noexcept {
     for (std::uint8_t axis = 1U; axis <= angle_count; ++axis) {
         const CountScale scale{objects_.get(field::o2010_accelerometer_data_decimal_digits[axis]),
@@ -180,18 +183,19 @@ void Device::publish_angles() noexcept {
     }
 }
 
-static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5> && implements<req::INC_FV_006> &&
-              implements<req::INC_LATENCY_001> && implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
 void Device::publish_diagnostics() noexcept {
     namespace merit = own::figure_of_merit;
+    static_assert(implements<req::INC_FOM_001> && implements<req::INC_T5>);
     const auto* const row = merit::find(!inclination_.is_measuring(), is_temperature_outside(),
                                         inclination_.is_weightless(), inclination_.is_roll_unsure());
     const std::uint8_t worst = merit::rows[0U].state;
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
+    static_assert(implements<req::INC_FV_006>);
     if (!std::isnan(inputs_.sensor_temperature)) {
         objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
     }
+    static_assert(implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
     show_if_valid(index::power_supply_field_value, inputs_.supply_voltage);
     show_if_valid(index::processor_temperature_field_value, inputs_.processor_temperature);
 }
@@ -207,6 +211,7 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
 }
 
 /// Reversed in sign where 2011h says so, in g.
+static_assert(implements<req::INC_ANGLE_001> && implements<req::INC_FV_004>);
 float Device::given_acceleration(const std::uint8_t axis) const noexcept {
     const Vector3& sensed = inclination_.acceleration();
     const std::array<float, angle_count> axes{{sensed.x, sensed.y, sensed.z}};
@@ -222,6 +227,7 @@ float Device::given_angle(const std::size_t angle) const noexcept {
     return reversed_if(objects_.get(field::o2031_angular_data_inversion[sub]) != 0U, ranged);
 }
 
+static_assert(implements<req::INC_LATENCY_001>);
 float Device::latency_ms() const noexcept {
     const std::uint16_t rate = objects_.get(field::o2052_angular_filter_rate);
     float slowest{0.0F};

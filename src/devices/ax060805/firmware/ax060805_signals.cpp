@@ -47,10 +47,10 @@ void Device::forget_overdue() noexcept {
     overdue_ = overdue;
 }
 
-static_assert(implements<req::INC_T1> && implements<req::INC_SIG_001> && implements<req::INC_SIG_002> &&
-              implements<req::INC_SIG_005> && implements<req::INC_GLOBAL_003>);
+static_assert(implements<req::INC_SIG_001> && implements<req::INC_SIG_002> && implements<req::INC_SIG_005>);
 Signal Device::signal_of(const std::uint8_t source) const noexcept {
     using Source = own::signal_source::Signal;
+    static_assert(implements<req::INC_T1> && implements<req::INC_GLOBAL_003>);
     const Source chosen = cell_or(own::signal_source::find(source), &own::signal_source::Row::signal, Source::none);
     const std::size_t function = distance(Source::binary_function_1, chosen);
     if (function < function_count) {

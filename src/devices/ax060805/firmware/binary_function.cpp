@@ -20,10 +20,12 @@ constexpr float truth(const bool value) noexcept {
     return value ? 1.0F : 0.0F;
 }
 
+static_assert(implements<req::INC_BIN_007>);
 Signal defined_unless_nan(const float value) noexcept {
     return std::isnan(value) ? undefined_signal() : continuous_signal(value);
 }
 
+static_assert(implements<req::INC_BIN_005>);
 float quotient(const float x, const float y) noexcept {
     return (y == 0.0F) ? 0.0F : (x / y);
 }
@@ -59,6 +61,7 @@ float real_function(const BinaryFunction function, const float x, const float y)
     }
 }
 
+static_assert(implements<req::INC_BIN_005> && implements<req::INC_BIN_006>);
 std::uint32_t integer_function(const BinaryFunction function, const std::uint32_t x, const std::uint32_t y) noexcept {
     switch (function) {
         case BinaryFunction::modulus:
@@ -112,8 +115,7 @@ float apply_unary(const std::uint8_t number, const float x) noexcept {
     }
 }
 
-static_assert(implements<req::INC_BIN_004> && implements<req::INC_BIN_005> && implements<req::INC_BIN_006> &&
-              implements<req::INC_BIN_007> && implements<req::INC_T10>);
+static_assert(implements<req::INC_BIN_004> && implements<req::INC_T10> && implements<req::INC_BIN_007>);
 Signal apply_binary(const std::uint8_t number, const float x, const float y) noexcept {
     const auto* const row = table10::find(number);
     if ((row == nullptr) || std::isnan(x) || std::isnan(y)) {

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/ax060805/requirements.hpp"
+
 namespace canproof::ax060805 {
 
 namespace {
@@ -13,6 +16,7 @@ constexpr float digits_of_whole_units = 1000.0F;  // with these a received count
 
 }  // namespace
 
+static_assert(implements<req::INC_FV_001> && implements<req::INC_FV_002> && implements<req::INC_FV_003>);
 std::int16_t count_value(const float value, const CountScale& scale) noexcept {
     const float counts = (value * static_cast<float>(scale.digits)) + scale.offset;
     if (std::isnan(counts)) {

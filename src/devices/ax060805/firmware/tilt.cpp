@@ -19,6 +19,7 @@ float length(const float a, const float b) noexcept {
 
 /// atan2_degrees() above -180 and up to 180. What lies so near to half a turn that the arithmetic before it decides on
 /// the sign is +180.
+static_assert(implements<req::INC_ANGLE_013> && implements<req::INC_ANGLE_014> && implements<req::INC_K_EXACT_ANGLE>);
 float direction(const float y, const float x) noexcept {
     const float angle = atan2_degrees(y, x);
     return (std::fabs(angle) >= (half_turn - generated::ax060805::exact_angle)) ? half_turn : angle;
@@ -35,18 +36,19 @@ float magnitude(const Vector3& vector) noexcept {
     return std::sqrt(((vector.x * vector.x) + (vector.y * vector.y)) + (vector.z * vector.z));
 }
 
-static_assert(implements<req::INC_ANGLE_006> && implements<req::INC_ANGLE_012> && implements<req::INC_ANGLE_013> &&
-              implements<req::INC_ANGLE_014> && implements<req::INC_K_EXACT_ANGLE>);
+static_assert(implements<req::INC_ANGLE_003> && implements<req::INC_ANGLE_006> && implements<req::INC_ANGLE_007>);
 PitchRoll tilt_angles(const Vector3& gravity) noexcept {
     const float side = sign_of(gravity.z);
     return PitchRoll{direction(-gravity.x, side * length(gravity.y, gravity.z)),
                      direction(gravity.y, side * length(gravity.x, gravity.z))};
 }
 
+static_assert(implements<req::INC_ANGLE_004> && implements<req::INC_ANGLE_006>);
 float gravity_angle(const Vector3& gravity) noexcept {
     return atan2_degrees(length(gravity.x, gravity.y), gravity.z);
 }
 
+static_assert(implements<req::INC_ANGLE_005> && implements<req::INC_ANGLE_006>);
 PitchRoll euler_angles(const Vector3& gravity) noexcept {
     return PitchRoll{atan2_degrees(-gravity.x, length(gravity.y, gravity.z)), direction(gravity.y, gravity.z)};
 }
@@ -55,6 +57,7 @@ bool in_gimbal_lock(const Vector3& gravity, const float cone) noexcept {
     return length(gravity.y, gravity.z) < (sine_of_degrees(cone) * magnitude(gravity));
 }
 
+static_assert(implements<req::INC_ANGLE_010> && implements<req::INC_INSTALL_001>);
 Vector3 undo_rotation(const Vector3& vector, const PitchRoll& installation) noexcept {
     const float sin_roll = sine_of_degrees(installation.roll);
     const float cos_roll = cosine_of_degrees(installation.roll);

@@ -3,6 +3,9 @@
 // Every angle lies within 0.0001 degree of the same formula in double precision.
 #pragma once
 
+#include "firmware/base/requirement.hpp"
+#include "generated/ax060805/requirements.hpp"
+
 namespace canproof::ax060805 {
 
 /// Along X (forward), Y (right) and Z (down): accelerations or gravity in g.
@@ -19,6 +22,7 @@ struct PitchRoll {
 };
 
 /// Gravity is what a sensor at rest feels, reversed (equation 1).
+static_assert(implements<req::INC_ANGLE_002>);
 constexpr Vector3 gravity_from(const Vector3& acceleration) noexcept {
     return Vector3{-acceleration.x, -acceleration.y, -acceleration.z};
 }

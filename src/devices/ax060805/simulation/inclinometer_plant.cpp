@@ -18,6 +18,7 @@ namespace own = generated::ax060805;
 
 constexpr double pi = 3.14159265358979323846;
 
+static_assert(implements<req::INC_T62>);
 float resolution_of(std::uint16_t part) {
     const auto* const row = own::sensor_accuracy::find(part);
     return row == nullptr ? 0.0F : row->resolution;
@@ -51,7 +52,7 @@ bool begins_with(const std::string& text, const std::string& start) {
 
 }  // namespace
 
-static_assert(implements<req::INC_PLANT_002> && implements<req::INC_T62> && implements<req::INC_K_RESOLUTION_FACTOR> &&
+static_assert(implements<req::INC_PLANT_002> && implements<req::INC_K_RESOLUTION_FACTOR> &&
               implements<req::INC_K_RATED_CUT_OFF>);
 double sample_noise(double resolution_deg) {
     const double angle_deg = resolution_deg / static_cast<double>(own::resolution_factor);

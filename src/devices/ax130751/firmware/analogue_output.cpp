@@ -5,14 +5,14 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_OUT_009> && implements<req::AOR_OUT_010> && implements<req::AOR_OUT_011> &&
-              implements<req::AOR_OUT_014> && implements<req::AOR_OUT_015> && implements<req::AOR_OUT_016> &&
-              implements<req::AOR_DIAG_009>);
+static_assert(implements<req::AOR_OUT_009> && implements<req::AOR_OUT_010> && implements<req::AOR_OUT_011>);
 AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const AnalogueDemand& demand,
                                             const OutputRange& range, const RampTimes& times,
                                             const Instant now) noexcept {
+    static_assert(implements<req::AOR_OUT_015>);
     constexpr double off = 0.0;
     double target{off};
+    static_assert(implements<req::AOR_OUT_014> && implements<req::AOR_DIAG_009>);
     switch (drive) {
         case OutputDrive::control:
             target = range.nearest(demand.control);

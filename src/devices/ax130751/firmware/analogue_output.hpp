@@ -3,6 +3,8 @@
 
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "devices/ax130751/firmware/ramp.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
@@ -12,6 +14,7 @@ struct OutputRange {
     double maximum{0.0};
 
     /// The nearest value in the range; at or below 0 where the range begins above it, OFF.
+    static_assert(implements<req::AOR_OUT_016>);
     constexpr double nearest(const double value) const noexcept {
         const bool off = (minimum > 0.0) && (value <= 0.0);
         if (off) {

@@ -18,32 +18,23 @@ constexpr std::array<ErrorId, 4U> heartbeat_errors{
 static_assert(implements<req::AOR_K_CYCLE>);
 const Duration cycle_time = milliseconds(own::cycle_ms);
 
-// What the node does for every device, in the manner of this one.
-static_assert(implements<req::AOR_T22> && implements<req::AOR_LSS_001> && implements<req::AOR_LSS_002> &&
-              implements<req::AOR_ERR_001> && implements<req::AOR_ERR_002> && implements<req::AOR_ERR_003> &&
-              implements<req::AOR_ERR_004> && implements<req::AOR_ERR_005> && implements<req::AOR_ERR_006> &&
-              implements<req::AOR_ERR_007> && implements<req::AOR_GUARD_001> && implements<req::AOR_HB_001> &&
-              implements<req::AOR_HB_002>);
-static_assert(implements<req::AOR_PDO_001> && implements<req::AOR_PDO_002> && implements<req::AOR_PDO_003> &&
-              implements<req::AOR_PDO_004> && implements<req::AOR_PDO_005> && implements<req::AOR_PDO_006> &&
-              implements<req::AOR_PDO_007> && implements<req::AOR_PDO_008> && implements<req::AOR_PDO_009>);
-static_assert(implements<req::AOR_STORE_001> && implements<req::AOR_STORE_002> && implements<req::AOR_STORE_003> &&
-              implements<req::AOR_STORE_004> && implements<req::AOR_STORE_005> && implements<req::AOR_ID_001>);
+static_assert(implements<req::AOR_T22>);
 constexpr const NodeProfile& profile = own::profile;
 
-static_assert(implements<req::AOR_T23> && implements<req::AOR_T_FAULT_CODES> && implements<req::AOR_DIAG_007> &&
-              implements<req::AOR_DIAG_010> && implements<req::AOR_T_NODE_ERRORS> && implements<req::AOR_ERR_008> &&
-              implements<req::AOR_ERR_009> && implements<req::AOR_ERR_010> && implements<req::AOR_ERR_011>);
+static_assert(implements<req::AOR_ERR_011>);
 constexpr ErrorTable make_error_table() noexcept {
     ErrorTable table{};
+    static_assert(implements<req::AOR_T23>);
     for (const own::error_field_codes::Row& row : own::error_field_codes::rows) {
         const auto detail =
             static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
         put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, detail});
     }
+    static_assert(implements<req::AOR_T_FAULT_CODES>);
     for (const own::fault_codes::Row& row : own::fault_codes::rows) {
         put_error(table, row.fault, ErrorRow{row.code, row.register_bits, true, true, 0U});
     }
+    static_assert(implements<req::AOR_T_NODE_ERRORS>);
     for (const own::node_error_codes::Row& row : own::node_error_codes::rows) {
         put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, 0U});
     }
@@ -51,8 +42,14 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
+/// `deadline` when it lies behind `done`; never when it does not.
+constexpr Instant if_later(const Instant deadline, const Instant done) noexcept {
+    return (deadline > done) ? deadline : never;
+}
+
 }  // namespace
 
+static_assert(implements<req::AOR_ID_001>);
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : Application{},
       objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
@@ -63,10 +60,10 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       universal_{{UniversalOutput{objects_, sources_, 1U}, UniversalOutput{objects_, sources_, 2U}}},
       relay_{objects_, sources_} {}
 
-static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003> && implements<req::AOR_K_NODE_ID> &&
-              implements<req::AOR_K_BIT_RATE>);
+static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    static_assert(implements<req::AOR_K_NODE_ID> && implements<req::AOR_K_BIT_RATE>);
     kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     lss_stored_ = kept_;
     bit_rate_ = kept_.bit_rate;
@@ -98,9 +95,8 @@ void Device::advance(const Instant now) noexcept {
         }
         node_.advance(due);
         watch_network(due);
-        // A deadline of the node that stayed where it is would wait for something else, such as room in the queue.
-        const Instant next = next_deadline();
-        due = (next > due) ? next : next_cycle_;
+        // What stayed due would wait for something else, such as room in the queue.
+        due = earliest(if_later(node_.next_deadline(), due), if_later(next_cycle_, due));
     }
     node_.advance(now);
     watch_network(now);
@@ -245,8 +241,7 @@ void Device::restart(const Instant now) {
     wake(now);
 }
 
-static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002> && implements<req::AOR_START_003> &&
-              implements<req::AOR_START_004>);
+static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002> && implements<req::AOR_START_004>);
 void Device::booted(const Instant now) {
     if (objects_.get(field::o5555_start_in_operational_mode)) {
         node_.start_at(now);

@@ -96,7 +96,9 @@ class Device final : private Application {
     std::uint8_t overdue_{0U};
     bool silent_{false};
     NmtState watched_state_{NmtState::initialising};
-    bool was_quiet_{false};  ///< the last cycle: it changed nothing
+    /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
+    /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
+    bool was_quiet_{false};
 };
 
 }  // namespace canproof::ax130751

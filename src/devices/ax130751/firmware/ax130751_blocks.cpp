@@ -128,6 +128,7 @@ AbortCode check_range(const double value, const double least, const double great
 }
 
 /// 1.5.1: between its neighbours, in 16 bits, and within the source's limits where these differ.
+static_assert(implements<req::AOR_LT_009>);
 AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                            const std::uint8_t point, const std::int32_t x) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
@@ -149,8 +150,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
 
 }  // namespace
 
-static_assert(implements<req::AOR_LT_009> && implements<req::AOR_LT_017> && implements<req::AOR_K_SHORTEST_INTERVAL> &&
-              implements<req::AOR_K_LONGEST_INTERVAL>);
+static_assert(implements<req::AOR_LT_017>);
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                       const std::uint8_t point, const std::int32_t x) noexcept {
     if (!is_over_time(objects, number)) {
@@ -159,24 +159,26 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, c
     if (point == 1U) {
         return check_range(static_cast<double>(x), 0.0, 0.0);
     }
+    static_assert(implements<req::AOR_K_SHORTEST_INTERVAL> && implements<req::AOR_K_LONGEST_INTERVAL>);
     return check_range(static_cast<double>(x), static_cast<double>(own::shortest_interval_ms),
                        static_cast<double>(own::longest_interval_ms));
 }
 
-static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_T20> && implements<req::AOR_LOGIC_007> &&
-              implements<req::AOR_LOGIC_008> && implements<req::AOR_LOGIC_009>);
 bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept {
     std::uint8_t selected{0U};
     BlockSignal table{};
+    static_assert(implements<req::AOR_LOGIC_009>);
     if (objects.get(field::o3300_logic_block_enable[number])) {
         const std::size_t function =
             select_function([this, number, &objects, &sources](const std::size_t one) noexcept {
                 return read(number, one, objects, sources);
             });
+        static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_T20>);
         selected = objects.get(logic_fields[number - 1U].tables[static_cast<std::uint8_t>(function + 1U)]);
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
     constexpr std::uint32_t tenths = 1U;
+    static_assert(implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_008>);
     const double output = table.is_available() ? percentage_of_limits(table) : 0.0;
     sources.set_logic(number, table.state);
     const bool reselects = std::uint32_t{objects.get(field::o3310_logic_block_selected_table[number])} != selected;

@@ -23,6 +23,7 @@ class TableBlock {
   private:
     SourceChoice source_{};
     LookupTable table_{};
+    // Keys of this cache: 3yz2h to 3yz7h of the table. Each write to one, and each move of point 1, ends in reread().
     LookupConfig config_{};  ///< as last read
     LookupLimits limits_{};  ///< of its output, for other blocks
     bool is_read_{false};
@@ -67,7 +68,8 @@ class CalculationBlock {
     MathInput read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects,
                    const Sources& sources) noexcept;
 
-    /// An input, and what its parameters came to when they were last others.
+    /// An input, and what its parameters came to when they were last others. Keys of this cache: source and number,
+    /// each scaling and the digits, and the gain in `gain_parameter`.
     struct Input {
         SourceChoice choice{};
         KeptPhysicalValue scaling_1{};

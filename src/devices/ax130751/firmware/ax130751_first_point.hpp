@@ -18,7 +18,9 @@ class FirstPoint {
     std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
 
     SourceChoice source_{};
-    std::int32_t x_{0};  ///< where the minimum of the source put it last
+    /// Where the minimum of the source put it last. Keys: the entries of the table and those that moves_minimum()
+    /// names.
+    std::int32_t x_{0};
 };
 
 }  // namespace canproof::ax130751

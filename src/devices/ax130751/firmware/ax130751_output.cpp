@@ -99,8 +99,7 @@ FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
     return keeps ? FaultAction::keep : FaultAction::fault_value;
 }
 
-static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> &&
-              implements<req::AOR_SPEC_001>);
+static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
     conditions.shutdown =
@@ -120,6 +119,7 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
     return choose_drive(conditions);
 }
 
+static_assert(implements<req::AOR_OUT_005>);
 LinearScaling UniversalOutput::scaling() noexcept {
     const std::uint8_t pv_digits = objects_.get(field::o6302_ao_decimal_digits_pv[number_]);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
@@ -137,6 +137,7 @@ AnalogueDemand UniversalOutput::demand(const double control) noexcept {
         parameters_.fault_fv.of(objects_.get(field::o7341_ao_fault_field_value[number_]), digits)};
 }
 
+static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004>);
 double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
     const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
     const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
@@ -154,8 +155,7 @@ double UniversalOutput::carried(const Kind kind, const double value, const Input
     return stands ? 0.0 : value;
 }
 
-static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004> && implements<req::AOR_OUT_005> &&
-              implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_025>);
+static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
@@ -167,6 +167,7 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
     const double value = carried(type.kind, state.value, inputs);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
+    static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018>);
     const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
     drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now) || changes;

@@ -53,7 +53,8 @@ class UniversalOutput {
     FaultAction fault_action(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
     double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
-    /// What a parameter last stood for: rarely written, and read in every cycle.
+    /// What a parameter last stood for: rarely written, and read in every cycle. Keys of this cache: the integer of
+    /// each and its digits, 6302h or 6332h.
     struct KeptParameters {
         KeptPhysicalValue scaling_1_pv{};
         KeptPhysicalValue scaling_2_pv{};

@@ -78,19 +78,20 @@ void Sources::set_logic(const std::uint8_t block, const SignalState state) noexc
     logic_states_[block - 1U] = state;
 }
 
-static_assert(implements<req::AOR_T05> && implements<req::AOR_E_QUANTITY> && implements<req::AOR_SRC_002> &&
-              implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
+static_assert(implements<req::AOR_T05> && implements<req::AOR_E_QUANTITY>);
 Sources::Place Sources::place(const SourceRef& ref) const noexcept {
     const bool of_output = (ref.quantity == Quantity::output_command) || (ref.quantity == Quantity::commanded_value) ||
                            (ref.quantity == Quantity::feedback_value);
     const bool digital = of_output && is_digital(objects_, ref.channel);
     namespace table = own::value_limits;
     const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
+    static_assert(implements<req::AOR_SRC_002>);
     const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
     const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};
     return Place{read, row, digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel)};
 }
 
+static_assert(implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
 BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
         return BlockSignal{};
@@ -102,6 +103,7 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     return BlockSignal{value(read.ref, read.digits), lesser(first, second), greater(first, second), state(read.ref)};
 }
 
+static_assert(implements<req::AOR_SRC_009>);
 BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
         return BlockSignal{};

@@ -27,7 +27,8 @@ struct SourceRef {
 /// Tables 4A and 4B; none for a pair that they do not have.
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
-/// A source and a number as last chosen, and what they stand for: looked up when the choice changes.
+/// A source and a number as last chosen, and what they stand for: looked up when the choice changes. Keys of this
+/// cache: the source and the number.
 class SourceChoice {
   public:
     const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {
@@ -91,7 +92,8 @@ class Sources {
     SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
 
     const ObjectDictionary& objects_;
-    // Many blocks read the same quantities, which rarely change. What an integer stands for is no state of its own.
+    // Many blocks read the same quantities, which rarely change. What an integer stands for is no state of its own:
+    // keys are the entry's integer and its digits, looked at in every reading. There is one of each per channel.
     mutable std::array<KeptPhysicalValue, output_count> commands_{};
     mutable std::array<KeptPhysicalValue, output_count> field_values_{};
     mutable std::array<KeptPhysicalValue, output_count> feedbacks_{};
@@ -103,6 +105,7 @@ class Sources {
     mutable std::array<KeptLimits, output_count> field_value_limits_{};
     mutable std::array<KeptLimits, extra_received_count> received_limits_{};
     mutable std::array<KeptLimits, math_count> calculation_limits_{};
+    // As the last cycle of the table or the logic block set them.
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};

@@ -21,9 +21,9 @@ bool is_within_hardware(const float supply) noexcept {
 
 }  // namespace
 
-static_assert(implements<req::AOR_DIAG_001> && implements<req::AOR_DIAG_002> && implements<req::AOR_DIAG_003> &&
-              implements<req::AOR_DIAG_004> && implements<req::AOR_DIAG_005> && implements<req::AOR_DIAG_006>);
+static_assert(implements<req::AOR_DIAG_005>);
 void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept {
+    static_assert(implements<req::AOR_DIAG_001>);
     objects.set(field::o5020_power_supply_field_value, inputs.supply);
     objects.set(field::o5030_processor_temperature_field_value, inputs.cpu_temperature);
 
@@ -31,18 +31,21 @@ void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
     const float under = static_cast<float>(objects.get(field::o5022_under_voltage_threshold));
     const float over = static_cast<float>(objects.get(field::o5023_over_voltage_threshold));
     const float hysteresis = static_cast<float>(objects.get(field::o5024_hysteresis_to_clear_supply_fault));
+    static_assert(implements<req::AOR_DIAG_002> && implements<req::AOR_DIAG_003>);
     const bool low = under_.advance(watches_supply, inputs.supply < under, inputs.supply >= (under + hysteresis));
     const bool high = over_.advance(watches_supply, inputs.supply > over, inputs.supply <= (over - hysteresis));
 
     const bool watches_heat = objects.get(field::o5031_enable_error_detection_on_temperature) != 0U;
     const float hottest = static_cast<float>(objects.get(field::o5032_over_temperature_threshold));
     const float cooling = static_cast<float>(objects.get(field::o5033_hysteresis_to_clear_temperature_fault));
+    static_assert(implements<req::AOR_DIAG_004>);
     const bool hot = temperature_.advance(watches_heat, inputs.cpu_temperature > hottest,
                                           inputs.cpu_temperature <= (hottest - cooling));
 
     const bool supply_shuts = objects.get(field::o5025_enable_power_supply_fault_disables_outputs) != 0U;
     const bool heat_shuts = objects.get(field::o5034_enable_temperature_fault_shutdown) != 0U;
     powered_ = is_within_hardware(inputs.supply);
+    static_assert(implements<req::AOR_DIAG_006>);
     shutdown_ = (!powered_) || ((low || high) && supply_shuts) || (hot && heat_shuts);
 }
 

@@ -43,7 +43,7 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
 }
 
 /// A physical value that is asked for again and again, and rarely with another integer or other digits: then only it is
-/// divided.
+/// divided. Keys of this cache: the integer and its digits.
 class KeptPhysicalValue {
   public:
     constexpr double of(const std::int32_t integer, const std::uint8_t digits) noexcept {

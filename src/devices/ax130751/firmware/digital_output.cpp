@@ -31,6 +31,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             break;
     }
     if (drive != OutputDrive::control) {
+        blinking_ = false;  // it begins anew, with ON
         next_blink_ = never;
     }
     control_before_ = demand.control;  // an edge that comes while something else drives the output is past by then

@@ -8,18 +8,20 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_LT_001> && implements<req::AOR_LT_002> && implements<req::AOR_LT_003> &&
-              implements<req::AOR_LT_004> && implements<req::AOR_LT_005> && implements<req::AOR_LT_006>);
+static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_006>);
 double lookup(const double x, const LookupPoints& points) noexcept {
+    static_assert(implements<req::AOR_LT_001>);
     if (x <= points.x[0U]) {
         return points.y[0U];
     }
     for (std::size_t point = 1U; point < lookup_points; ++point) {
         const std::size_t before = point - 1U;
+        static_assert(implements<req::AOR_LT_004>);
         if (points.response[point] == PointResponse::ignore) {
             return points.y[before];
         }
         if (x <= points.x[point]) {
+            static_assert(implements<req::AOR_LT_002> && implements<req::AOR_LT_003>);
             const bool jumps = points.response[point] == PointResponse::jump;
             const LinearScaling stretch{points.x[before], points.x[point], points.y[before], points.y[point]};
             return jumps ? points.y[point] : scale(x, stretch);
@@ -72,6 +74,7 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
     if (config.axis == LookupAxis::time) {
         value_ = follow_time(input, config, now);
     } else {
+        start_ = DigitalReading{};  // a profile that is chosen later begins with its input OFF
         running_ = false;
         under_way_ = false;
         value_ = input.is_valid() ? lookup(input.value, config.points) : value_;

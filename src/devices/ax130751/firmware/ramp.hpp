@@ -27,6 +27,7 @@ class Ramp {
     bool is_moving(Instant now) const noexcept;
 
   private:
+    // A way begins at `start_` at `since_`. Keys: the target and all three times; another one begins a new way.
     double start_{0.0};
     double target_{0.0};
     Instant since_{};

@@ -6,8 +6,7 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011> &&
-              implements<req::AOR_RELAY_014> && implements<req::AOR_RELAY_017>);
+static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011>);
 bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity,
                     const RelayTimes& times, const Instant now) noexcept {
     choose_polarity(polarity);
@@ -71,18 +70,19 @@ SwitchDrive Relay::follow_control(const RelayDemand& demand, const RelayPolarity
     if (!of_latch) {
         return answer;
     }
+    static_assert(implements<req::AOR_RELAY_017>);
     if (counts && (latch_ == Latch::latching) && (answer == SwitchDrive::change)) {
         memory_ = !memory_;
     }
     return memory_ ? SwitchDrive::on : SwitchDrive::off;
 }
 
-static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013> &&
-              implements<req::AOR_RELAY_015>);
+static_assert(implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013>);
 bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Instant now) noexcept {
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
     // While a change to OFF is delayed the relay goes on with what it did: steady or toggling.
+    static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {
         blinking_since_ = now;
@@ -92,6 +92,7 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
     return blinks ? blinks_on(blinking_since_, times.blink, now) : on;
 }
 
+static_assert(implements<req::AOR_RELAY_014>);
 bool Relay::force(const bool state) noexcept {
     delayed_.set(state);
     blinking_ = false;

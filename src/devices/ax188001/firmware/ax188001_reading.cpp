@@ -24,13 +24,13 @@ constexpr double millivolts_per_microvolt = 0.001;  // a product costs half of a
 constexpr std::uint32_t filter_50_hz = 50U;
 constexpr std::uint32_t filter_60_hz = 60U;
 
-static_assert(implements<req::TCS_T_GAIN> && implements<req::TCS_K_CODES> && implements<req::TCS_K_SETTLING> &&
-              implements<req::TCS_K_GAIN_BACK>);
+static_assert(implements<req::TCS_T_GAIN>);
 constexpr ConverterCircuit make_circuit() noexcept {
     ConverterCircuit circuit{};
     for (const auto& row : own::converter_gain::rows) {
         circuit.gains[row.step] = ConverterGain{row.gain, static_cast<double>(row.full_scale_uv)};
     }
+    static_assert(implements<req::TCS_K_CODES> && implements<req::TCS_K_GAIN_BACK> && implements<req::TCS_K_SETTLING>);
     circuit.codes = static_cast<double>(own::converter_codes);
     circuit.raise_fraction = static_cast<double>(own::gain_raise_fraction);
     circuit.settling_conversions = own::settling_conversions;
@@ -77,13 +77,13 @@ void Scanner::restart(const Inputs& inputs) noexcept {
     schedule();
 }
 
-static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST> && implements<req::TCS_IN_002> &&
-              implements<req::TCS_IN_003> && implements<req::TCS_IN_004> && implements<req::TCS_IN_005>);
+static_assert(implements<req::TCS_IN_005>);
 void Scanner::read(const Inputs& inputs) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         converters_[channel].convert(input_uv(inputs, channel), circuit);
     }
     hum_rises_ = !hum_rises_;
+    static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST>);
     cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
                                  own::cold_junction_highest_c);
     cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);

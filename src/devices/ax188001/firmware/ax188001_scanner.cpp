@@ -88,16 +88,16 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
     schedule();
 }
 
-static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002> && implements<req::TCS_VAL_003> &&
-              implements<req::TCS_IN_012> && implements<req::TCS_VAL_005> && implements<req::TCS_VAL_006> &&
-              implements<req::TCS_VAL_007> && implements<req::TCS_IN_013>);
+static_assert(implements<req::TCS_IN_012>);
 Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
     const std::uint8_t sub = subindex(channel);
     const bool open = converters_[channel].is_open();
     const double microvolts = converted_uv(channel);
+    static_assert(implements<req::TCS_IN_013>);
     if (!open) {
         objects_.set(field::o2010_tc_input_microvolts[sub], static_cast<std::int32_t>(std::round(microvolts)));
     }
+    static_assert(implements<req::TCS_VAL_005>);
     if (!is_enabled(channel)) {
         for (DelayedFault& fault : faults_[channel]) {
             fault.clear();
@@ -106,6 +106,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
         return Measurement{};
     }
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
+    static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007>);
     if (open) {
         // 6150h has no temperature to judge: what was told stays, what waits is dropped.
         fault_of(channel, ChannelFault::high).drop();
@@ -121,6 +122,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     judge_temperature(channel, conversion, now);
     const Scaling scaling{static_cast<double>(objects_.get(field::o6126_tc_scaling_factor[sub])),
                           static_cast<double>(objects_.get(field::o6127_tc_scaling_offset[sub]))};
+    static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002>);
     put_channel(channel, bits_of(field_value), measured_process_value(conversion.celsius, scaling, reserved));
     return Measurement{conversion.celsius, true};
 }
@@ -131,12 +133,12 @@ void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_v
     objects_.set(field::o7130_tc_input_process_value[subindex(channel)], process_value);
 }
 
-static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_007> &&
-              implements<req::TCS_LIM_009> && implements<req::TCS_LIM_010> && implements<req::TCS_K_HYSTERESIS> &&
-              implements<req::TCS_K_LIMIT_RESOLUTION>);
+static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_009>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
     // In steps of the thresholds: a product of two short numbers is exact, a quotient of them is not, and dear.
+    static_assert(implements<req::TCS_K_LIMIT_RESOLUTION>);
     const double steps = static_cast<double>(own::limit_steps_per_c);
+    static_assert(implements<req::TCS_K_HYSTERESIS>);
     const double hysteresis = static_cast<double>(own::limit_hysteresis_c) * steps;
     const double temperature = conversion.celsius * steps;
     const std::uint8_t sub = subindex(channel);
@@ -157,14 +159,15 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
     fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
 }
 
-static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002> && implements<req::TCS_AVG_003> &&
-              implements<req::TCS_AVG_004> && implements<req::TCS_T2>);
+static_assert(implements<req::TCS_AVG_003>);
 void Scanner::evaluate_average() noexcept {
     using own::average_mode::Mode;
+    static_assert(implements<req::TCS_T2>);
     const std::uint8_t mode = objects_.get(field::o2112_avg_operating_mode);
     const bool enabled =
         cell_or(own::average_mode::find(mode), &own::average_mode::Row::mode, Mode::disabled) == Mode::normal;
     const Measurement mean = enabled ? average(measurements_) : Measurement{};
+    static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002>);
     if (mean.valid) {
         const float field_value = static_cast<float>(mean.value);
         const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),
@@ -174,6 +177,7 @@ void Scanner::evaluate_average() noexcept {
                      measured_process_value(static_cast<double>(field_value), scaling, reserved));
         return;
     }
+    static_assert(implements<req::TCS_AVG_004>);
     bool broken{false};
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         broken = broken || (is_enabled(channel) && converters_[channel].is_open());
@@ -191,10 +195,9 @@ void Scanner::evaluate_cold_junction() noexcept {
     objects_.set(field::o3130_cj_input_process_value, process_value(static_cast<double>(field_value), scaling));
 }
 
-static_assert(implements<req::TCS_FD_007> && implements<req::TCS_FD_001> && implements<req::TCS_FD_002> &&
-              implements<req::TCS_FD_003> && implements<req::TCS_FD_004> && implements<req::TCS_FD_005> &&
-              implements<req::TCS_K_FD_RESOLUTION>);
+static_assert(implements<req::TCS_FD_001>);
 void Scanner::evaluate_unit(const Instant now) noexcept {
+    static_assert(implements<req::TCS_K_FD_RESOLUTION>);
     const double steps = static_cast<double>(own::fault_steps_per_unit);
     const double temperature = std::round(cpu_temperature_c_ * steps);
     const double voltage = std::round(supply_v_ * steps);
@@ -209,11 +212,13 @@ void Scanner::evaluate_unit(const Instant now) noexcept {
     }
     const bool temperature_enabled = objects_.get(field::o5050_fd_enable_fault_detection[1U]) != 0U;
     const bool supply_enabled = objects_.get(field::o5050_fd_enable_fault_detection[2U]) != 0U;
+    static_assert(implements<req::TCS_FD_002> && implements<req::TCS_FD_003> && implements<req::TCS_FD_007>);
     judge_unit(UnitFault::cpu_temperature, temperature_enabled, high_limit(temperature, set[0], clear[0]), now);
     judge_unit(UnitFault::over_voltage, supply_enabled, high_limit(voltage, set[1], clear[1]), now);
     judge_unit(UnitFault::under_voltage, supply_enabled, low_limit(voltage, set[2], clear[2]), now);
 }
 
+static_assert(implements<req::TCS_FD_005>);
 void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultCondition& condition,
                          const Instant now) noexcept {
     const std::size_t at = static_cast<std::size_t>(fault);
@@ -243,6 +248,7 @@ Duration Scanner::channel_delay(const std::size_t channel) const noexcept {
 }
 
 /// 5051h:1 for FD1, 5051h:2 for FD2 and FD3.
+static_assert(implements<req::TCS_FD_004>);
 Duration Scanner::unit_delay(const std::size_t fault) const noexcept {
     const std::uint8_t sub = (fault == static_cast<std::size_t>(UnitFault::cpu_temperature)) ? 1U : 2U;
     return milliseconds(objects_.get(field::o5051_fd_error_response_delay[sub]));

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/ax188001/requirements.hpp"
+
 namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
@@ -13,6 +16,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
     }
     const double size = std::fabs(input_uv);
     const double full_scale = circuit.gains[step_].full_scale_uv;
+    static_assert(implements<req::TCS_IN_003>);
     if (!(size < full_scale)) {  // a NaN is nothing that can be read either
         const bool lowest = (step_ + 1U) == ConverterCircuit::gain_count;
         open_ = lowest;
@@ -21,9 +25,11 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
         }
         return;
     }
+    static_assert(implements<req::TCS_IN_002>);
     const double lsb = full_scale / circuit.codes;
     microvolts_ = std::round(input_uv / lsb) * lsb;
     open_ = false;
+    static_assert(implements<req::TCS_IN_004>);
     for (std::size_t finer = 0U; finer < step_; ++finer) {
         if (size <= (circuit.gains[finer].full_scale_uv * circuit.raise_fraction)) {
             choose(finer, circuit);

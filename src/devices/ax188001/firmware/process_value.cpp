@@ -8,7 +8,7 @@
 
 namespace canproof::ax188001 {
 
-static_assert(implements<req::TCS_VAL_004>);
+static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_003> && implements<req::TCS_VAL_004>);
 std::int16_t process_value(const double field_value, const Scaling& scaling) noexcept {
     constexpr double highest = 32767.0;
     constexpr double lowest = -32768.0;
@@ -16,6 +16,7 @@ std::int16_t process_value(const double field_value, const Scaling& scaling) noe
     return static_cast<std::int16_t>(lesser(greater(scaled, lowest), highest));
 }
 
+static_assert(implements<req::TCS_VAL_007>);
 std::int16_t measured_process_value(const double field_value, const Scaling& scaling,
                                     const ReservedValues& reserved) noexcept {
     const std::int16_t value = process_value(field_value, scaling);

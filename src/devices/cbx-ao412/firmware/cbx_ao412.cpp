@@ -21,25 +21,15 @@ using own::IndicatorState;
 constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
 constexpr std::uint32_t max_node_id = 0x7FU;
 
-// What the node and the dictionary do for this device, in the manner of the profile below.
-static_assert(implements<req::AO4_ERR_001> && implements<req::AO4_ERR_002> && implements<req::AO4_ERR_003> &&
-              implements<req::AO4_ERR_004> && implements<req::AO4_ERR_005> && implements<req::AO4_ERR_006> &&
-              implements<req::AO4_ERR_007> && implements<req::AO4_ERR_008> && implements<req::AO4_ERR_009> &&
-              implements<req::AO4_ERR_010> && implements<req::AO4_ERR_011> && implements<req::AO4_ERR_012>);
-static_assert(implements<req::AO4_GUARD_001> && implements<req::AO4_GUARD_002> && implements<req::AO4_GUARD_003> &&
-              implements<req::AO4_GUARD_004> && implements<req::AO4_PDO_001> && implements<req::AO4_PDO_002> &&
-              implements<req::AO4_PDO_003> && implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> &&
-              implements<req::AO4_PROG_002> && implements<req::AO4_PROG_003> && implements<req::AO4_START_002>);
-static_assert(implements<req::AO4_START_003> && implements<req::AO4_START_004> && implements<req::AO4_STORE_001> &&
-              implements<req::AO4_STORE_002> && implements<req::AO4_STORE_003> && implements<req::AO4_STORE_004> &&
-              implements<req::AO4_STORE_005>);
+static_assert(implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> && implements<req::AO4_STORE_001>);
 constexpr const NodeProfile& profile = own::profile;
 
 // 4.3.1: reference times the gain of the differential amplifier.
+static_assert(implements<req::AO4_AOUT_001>);
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
                                    own::dac_steps, own::codes_per_step};
 
-static_assert(implements<req::AO4_T_ERRORS>);
+static_assert(implements<req::AO4_T_ERRORS> && implements<req::AO4_ERR_005>);
 constexpr ErrorTable make_error_table() noexcept {
     namespace errors = own::error_codes;
     ErrorTable table{};
@@ -50,7 +40,7 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-static_assert(implements<req::AO4_T5>);
+static_assert(implements<req::AO4_T5> && implements<req::AO4_LED_005>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
     namespace table = own::indicator_flashes;
     const auto* const row = table::find(state);
@@ -62,6 +52,7 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
 }
 
 /// Red LEDs begin one flash after the green ones (3.2.1, note).
+static_assert(implements<req::AO4_LED_006>);
 Duration red_shift() noexcept {
     return pattern_of(IndicatorState::blinking).on;
 }
@@ -79,15 +70,19 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
-static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_002> && implements<req::AO4_SW_003> &&
-              implements<req::AO4_T11>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    outputs_ = Outputs{};
+    driven_.fill(Driven{});
+    static_assert(implements<req::AO4_SW_001>);
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
+    static_assert(implements<req::AO4_SW_003> && implements<req::AO4_T11>);
     bit_rate_ = cell_or(own::bit_rate_switch::find(inputs.switch_baud), &own::bit_rate_switch::Row::bit_rate,
                         std::uint32_t{0U});
+    static_assert(implements<req::AO4_SW_002>);
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
         node_.power_on(node_id_, now);
     }
     set_inputs(inputs, now);
@@ -107,6 +102,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 }
 
 /// 7.9.4: a stored set that could not be used is an internal software error as well, until the next reset.
+static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010>);
 void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
     internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
@@ -158,7 +154,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
     }
 }
 
-static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001>);
+static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001> && implements<req::AO4_PROG_003>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         put_version(index::manufacturer_hardware_version, factory_.hardware_version);
@@ -193,7 +189,7 @@ void Device::restart(const Instant) {
     }
 }
 
-static_assert(implements<req::AO4_START_001>);
+static_assert(implements<req::AO4_START_001> && implements<req::AO4_ERR_012>);
 void Device::booted(const Instant now) {
     watch_internal_faults(now);
     if (objects_.get(field::o1f80_nmt_startup) == autostart_enabled) {
@@ -244,8 +240,7 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
     drive_output(number);
 }
 
-static_assert(implements<req::AO4_AOUT_001> && implements<req::AO4_AOUT_002> && implements<req::AO4_AOUT_003> &&
-              implements<req::AO4_AOUT_004>);
+static_assert(implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];
     if (!driven.on) {
@@ -304,13 +299,13 @@ bool Device::show(const IndicatorState state, const Duration shift, const Instan
     return phase.lit;
 }
 
-static_assert(implements<req::AO4_LED_003> && implements<req::AO4_LED_004> && implements<req::AO4_LED_005> &&
-              implements<req::AO4_LED_006> && implements<req::AO4_T8> && implements<req::AO4_T9>);
 void Device::drive_leds(const Instant now) noexcept {
     next_led_change_ = never;
     outputs_.led_e = show(can_error_indicator(), red_shift(), now);
     outputs_.led_s = show(status_indicator(), Duration{}, now);
+    static_assert(implements<req::AO4_LED_003> && implements<req::AO4_T8>);
     outputs_.led_m = show(led_of(own::error_led::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
+    static_assert(implements<req::AO4_LED_004> && implements<req::AO4_T9>);
     outputs_.led_p = show(led_of(own::power_led::find(runs_)), Duration{}, now);
 }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+
 namespace canproof::cbx_ao412 {
 
 namespace {
@@ -10,6 +13,7 @@ constexpr float codes_at_full_scale = 32768.0F;
 
 }  // namespace
 
+static_assert(implements<req::AO4_AOUT_002> && implements<req::AO4_AOUT_003>);
 std::int32_t output_step(const std::int16_t value, const VoltageOutputCircuit& circuit,
                          const OutputCalibration& calibration) noexcept {
     const float offset_codes = (calibration.offset_v / circuit.full_scale_v) * codes_at_full_scale;
@@ -22,6 +26,7 @@ std::int32_t output_step(const std::int16_t value, const VoltageOutputCircuit& c
     return static_cast<std::int32_t>(clamped);
 }
 
+static_assert(implements<req::AO4_AOUT_001>);
 float step_voltage(const std::int32_t step, const VoltageOutputCircuit& circuit) noexcept {
     return (static_cast<float>(step) / static_cast<float>(circuit.steps)) * circuit.full_scale_v;
 }

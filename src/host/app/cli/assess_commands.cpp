@@ -143,7 +143,10 @@ class MutateCommand : Command {
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id, with --code part of a file's path; everything without");
         command->add_flag("--code", options_.code,
-                          "the firmware's operators and conditions instead of generated cells");
+                          "the firmware's code instead of generated cells: conditions, statements, variables …");
+        command->add_flag(
+            "--kills", options_.kills,
+            "judges each test that is new or changed: of which of its items it notices a mutant (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; build/mutation without it");
         command->add_option("--sample", options_.sample, "only so many cells, drawn by --seed");

@@ -11,6 +11,7 @@
 #include "host/assess/story/story.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
+#include "host/assess/trace/kill_audit.hpp"
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
@@ -75,6 +76,25 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
+/// Says which items are shown by tests that notice a mutant; how much of the record no longer holds. A project without
+/// a record is not asked.
+std::size_t print_kills(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
+                        const Evidence& evidence) {
+    const KillRecord record = read_kill_record(root / "reports" / "kills.csv");
+    if (record.empty()) {
+        return 0;
+    }
+    std::vector<std::string> ids;
+    for (const auto& one : audits) {
+        for (const auto& item : one.items) {
+            ids.push_back(item.item->id);
+        }
+    }
+    const KillAudit kills = audit_kills(ids, evidence, record, root);
+    fmt::print("{}", kill_summary(kills));
+    return kills.regressions.size();
+}
+
 }  // namespace
 
 int audit(const AuditOptions& options) {
@@ -112,9 +132,10 @@ int audit(const AuditOptions& options) {
     for (const auto& stray : strays) {
         fmt::print("orphan: {}\n", stray);
     }
-    fmt::print("{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s)\n", evidence.tests, evidence.failed, gaps,
-               strays.size(), suspects);
-    return gaps + suspects + strays.size() + evidence.failed == 0 ? 0 : 1;
+    const std::size_t regressions = print_kills(root, audits, evidence);
+    fmt::print("{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s), {} regression(s) of noticed mutants\n",
+               evidence.tests, evidence.failed, gaps, strays.size(), suspects, regressions);
+    return gaps + suspects + strays.size() + evidence.failed + regressions == 0 ? 0 : 1;
 }
 
 }  // namespace canproof::host

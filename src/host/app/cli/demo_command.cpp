@@ -10,6 +10,7 @@
 #include "devices/catalogue.hpp"
 #include "firmware/base/time.hpp"
 #include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/advance_device.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::host {
@@ -42,7 +43,7 @@ void play(const DeviceModel& model) {
     for (const auto& example : scene.requests) {
         now = now + milliseconds(10);
         while (device->next_deadline() <= now) {
-            device->advance(now);
+            advance_device(*device, scene.title, now);
         }
         while (!device->queue().empty()) {
             device->queue().pop();  // what it says of its own accord is not the answer

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "host/base/input_error.hpp"
@@ -40,8 +42,10 @@ int run_program(const std::vector<std::string>& words) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
 }
 
+/// A build of this project, or of one outside with canproof as its part `package`.
 bool holds_firmware(const std::filesystem::path& build) {
-    return std::filesystem::exists(build / "libcanproof_firmware.a");
+    const auto library = std::filesystem::path{"src"} / "firmware" / "libcanproof_firmware.a";
+    return std::filesystem::exists(build / library) || std::filesystem::exists(build / "package" / library);
 }
 
 std::filesystem::path build_folder(const MisraOptions& options) {
@@ -54,20 +58,33 @@ std::filesystem::path build_folder(const MisraOptions& options) {
     return found == candidates.end() ? builds / "release" : *found;
 }
 
+/// Where canproof's own folders are, as the configure step of a build wrote it down.
+std::filesystem::path home_of(const std::filesystem::path& build) {
+    const auto file = build / "home.txt";
+    std::ifstream in{file};
+    std::string home;
+    if (!std::getline(in, home) || home.empty()) {
+        throw InputError{
+            fmt::format("there is no {}; build the project first, or name its folder with --root", file.string())};
+    }
+    return home;
+}
+
 }  // namespace
 
 int check_misra(const MisraOptions& options) {
-    const auto script = std::filesystem::path{options.root} / "misra" / "run";
-    if (!std::filesystem::exists(script)) {
-        throw InputError{fmt::format("there is no {}; name the project's folder with --root", script.string())};
-    }
     const auto build = build_folder(options);
-    if (!options.review_file.empty()) {
-        return run_program({script.string(), "review", build.string(), options.review_file, options.review_rule, "--by",
-                            options.reviewer, "--judgement", options.judgement});
+    const auto script = home_of(build) / "misra" / "run";
+    if (!std::filesystem::exists(script)) {
+        throw InputError{fmt::format("there is no {}; install canproof as a whole", script.string())};
     }
-    return run_program(
-        {script.string(), build.string(), options.out.empty() ? (build / "misra").string() : options.out});
+    const std::string root = std::filesystem::absolute(options.root).string();
+    if (!options.review_file.empty()) {
+        return run_program({script.string(), "--root", root, "review", build.string(), options.review_file,
+                            options.review_rule, "--by", options.reviewer, "--judgement", options.judgement});
+    }
+    return run_program({script.string(), "--root", root, build.string(),
+                        options.out.empty() ? (build / "misra").string() : options.out});
 }
 
 }  // namespace canproof::host

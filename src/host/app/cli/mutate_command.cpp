@@ -10,6 +10,7 @@
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
+#include "host/assess/mutation/kill_run.hpp"
 #include "host/assess/mutation/mutation.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
@@ -83,15 +84,41 @@ void show_progress(std::size_t done, std::size_t all) {
     }
 }
 
+/// Renews reports/kills.csv, and leaves what is known by then when it is interrupted.
+int write_kills(const std::filesystem::path& root, const std::filesystem::path& programs, unsigned jobs) {
+    const auto file = root / "reports" / "kills.csv";
+    constexpr std::size_t step = 100;
+    const auto progress = [&](std::size_t done, std::size_t all, const KillRecord& known) {
+        show_progress(done, all);
+        if (done % step == 0) {
+            write_file(file, write_kill_record(known));
+        }
+    };
+    const KillRecord record =
+        record_kills({root, programs, jobs}, sound_register(root / "spec"), read_kill_record(file), progress);
+    write_file(file, write_kill_record(record));
+    const auto idle =
+        std::count_if(record.begin(), record.end(), [](const auto& line) { return line.second.kills.empty(); });
+    fmt::print("{} test(s) judged, {} of them notice no mutant of what they claim\n", record.size(), idle);
+    return 0;
+}
+
 }  // namespace
 
 int mutate(const MutateOptions& options) {
     const std::filesystem::path root{options.root};
     const auto programs =
         options.programs.empty() ? root / "build" / "mutation" : std::filesystem::path{options.programs};
+    if (options.kills) {
+        return write_kills(root, programs, options.jobs);
+    }
     const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
     const auto records = read_survivor_records(record_file);
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
+    const auto idle = without_alteration(records, all);
+    for (const SurvivorRecord* record : idle) {
+        fmt::print("{}:{}: no alteration is like this record; remove it\n", record_file.string(), record->line);
+    }
     auto cells = options.code ? chosen_mutants(all, options.subject)
                               : chosen_cells(all, sound_register(root / "spec"), options.subject);
     const bool whole = options.subject.empty() && options.sample == 0;
@@ -106,14 +133,14 @@ int mutate(const MutateOptions& options) {
                         : mutate_cells({programs / "canproof_tests", programs / "canproof_properties",
                                         programs / "verdicts", options.jobs},
                                        cells, progress);
-    const auto idle = justify(outcomes, records);
+    const auto unneeded = justify(outcomes, records);
     print_survivors(outcomes);
     if (whole) {
         write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
         if (options.code) {
             replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
         }
-        for (const SurvivorRecord* record : idle) {
+        for (const SurvivorRecord* record : unneeded) {
             fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),
                        record->line);
         }
@@ -121,7 +148,7 @@ int mutate(const MutateOptions& options) {
     const MutationCount counted = total(count_by_item(outcomes));
     fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", counted.altered,
                options.code ? "places" : "cells", counted.noticed, counted.justified, counted.open());
-    return counted.open() == 0 && (!whole || idle.empty()) ? 0 : 1;
+    return counted.open() == 0 && idle.empty() && (!whole || unneeded.empty()) ? 0 : 1;
 }
 
 }  // namespace canproof::host

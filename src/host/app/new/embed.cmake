@@ -9,5 +9,5 @@ foreach(file ${files})
   list(APPEND named ${name} ${FOLDER}/${file})
 endforeach()
 get_filename_component(toolchain ${TOOLCHAIN} NAME)
-canproof_embed(${OUT} project_templates host/app/new/templates.hpp "src/host/app/new/embed.cmake from template/"
+canproof_embed(${OUT} canproof::host project_templates host/app/new/templates.hpp "src/host/app/new/embed.cmake from template/"
                ${named} src/target/${toolchain} ${TOOLCHAIN})

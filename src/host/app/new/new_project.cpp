@@ -1,6 +1,7 @@
 #include "host/app/new/new_project.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -83,14 +84,41 @@ std::string quotable(const std::string& text) {
     return out;
 }
 
-std::int64_t device_type_of(const Part& part) {
-    for (const Object& object : part.objects) {
-        if (object.index == 0x1000 && !object.entries.empty()) {
-            const auto* number = std::get_if<std::int64_t>(&object.entries.front().value);
-            return number == nullptr ? 0 : *number;
-        }
+/// The first entry of an object; none without the object.
+const Entry* first_entry(const Part& part, unsigned index) {
+    const auto found = std::find_if(part.objects.begin(), part.objects.end(), [index](const Object& object) {
+        return object.index == index && !object.entries.empty();
+    });
+    return found == part.objects.end() ? nullptr : &found->entries.front();
+}
+
+std::int64_t number_of(const Entry* entry) {
+    const auto* number = entry == nullptr ? nullptr : std::get_if<std::int64_t>(&entry->value);
+    return number == nullptr ? 0 : *number;
+}
+
+/// A function of the test that tells which emergency message node 5 sends, by the default of 1014h.
+std::string emergency_of(const Part& part) {
+    constexpr int node = 5;
+    constexpr std::int64_t switched_off = 0x80000000;
+    const Entry* const cob_id = first_entry(part, 0x1014);
+    const std::int64_t base = cob_id == nullptr ? 0x80 : number_of(cob_id);
+    if ((base & switched_off) != 0) {
+        return "/// None: 1014h switches emergency messages off by default.\n"
+               "Frames emergency(const std::string&) {\n    return {};\n}";
     }
-    return 0;
+    const std::int64_t id = (base + (cob_id == nullptr || cob_id->node_id ? node : 0)) & 0x7FF;
+    return fmt::format(
+        "/// The emergency message with these bytes, of node 5.\n"
+        "Frames emergency(const std::string& bytes) {{\n    return {{\"{:03X}#\" + bytes}};\n}}",
+        id);
+}
+
+/// The usual bit rates and the one as shipped, in bit/s.
+std::string bit_rates_with(std::int64_t shipped) {
+    std::set<std::int64_t> rates{10000, 20000, 50000, 125000, 250000, 500000, 800000, 1000000};
+    rates.insert(shipped);
+    return fmt::format("{}", fmt::join(rates, ", "));
 }
 
 using Words = std::map<std::string, std::string>;
@@ -101,7 +129,6 @@ Words words_of(const NewProject& project, const std::string& prefix) {
                 {"Type", pascal_case(project.name)},
                 {"prefix", prefix},
                 {"date", project.date}};
-    words["lower_prefix"] = snake_case(prefix);
     const DeviceInfo info = project.eds ? project.eds->info : DeviceInfo{};
     const int node = info.node_id > 0 ? info.node_id : usual_node_id;
     words["title"] = quotable(info.title.empty() ? project.name : info.title);
@@ -111,8 +138,13 @@ Words words_of(const NewProject& project, const std::string& prefix) {
     words["node_id"] = std::to_string(node);
     words["node_hex"] = fmt::format("{:02X}", node);
     words["request_id"] = fmt::format("{:03X}", 0x600 + node);
-    words["bit_rate"] = std::to_string(info.bit_rate > 0 ? info.bit_rate : usual_bit_rate);
-    words["device_type"] = fmt::format("0x{:08X}", project.eds ? device_type_of(*project.eds) : 0);
+    const Part sheet = project.eds ? *project.eds : Part{};
+    const std::int64_t bit_rate = info.bit_rate > 0 ? info.bit_rate : usual_bit_rate;
+    words["boot_id"] = fmt::format("{:03X}", 0x700 + node);
+    words["bit_rate"] = std::to_string(bit_rate);
+    words["bit_rates"] = bit_rates_with(bit_rate);
+    words["device_type"] = fmt::format("0x{:08X}", number_of(first_entry(sheet, 0x1000)));
+    words["emergency"] = emergency_of(sheet);
     return words;
 }
 

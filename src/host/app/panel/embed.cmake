@@ -13,5 +13,5 @@ foreach(file ${files})
   endif()
   list(APPEND named ${name} ${file})
 endforeach()
-canproof_embed(${OUT} panel_assets host/app/panel/assets.hpp
+canproof_embed(${OUT} canproof::host panel_assets host/app/panel/assets.hpp
                "src/host/app/panel/embed.cmake from page/ and the devices' panel.json" ${named})

@@ -17,6 +17,9 @@ bool matches(const CoverageRecord& record, const CoverageGap& gap) {
 
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file) {
     std::vector<CoverageRecord> records;
+    if (!std::filesystem::exists(file)) {
+        return records;
+    }
     read_toml_records(file, [&records](TomlItem& whole) {
         for (auto& item : whole.items("record")) {
             records.push_back({item.text("file"), item.word("kind", {"function", "line", "branch", "condition"}, ""),

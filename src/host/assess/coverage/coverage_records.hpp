@@ -19,7 +19,7 @@ struct CoverageRecord {
     unsigned line{0};  ///< of the record
 };
 
-/// Reads reports/coverage.toml. Throws InputError with file, line and mend.
+/// Reads reports/coverage.toml; there are no records without the file. Throws InputError with file, line and mend.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {

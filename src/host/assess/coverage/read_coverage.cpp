@@ -301,7 +301,8 @@ Functions functions_of(const Json& data) {
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root) {
     std::ifstream in{file};
     if (!in) {
-        throw InputError{fmt::format("no coverage in {}; tests/coverage measures it", file.string())};
+        throw InputError{fmt::format(
+            "no coverage in {}; tests/coverage measures it, `./run coverage` in a project of your own", file.string())};
     }
     std::vector<FileCoverage> files;
     try {

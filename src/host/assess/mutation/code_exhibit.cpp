@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/assess/mutation/mutation_counts.hpp"
+#include "host/assess/mutation/mutation_table.hpp"
 #include "host/base/csv_line.hpp"
 
 namespace canproof::host {
@@ -44,7 +45,7 @@ std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcom
     const MutationCount all = total(counts);
     const double share = 100.0 * static_cast<double>(all.noticed) / static_cast<double>(all.altered);
     const nlohmann::ordered_json exhibit{
-        {"title", "Mutation of the firmware's operators and conditions"},
+        {"title", "Mutation of the firmware's code"},
         {"state", all.open() == 0 ? "holds" : "open"},
         {"says", fmt::format("{} mutants of the firmware, {:.1f} % noticed by a test; {} survive without a reason.",
                              all.altered, share, all.open())},
@@ -55,7 +56,8 @@ std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcom
           {"survive without", all.open()}}}};
     return {{"exhibit.json", exhibit.dump(1) + "\n"},
             {"survivors.csv", survivors_csv(outcomes)},
-            {"files.csv", files_csv(counts)}};
+            {"files.csv", files_csv(counts)},
+            {"operators.csv", operators_csv(outcomes)}};
 }
 
 }  // namespace canproof::host

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <tuple>
 
@@ -25,6 +26,8 @@ constexpr double most_seconds = 1.5;
 constexpr double quick_seconds = 0.1;
 /// What the program told before its first test.
 const char* const startup = "startup";
+/// What starting a test costs at least.
+constexpr double least_seconds = 0.001;
 
 /// Tests, and how long a mutant may keep them: one that runs without end is killed soon.
 struct Stage {
@@ -64,7 +67,7 @@ std::vector<ToldTest> read_told(const std::filesystem::path& file) {
     for (std::string line; std::getline(in, line);) {
         std::istringstream words{line};
         ToldTest test;
-        if (words >> test.name >> test.seconds) {
+        if (words >> test.name >> test.file >> test.seconds) {
             for (std::size_t mutant = 0; words >> mutant;) {
                 test.mutants.push_back(mutant);
             }
@@ -92,25 +95,33 @@ std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t coun
     return starting;
 }
 
-std::vector<std::string> filters_by_mutant(const std::vector<ToldTest>& tests, std::size_t count, double budget) {
-    std::vector<const ToldTest*> ordered;
-    for (const ToldTest& test : tests) {
-        ordered.push_back(&test);
-    }
-    std::sort(ordered.begin(), ordered.end(), [](const ToldTest* a, const ToldTest* b) {
-        return std::tie(a->seconds, a->name) < std::tie(b->seconds, b->name);
+std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
+                                                        double budget) {
+    std::vector<std::uint32_t> ordered(tests.size());
+    std::iota(ordered.begin(), ordered.end(), 0U);
+    std::sort(ordered.begin(), ordered.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(tests[a].seconds, tests[a].name) < std::tie(tests[b].seconds, tests[b].name);
     });
-    std::vector<std::string> filters(count);
+    std::vector<std::vector<std::uint32_t>> chosen(count);
     std::vector<double> spent(count);
-    for (const ToldTest* test : ordered) {
-        for (const std::size_t mutant : test->mutants) {
-            if (mutant < count && (filters[mutant].empty() || spent[mutant] + test->seconds <= budget)) {
-                filters[mutant] += (filters[mutant].empty() ? "" : ":") + test->name;
-                spent[mutant] += test->seconds;
+    for (const std::uint32_t place : ordered) {
+        const double cost = std::max(tests[place].seconds, least_seconds);
+        for (const std::size_t mutant : tests[place].mutants) {
+            if (mutant < count && (chosen[mutant].empty() || spent[mutant] + cost <= budget)) {
+                chosen[mutant].push_back(place);
+                spent[mutant] += cost;
             }
         }
     }
-    return filters;
+    return chosen;
+}
+
+std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std::uint32_t>& places) {
+    std::string filter;
+    for (const std::uint32_t place : places) {
+        filter += (filter.empty() ? "" : ":") + tests.at(place).name;
+    }
+    return filter;
 }
 
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
@@ -123,21 +134,27 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     auto tests = read_told(told);
     const std::vector<bool> starting = told_at_startup(tests, count);
     std::map<std::string, double> seconds;
+    std::map<std::string, std::string> files;
     for (const ToldTest& test : tests) {
         seconds[test.name] = test.seconds;
+        files[test.name] = test.file;
     }
-    const auto quick = filters_by_mutant(tests, count, quick_seconds);
-    const auto most = filters_by_mutant(tests, count, most_seconds);
+    const auto quick = tests_by_mutant(tests, count, quick_seconds);
+    const auto most = tests_by_mutant(tests, count, most_seconds);
     KillerLog log{setup.folder / "killers.tsv"};
     return judge_all(
         mutants, {setup.program}, setup.jobs,
         [&](const AlteredCell& mutant, const Servers& servers) {
             const std::size_t number = mutant.number;
-            MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr};
+            MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr, ""};
             if (!most.at(number).empty()) {
-                outcome.killed_by = killer(
-                    *servers.front(), number,
-                    {stage(log.filter(mutant), seconds), stage(quick[number], seconds), stage(most[number], seconds)});
+                outcome.killed_by =
+                    killer(*servers.front(), number,
+                           {stage(log.filter(mutant), seconds), stage(filter_of(tests, quick[number]), seconds),
+                            stage(filter_of(tests, most[number]), seconds)});
+                if (const auto found = files.find(outcome.killed_by); found != files.end()) {
+                    outcome.killer_file = found->second;
+                }
             }
             if (outcome.killed_by.empty() && starting.at(number) &&
                 fails_when_started_altered(setup.program, number, "*")) {

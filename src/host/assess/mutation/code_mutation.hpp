@@ -1,7 +1,8 @@
-// Mutants of the firmware's operators and conditions: the program built by tests/mutation/code has all of them, and
+// Mutants of the firmware's code: the program built by tests/mutation/code has all of them, and
 // knows which tests would compute something else with which.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -17,18 +18,23 @@ struct ToldTest {
     std::string name;
     double seconds{0.0};
     std::vector<std::size_t> mutants;
+    std::string file{};  ///< source of the test
 };
 
-/// Lines `name TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
+/// Lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 
 /// Takes what was told before any test out of the list: for each of `count` mutants whether it would compute something
 /// else when the program starts. It then shows in a program that starts with it.
 std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
 
-/// For each of `count` mutants the tests that can notice it as a filter of GoogleTest, quickest first, as many as take
-/// `budget` seconds and one at least; empty when none can.
-std::vector<std::string> filters_by_mutant(const std::vector<ToldTest>& tests, std::size_t count, double budget);
+/// For each of `count` mutants the tests that can notice it, as places in `tests`, quickest first, as many as take
+/// `budget` seconds and one at least; empty when none can. A test counts for a millisecond at least.
+std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
+                                                        double budget);
+
+/// These tests as a filter of GoogleTest.
+std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std::uint32_t>& places);
 
 struct CodeMutationSetup {
     std::filesystem::path program;

@@ -39,7 +39,7 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
 }
 
 MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& programs, const Servers& servers) {
-    MutationOutcome outcome{cell, "", false, nullptr};
+    MutationOutcome outcome{cell, "", false, nullptr, ""};
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
         if (const std::string* filter = programs[i].filter(cell.item)) {
             outcome.claimed = true;

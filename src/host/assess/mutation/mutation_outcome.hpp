@@ -21,6 +21,7 @@ struct MutationOutcome {
     std::string killed_by;                  ///< a test, or how it died; empty: survived
     bool claimed{false};                    ///< some test claims the item
     const SurvivorRecord* record{nullptr};  ///< why it may survive
+    std::string killer_file{};              ///< source of that test; empty: not known
     bool open() const { return killed_by.empty() && record == nullptr; }
 };
 

@@ -1,5 +1,7 @@
 #include "host/assess/mutation/survivor_records.hpp"
 
+#include <algorithm>
+
 #include "host/assess/mutation/mutation_outcome.hpp"
 #include "host/register/toml_records.hpp"
 
@@ -46,14 +48,32 @@ bool matches(const std::string& pattern, const std::string& text) {
     return p == pattern.size();
 }
 
+namespace {
+
+bool is_about(const SurvivorRecord& record, const AlteredCell& cell) {
+    return matches(record.item, cell.item) && matches(record.cell, cell.cell) && matches(record.change, cell.change);
+}
+
+}  // namespace
+
+std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
+                                                      const std::vector<AlteredCell>& cells) {
+    std::vector<const SurvivorRecord*> idle;
+    for (const SurvivorRecord& record : records) {
+        if (std::none_of(cells.begin(), cells.end(), [&](const AlteredCell& cell) { return is_about(record, cell); })) {
+            idle.push_back(&record);
+        }
+    }
+    return idle;
+}
+
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records) {
     std::vector<bool> used(records.size());
     for (MutationOutcome& outcome : outcomes) {
         for (std::size_t i = 0; i < records.size() && outcome.open(); ++i) {
             const SurvivorRecord& record = records[i];
-            if (matches(record.item, outcome.cell.item) && matches(record.cell, outcome.cell.cell) &&
-                matches(record.change, outcome.cell.change)) {
+            if (is_about(record, outcome.cell)) {
                 outcome.record = &record;
                 used[i] = true;
             }

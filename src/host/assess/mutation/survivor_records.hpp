@@ -18,4 +18,8 @@ bool matches(const std::string& pattern, const std::string& text);
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 
+/// The records that are about none of these alterations: what they justified is no longer there.
+std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
+                                                      const std::vector<AlteredCell>& cells);
+
 }  // namespace canproof::host

@@ -33,17 +33,18 @@ std::size_t links_of(const std::string& line) {
     return count;
 }
 
-/// What comes below a link can do something: it is no empty line, no end of a block, no name for something else.
+/// What comes below a link can do something: it is no empty line, no begin or end of a block or of a section of a
+/// class, no name for something else.
 bool can_do(const std::string& code) {
-    static const std::array<std::string, 4> others{{"}", "#", "namespace ", "using "}};
+    static const std::array<std::string, 12> others{{"}", "{", "#", "namespace ", "using ", "friend ", "public:",
+                                                     "protected:", "private:", "case ", "default:", "break;"}};
     return !code.empty() &&
            std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
 }
 
 }  // namespace
 
-std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines,
-                                      std::size_t most) {
+std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines) {
     std::vector<std::string> all;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!begins(trimmed(lines[i]), statement)) {
@@ -60,9 +61,9 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
             links += links_of(code);
             inside = !begins(code, "//") && code.back() != ';';
         }
-        if (links > most) {
-            all.push_back(fmt::format("{}:{}: {} requirements in one place, at most {}; name each above what does it",
-                                      name, first, links, most));
+        if (links > most_links) {
+            all.push_back(fmt::format("{}:{}: {} items in one place, at most {}; name each above what does it", name,
+                                      first, links, most_links));
         }
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
             all.push_back(fmt::format("{}:{}: the link stands above nothing that does it", name, first));
@@ -71,7 +72,7 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
     return all;
 }
 
-std::vector<std::string> misplaced_links(const std::filesystem::path& root, std::size_t most) {
+std::vector<std::string> misplaced_links(const std::filesystem::path& root) {
     namespace fs = std::filesystem;
     std::vector<fs::path> files;
     if (fs::is_directory(root / "src")) {
@@ -91,7 +92,7 @@ std::vector<std::string> misplaced_links(const std::filesystem::path& root, std:
             lines.push_back(line);
         }
         check_read(in, file.string());
-        const auto found = misplaced_in(file.lexically_relative(root).generic_string(), lines, most);
+        const auto found = misplaced_in(file.lexically_relative(root).generic_string(), lines);
         all.insert(all.end(), found.begin(), found.end());
     }
     return all;

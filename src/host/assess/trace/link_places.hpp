@@ -8,15 +8,14 @@
 
 namespace canproof::host {
 
-/// The greatest number of requirements that one place of the firmware names today. It falls as lists move to `by` in
-/// the register or to the functions that do it; the aim is 3.
-constexpr std::size_t most_links = 31;
+/// The greatest number of items that one place may name.
+constexpr std::size_t most_links = 3;
 
-/// The links of one source that stand badly, each a sentence: more than `most` requirements in one place, or nothing
-/// directly below that could do it (a function, a table, a member). `name` stands in the sentences.
-std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines, std::size_t most);
+/// The links of one source that stand badly, each a sentence: more than `most_links` items in one place, or nothing
+/// directly below that could do it (a function, a statement of it, a table, a member). `name` stands in the sentences.
+std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines);
 
 /// Those of all sources of src/ below `root`. Throws InputError for a file that cannot be read.
-std::vector<std::string> misplaced_links(const std::filesystem::path& root, std::size_t most = most_links);
+std::vector<std::string> misplaced_links(const std::filesystem::path& root);
 
 }  // namespace canproof::host

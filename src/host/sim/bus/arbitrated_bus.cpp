@@ -60,8 +60,9 @@ void ArbitratedBus::detach_gateway(const Gateway& gateway) {
     }
     const auto at = static_cast<std::size_t>(found - ports_.begin());
     if (running_ && running_->port == at) {
-        running_.reset();  // its frame ends where the plug was pulled
-    } else if (running_ && running_->port > at) {
+        break_off(advanced_to_);
+    }
+    if (running_ && running_->port > at) {
         --running_->port;
     }
     ports_.erase(found);
@@ -119,6 +120,7 @@ void ArbitratedBus::tell_bit_rates() {
 
 void ArbitratedBus::advance(Instant now) {
     const Nanoseconds at = now.us * ns_per_us;
+    advanced_to_ = at;
     bool any = true;
     while (any) {
         if (!running_) {
@@ -134,12 +136,16 @@ void ArbitratedBus::advance(Instant now) {
 }
 
 void ArbitratedBus::note_waiting(Nanoseconds now) {
-    for (auto& port : ports_) {
-        const bool waits = port->next() != nullptr;
-        if (waits && !port->waits) {
-            port->first_since = now;
+    for (std::size_t i = 0; i < ports_.size(); ++i) {
+        Port& port = *ports_[i];
+        if (running_ && running_->port == i) {
+            continue;  // the frame on the wire is its first one still
         }
-        port->waits = waits;
+        const bool waits = port.next() != nullptr;
+        if (waits && !port.waits) {
+            port.first_since = now;
+        }
+        port.waits = waits;
     }
 }
 
@@ -215,24 +221,37 @@ void ArbitratedBus::end_corrupted(const Transmission& done) {
     const Instant now = instant_of(done.end);
     Port& sender = *ports_[done.port];
     sender.repeated = done.frame;
-    for (auto& port : ports_) {
-        if (port->gateway) {
-            continue;
-        }
-        if (port.get() == &sender) {
-            port->counters.transmit_failed();
-        } else if (takes_part(*port)) {
-            port->counters.receive_failed();
-        }
-        tell_state(*port, now);
+    if (!sender.gateway) {
+        sender.counters.transmit_failed();
+        tell_state(sender, now);
     }
+    tell_receivers_error(sender, now);
+}
+
+void ArbitratedBus::tell_receivers_error(const Port& sender, Instant now) {
+    for (auto& port : ports_) {
+        if (port.get() != &sender && !port->gateway && takes_part(*port)) {
+            port->counters.receive_failed();
+            tell_state(*port, now);
+        }
+    }
+}
+
+/// The sender of what is on the wire is no longer there: the others see an error, and the frame is lost.
+void ArbitratedBus::break_off(Nanoseconds at) {
+    const Transmission lost = *running_;
+    running_.reset();
+    ++errors_;
+    idle_from_ = at + bits(error_frame_bits + intermission_bits);
+    busy_.push_back({lost.start, idle_from_});
+    tell_receivers_error(*ports_[lost.port], instant_of(at));
 }
 
 void ArbitratedBus::deliver(const Transmission& done) {
     ++frames_;
     const Instant now = instant_of(done.end);
     Port& sender = *ports_[done.port];
-    worst_latency_ = std::max(worst_latency_, done.end - std::min(sender.first_since, done.start));
+    worst_latency_ = std::max(worst_latency_, done.end - sender.first_since);
     sender.waits = sender.next() != nullptr;
     sender.first_since = done.end;
     tell(BusFrame{now, done.frame, sender.gateway ? nullptr : sender.node});
@@ -282,11 +301,16 @@ void ArbitratedBus::tell_state(Port& port, Instant now) {
 }
 
 void ArbitratedBus::switch_off(const BusNode& node, Instant now) {
-    for (auto& port : ports_) {
-        if (port->node == &node) {
-            port->counters.switch_off();
-            tell_state(*port, now);
+    for (std::size_t i = 0; i < ports_.size(); ++i) {
+        Port& port = *ports_[i];
+        if (port.node != &node) {
+            continue;
         }
+        port.counters.switch_off();
+        if (running_ && running_->port == i) {
+            break_off(now.us * ns_per_us);
+        }
+        tell_state(port, now);
     }
 }
 

@@ -17,8 +17,8 @@ namespace canproof::host {
 
 /// Up to 127 nodes and any number of gateways. Nodes whose controller works at another bit rate than the bus hear and
 /// say nothing; the bus has the rate that most of its nodes have, and keeps what it has on a tie. Every frame is
-/// acknowledged: the world outside is one more station. Two nodes that send the same identifier at once take turns,
-/// which CANopen forbids them and a real bus would punish with bit errors.
+/// acknowledged: the world outside is one more station. Of two nodes that send the same identifier at once the one that
+/// was attached first goes first; CANopen forbids it, and a real bus would punish it with bit errors.
 class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
@@ -29,7 +29,7 @@ class ArbitratedBus final : public Bus {
     /// Throws InputError for a 128th node.
     void attach(BusNode& node) override;
     /// A door to the outside may come and go at any time. Behaves as an error-passive node does: after each frame it
-    /// leaves eight bit times to the others.
+    /// leaves eight bit times to the others. One that goes while its frame is on the wire leaves an error frame behind.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
     /// A frame of that door is on the wire, or must be repeated: it would be lost with the door.
@@ -43,7 +43,8 @@ class ArbitratedBus final : public Bus {
     BusReport report(Instant now) const override;
     const std::string& interface() const override { return interface_; }
 
-    /// From `now` on the controller of that node is bus-off, for 128 × 11 bit times.
+    /// From `now` on the controller of that node is bus-off, for 128 × 11 bit times. Its frame on the wire is lost, and
+    /// the others see an error.
     void switch_off(const BusNode& node, Instant now);
 
   private:
@@ -86,6 +87,8 @@ class ArbitratedBus final : public Bus {
     Port* winner(Nanoseconds at);
     void deliver(const Transmission& done);
     void end_corrupted(const Transmission& done);
+    void tell_receivers_error(const Port& sender, Instant now);
+    void break_off(Nanoseconds at);
     void recover(Nanoseconds now);
     void tell_state(Port& port, Instant now);
     void set_overrun(Port& port, bool lost, Instant now);
@@ -96,6 +99,7 @@ class ArbitratedBus final : public Bus {
     std::vector<std::unique_ptr<Port>> ports_;  ///< in order of attachment; that of put() first
     Gateway outside_;
     std::optional<Transmission> running_;
+    Nanoseconds advanced_to_{0};
     Nanoseconds idle_from_{0};
     std::deque<Busy> busy_;  ///< of the last second
     std::uint64_t frames_{0};

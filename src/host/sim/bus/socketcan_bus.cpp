@@ -185,8 +185,8 @@ void SocketCanBus::take(const Arrival& arrival) {
 }
 
 void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
-    if (port.node == nullptr) {
-        return;
+    if (port.node == nullptr || down_) {
+        return;  // an interface that is down has been told as bus-off, whatever its controller said before
     }
     const ControllerNews news = read_error_frame(frame);
     errors_ += &port == &ports_[1] ? 1U : 0U;  // each node hears of it

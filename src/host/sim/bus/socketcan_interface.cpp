@@ -92,6 +92,7 @@ void SocketCanBus::lose_interface(Instant now) {
         return;
     }
     down_ = true;
+    restart_at_ = never;  // a controller that comes back is not bus-off
     look_at_ = now + search_period;
     notice(fmt::format("{} is {}; waiting for it", interface_,
                        system_.interface_number(interface_) == 0 ? "gone" : "down"));
@@ -121,6 +122,7 @@ void SocketCanBus::look_for_interface(Instant now) {
             return;  // gone again: the next look will tell
         }
         number_ = number;
+        own_ = EchoMatcher<Sender>{};  // what went out of the old sockets does not come back in the new ones
     }
     down_ = false;
     look_at_ = never;

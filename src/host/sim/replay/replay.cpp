@@ -7,6 +7,7 @@
 
 #include "host/base/input_error.hpp"
 #include "host/base/time_text.hpp"
+#include "host/sim/devices/advance_device.hpp"
 #include "host/sim/devices/forward_time.hpp"
 #include "host/sim/replay/output_changes.hpp"
 #include "host/sim/replay/own_frames.hpp"
@@ -110,7 +111,7 @@ class Player {
     }
 
     void step(Instant now) {
-        device_.advance(now);
+        advance_device(device_, "the device", now);
         report();
         for (Instant line = next_line(); line != never && due_of(line) <= now; line = next_line()) {
             pass_silence(line, now);

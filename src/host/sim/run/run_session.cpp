@@ -5,6 +5,7 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
+#include "host/sim/devices/advance_device.hpp"
 
 namespace canproof::host {
 
@@ -81,7 +82,7 @@ void RunSession::schedule(const Stimulus& stimulus) {
 /// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
     for (auto& node : nodes_) {
-        node->device().advance(at);
+        advance_device(node->device(), node->name(), at);
     }
     stimulate(at);
     bus_->advance(at);

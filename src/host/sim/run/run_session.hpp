@@ -54,6 +54,7 @@ class RunSession {
     /// Power-on at 0; stimuli at 0 come before it.
     void power_on();
     /// Everything that is due up to `now`, each at its own time; less far when the bus has more than one turn reads.
+    /// Throws StuckDevice for a device that does not do what is due.
     void advance_to(Instant now);
     /// The same, but no further once may_go_on() is false after a step: now() is then earlier.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);

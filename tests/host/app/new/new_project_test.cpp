@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/base/input_error.hpp"
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
@@ -81,15 +83,17 @@ TEST(NewProject, IsASoundRegisterWithOneDevice) {
     const Part* const device = loaded.content.part("my-box");
     ASSERT_NE(device, nullptr);
     EXPECT_EQ(device->prefix, "MYBOX");
-    EXPECT_EQ(device->tables.size(), 1U);
+    EXPECT_EQ(device->tables.size(), 2U);
     EXPECT_EQ(device->decisions.size(), 1U);
-    EXPECT_EQ(device->requirements.size(), 1U);
+    EXPECT_EQ(device->requirements.size(), 4U);
+    EXPECT_TRUE(device->info.lss);
     EXPECT_TRUE(loaded.content.part("canopen")->inherited);
 }
 
 TEST(NewProject, LeavesNoMarkToBeFilledIn) {
     for (const auto& [path, text] : project_files(project_named("my-box"))) {
-        for (const char* mark : {"@name@", "@word@", "@prefix@", "@title@", "@Type@", "@lower_prefix@"}) {
+        for (const char* mark :
+             {"@name@", "@word@", "@prefix@", "@title@", "@Type@", "@emergency@", "@bit_rates@", "@boot_id@"}) {
             EXPECT_EQ(path.find(mark), std::string::npos) << path;
             EXPECT_EQ(text.find(mark), std::string::npos) << path;
         }
@@ -126,6 +130,41 @@ TEST(NewProject, TakesIdentityAndObjectsFromADataSheet) {
     ASSERT_EQ(device.objects[1].entries.size(), 2U);
     EXPECT_EQ(device.objects[1].entries[1].value, Value{2.0});
     EXPECT_TRUE(device.objects[1].entries[1].stored);
+}
+
+/// What the test of errors expects of node 5 when the data sheet has 1014h with this default.
+std::string expected_emergency(std::int64_t value, bool node_id) {
+    NewProject project = project_named("box");
+    project.eds = small_sheet();
+    Object cob_id;
+    cob_id.index = 0x1014;
+    cob_id.name = "COB-ID EMCY";
+    Entry entry;
+    entry.type = "UNSIGNED32";
+    entry.access = "rw";
+    entry.value = value;
+    entry.node_id = node_id;
+    cob_id.entries = {entry};
+    project.eds->objects.push_back(cob_id);
+    const std::string text = project_files(project).at("tests/devices/box/errors_test.cpp");
+    const auto at = text.find("return {");
+    return text.substr(at, text.find(';', at) - at);
+}
+
+TEST(NewProject, ExpectsEmergenciesAsTheDataSheetHasThem) {
+    EXPECT_EQ(expected_emergency(0x80, true), "return {\"085#\" + bytes}");
+    EXPECT_EQ(expected_emergency(0x123, false), "return {\"123#\" + bytes}");
+    EXPECT_EQ(expected_emergency(0x80000080, true), "return {}");
+}
+
+TEST(NewProject, KeepsTheBitRateOfTheDataSheetAmongTheUsualOnes) {
+    NewProject project = project_named("box");
+    project.eds = small_sheet();
+    project.eds->info.bit_rate = 100000;
+    const LoadResult loaded = register_of(project_files(project));
+    ASSERT_TRUE(loaded.faults.empty()) << loaded.faults.front().text();
+    const auto& rates = loaded.content.part("box")->info.bit_rates;
+    EXPECT_EQ(std::count(rates.begin(), rates.end(), 100000), 1);
 }
 
 }  // namespace canproof::host

@@ -12,6 +12,7 @@
 #include "host/assess/mutation/killer_log.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
 #include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/mutation_table.hpp"
 #include "host/assess/mutation/survivor_records.hpp"
 #include "host/assess/mutation/test_server.hpp"
 #include "host/assess/trace/evidence.hpp"
@@ -171,6 +172,14 @@ TEST(Records, JustifySurvivorsAndTellWhichAreIdle) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
+TEST(Records, AboutNothingAreTold) {
+    const std::vector<SurvivorRecord> records{{"src/a.cpp", "f, line *", "x -> true", "a reason", 1},
+                                              {"src/a.cpp", "g, line *", "x -> true", "another", 5}};
+    const auto idle = without_alteration(records, {{0, "src/a.cpp", "f, line 7", "x -> true"}});
+    ASSERT_EQ(idle.size(), 1U);
+    EXPECT_EQ(idle[0]->line, 5U);
+}
+
 TEST(Records, WithoutAReasonAreRefused) {
     const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
     try {
@@ -202,10 +211,11 @@ TEST(MutationReport, IsReadBackByItem) {
 }
 
 TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
-    const RecordFile file{"Suite.First\t0.250\t0\t7\nSuite.Second\t0.001\n"};
+    const RecordFile file{"Suite.First\ttests/a_test.cpp\t0.250\t0\t7\nSuite.Second\tb\t0.001\n"};
     const auto tests = read_told(file.path());
     ASSERT_EQ(tests.size(), 2U);
     EXPECT_EQ(tests[0].name, "Suite.First");
+    EXPECT_EQ(tests[0].file, "tests/a_test.cpp");
     EXPECT_EQ(tests[0].seconds, 0.25);
     EXPECT_EQ(tests[0].mutants, (std::vector<std::size_t>{0, 7}));
     EXPECT_TRUE(tests[1].mutants.empty());
@@ -222,7 +232,10 @@ TEST(CodeMutation, WhatIsComputedBeforeAnyTestIsNoTest) {
 TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
     const std::vector<ToldTest> tests{
         {"S.Slow", 5.0, {0, 1}}, {"S.Quick", 0.5, {0}}, {"S.Middling", 1.0, {0}}, {"S.Other", 1.0, {0}}};
-    EXPECT_EQ(filters_by_mutant(tests, 3, 2.0), (std::vector<std::string>{"S.Quick:S.Middling", "S.Slow", ""}));
+    const auto chosen = tests_by_mutant(tests, 3, 2.0);
+    EXPECT_EQ(filter_of(tests, chosen[0]), "S.Quick:S.Middling");
+    EXPECT_EQ(filter_of(tests, chosen[1]), "S.Slow");
+    EXPECT_EQ(filter_of(tests, chosen[2]), "");
 }
 
 TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
@@ -235,22 +248,57 @@ TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
         EXPECT_EQ(log.filter({1, "src/a.cpp", "g, line 2", "a < b -> <="}), "");
         EXPECT_EQ(log.filter({2, "src/a.cpp", "f, line 3", "x -> true"}), "") << "no test can be asked first";
         EXPECT_EQ(log.filter({3, "src/a.cpp", "f, line 4", "y -> true"}), "");
-        log.note({{3, "src/a.cpp", "f, line 4", "y -> true"}, "S.Three", true, nullptr});
+        log.note({{3, "src/a.cpp", "f, line 4", "y -> true"}, "S.Three", true, nullptr, ""});
     }
     EXPECT_EQ(KillerLog{file.path()}.filter({0, "src/a.cpp", "f, line 7", "y -> true"}), "S.Three");
 }
 
+TEST(CodeMutation, TheOperatorIsToldByTheChange) {
+    const std::vector<std::pair<const char*, const char*>> changes{
+        {"a < b -> <=", "condition"},    {"a -> b -> true", "condition"},      {"a + b -> -", "operator"},
+        {"x += 1U -> -=", "operator"},   {"f(); -> deleted", "statement"},     {"a = b -> dropped", "assignment"},
+        {"a -> variable b", "variable"}, {"list[at] -> [0]", "index"},         {"5U -> +1", "literal"},
+        {"5U -> -1", "literal"},         {"f() -> swapped with g()", "order"}, {"a && b -> ||", "condition"}};
+    for (const auto& [change, name] : changes) {
+        EXPECT_EQ(operator_of(change), name) << change;
+    }
+}
+
+TEST(CodeMutation, CountsByLayerAndOperatorWhichHarnessNoticed) {
+    const std::vector<MutationOutcome> outcomes{
+        {{0, "src/firmware/canopen/nmt.cpp", "f, line 1", "f(); -> deleted"},
+         "S.A",
+         true,
+         nullptr,
+         "tests/conformance/a.cpp"},
+        {{1, "src/firmware/canopen/nmt.cpp", "f, line 2", "g(); -> deleted"}, "S.B", true, nullptr, "properties/b.cpp"},
+        {{2, "src/devices/one/firmware/d.cpp", "f, line 2", "g(); -> deleted"},
+         "S.C",
+         true,
+         nullptr,
+         "tests/devices/c.cpp"},
+        {{3, "src/devices/one/firmware/d.cpp", "f, line 2", "1U -> +1"}, "signal 27", true, nullptr, ""},
+        {{4, "src/devices/one/firmware/d.cpp", "f, line 2", "2U -> +1"}, "", true, nullptr, ""}};
+    EXPECT_EQ(operators_csv(outcomes),
+              "layer,operator,mutants,conformance,units,properties,otherwise,with a reason,open\r\n"
+              "all,all,5,1,1,1,1,0,1\r\nall,literal,2,0,0,0,1,0,1\r\nall,statement,3,1,1,1,0,0,0\r\n"
+              "canopen,all,2,1,0,1,0,0,0\r\ncanopen,statement,2,1,0,1,0,0,0\r\n"
+              "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
+}
+
 TEST(CodeMutation, ExhibitSaysWhatSurvives) {
     const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
-    std::vector<MutationOutcome> outcomes{{{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr},
-                                          {{1, "src/a.cpp", "f, line 2", "a, b -> false"}, "", true, nullptr},
-                                          {{2, "src/a.cpp", "f, line 3", "x -> true"}, "", true, &record}};
+    std::vector<MutationOutcome> outcomes{
+        {{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr, "tests/conformance/nmt_test.cpp"},
+        {{1, "src/a.cpp", "f, line 2", "a, b -> false"}, "", true, nullptr, ""},
+        {{2, "src/a.cpp", "f, line 3", "x -> true"}, "", true, &record, ""}};
     auto files = code_exhibit(outcomes);
     EXPECT_THAT(files.at("exhibit.json"), HasSubstr(R"("state": "open")"));
     EXPECT_THAT(files.at("exhibit.json"), HasSubstr("3 mutants of the firmware, 33.3 % noticed by a test; 1 survive"));
     EXPECT_EQ(files.at("survivors.csv"),
               "file,place,change,reason\r\nsrc/a.cpp,\"f, line 2\",\"a, b -> false\",open\r\n"
               "src/a.cpp,\"f, line 3\",x -> true,the same either way\r\n");
+    EXPECT_THAT(files.at("operators.csv"), HasSubstr("all,all,3,1,0,0,0,1,1\r\n"));
     EXPECT_EQ(files.at("files.csv"), "file,altered,noticed,with a reason\r\nsrc/a.cpp,3,1,1\r\n");
     outcomes.erase(outcomes.begin() + 1);
     EXPECT_THAT(code_exhibit(outcomes).at("exhibit.json"), HasSubstr(R"("state": "holds")"));

@@ -15,7 +15,7 @@ using testing::IsEmpty;
 using Lines = std::vector<std::string>;
 
 std::vector<std::string> misplaced(const Lines& lines) {
-    return misplaced_in("src/firmware/a.cpp", lines, 3);
+    return misplaced_in("src/firmware/a.cpp", lines);
 }
 
 }  // namespace
@@ -34,21 +34,27 @@ TEST(LinkPlaces, AMemberOfAClassMayDoIt) {
     EXPECT_THAT(misplaced({"    static_assert(implements<req::A>);", "    bool member_{false};", "};"}), IsEmpty());
 }
 
+TEST(LinkPlaces, AboveAStatementOfAFunctionIsItsPlace) {
+    EXPECT_THAT(misplaced({"void do_it() {", "    static_assert(implements<req::A>);", "    if (due) {", "    }", "}"}),
+                IsEmpty());
+}
+
 TEST(LinkPlaces, MoreThanThreeInOnePlaceAreTooMany) {
     EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr("src/firmware/a.cpp:2: 4 requirements in one place, at most 3")));
+                ElementsAre(HasSubstr("src/firmware/a.cpp:2: 4 items in one place, at most 3")));
 }
 
 TEST(LinkPlaces, StatementsThatFollowEachOtherAreOnePlace) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
                            "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr(":1: 4 requirements")));
+                ElementsAre(HasSubstr(":1: 4 items")));
 }
 
 TEST(LinkPlaces, ALinkAboveNothingIsMisplaced) {
-    for (const Lines& below :
-         {Lines{""}, Lines{"}"}, Lines{"namespace x {"}, Lines{"using X = Y;"}, Lines{"#include \"b.hpp\""}, Lines{}}) {
+    for (const Lines& below : {Lines{""}, Lines{"}"}, Lines{"namespace x {"}, Lines{"using X = Y;"},
+                               Lines{"#include \"b.hpp\""}, Lines{"  private:"}, Lines{"case A:"}, Lines{"default:"},
+                               Lines{"break;"}, Lines{"friend class X;"}, Lines{"{"}, Lines{}}) {
         Lines lines{"static_assert(implements<req::A>);"};
         lines.insert(lines.end(), below.begin(), below.end());
         EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr(":1: the link stands above nothing that does it")));

@@ -208,6 +208,86 @@ TEST_F(ArbitratedBusTest, BusOffLasts128TimesElevenBitsAndEndsActive) {
     EXPECT_EQ(b.heard.back(), fmt::format("{} 083#", 12264 + time_of("083#")));
 }
 
+TEST_F(ArbitratedBusTest, FrameOfANodeThatFallsOffTheBusIsLostWithAnErrorFrame) {
+    start();
+    a.send("083#");
+    bus->advance(Instant{0});
+    bus->switch_off(a, Instant{80});
+    b.send("703#05");
+    run_until(*bus, Instant{80}, Instant{100000});
+    // 20 bits of error frame and 3 of intermission, 8 us each, then b's frame
+    EXPECT_THAT(c.heard, ElementsAre(fmt::format("{} 703#05", 80 + 23 * 8 + time_of("703#05"))));
+    // 128 x 11 bits of 8 us, whatever was on the wire when it fell off
+    EXPECT_THAT(a.states, ElementsAre("80 3", "11344 0"));
+    EXPECT_EQ(bus->report(Instant{100000}).errors, 1U);
+}
+
+TEST_F(ArbitratedBusTest, CorruptedFrameOfANodeThatFellOffIsNotSentAfterwards) {
+    BusFaultRates faults;
+    faults.corrupted = 0.9;
+    faults.seed = 1;  // the first frame is corrupted
+    start(faults);
+    a.send("083#");
+    run_until(*bus, Instant{0}, Instant{2000});
+    ASSERT_GT(bus->report(Instant{2000}).errors, 0U);
+    ASSERT_THAT(log, IsEmpty());
+    bus->switch_off(a, Instant{2000});
+    run_until(*bus, Instant{2000}, Instant{1000000});
+    EXPECT_THAT(log, IsEmpty());
+}
+
+TEST_F(ArbitratedBusTest, LatencyOfARepeatedFrameCountsFromItsFirstAttempt) {
+    std::uint64_t errors = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        BusFaultRates faults;
+        faults.corrupted = 0.5;
+        faults.seed = seed;
+        ArbitratedBus one{"inproc", 125000, faults};
+        PlainNode x{"x"};
+        PlainNode y{"y"};
+        one.attach(x);
+        one.attach(y);
+        x.send("083#");
+        run_until(one, Instant{100}, Instant{1000000});
+        ASSERT_THAT(y.heard, SizeIs(1));
+        EXPECT_EQ(fmt::format("{} 083#", 100 + one.report(Instant{1000000}).worst_latency.us), y.heard[0]);
+        errors += one.report(Instant{1000000}).errors;
+    }
+    EXPECT_GT(errors, 0U);  // some were repeated
+}
+
+TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheOneQueuedBehindIt) {
+    start();
+    b.send("000#");
+    a.send("083#");
+    bus->advance(Instant{0});
+    const std::uint64_t first = time_of("000#") + 3 * 8;
+    run_until(*bus, Instant{0}, Instant{first});  // 083 begins, 24 bits late
+    a.send("084#");
+    run_until(*bus, Instant{first}, Instant{100000});
+    EXPECT_EQ(bus->report(Instant{100000}).worst_latency.us, first + time_of("083#"));
+}
+
+TEST_F(ArbitratedBusTest, DoorThatGoesInTheMiddleOfItsFrameLeavesAnErrorFrame) {
+    start();
+    Gateway first{"first", 4, {}};
+    Gateway second{"second", 4, {}};
+    bus->attach_gateway(first);
+    bus->attach_gateway(second);
+    second.put(parse_frame("123#", "test"));
+    bus->advance(Instant{0});
+    bus->detach_gateway(first);  // not the sender: the frame goes on
+    run_until(*bus, Instant{0}, Instant{1000});
+    EXPECT_THAT(log, ElementsAre("outside 123#"));
+    second.put(parse_frame("123#", "test"));
+    run_until(*bus, Instant{1000}, Instant{1080});
+    bus->detach_gateway(second);
+    a.send("703#05");
+    run_until(*bus, Instant{1080}, Instant{10000});
+    EXPECT_EQ(b.heard.back(), fmt::format("{} 703#05", 1080 + 23 * 8 + time_of("703#05")));
+    EXPECT_EQ(bus->report(Instant{10000}).errors, 1U);
+}
+
 TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     FaultConfinement one;
     for (int i = 0; i < 12; ++i) {
@@ -233,6 +313,10 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     EXPECT_EQ(one.state(), CanState::error_passive);
     one.received();
     EXPECT_EQ(one.receive_errors(), 119U);
+    one.switch_off();
+    one.recover();
+    EXPECT_EQ(one.state(), CanState::error_active);  // both counters begin anew
+    EXPECT_EQ(one.receive_errors(), 0U);
 }
 
 TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsNotHeardUntilMostHaveChanged) {

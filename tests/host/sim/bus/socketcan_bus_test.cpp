@@ -1,14 +1,10 @@
-// SocketCAN's rules without a kernel: filters, error frames, ENOBUFS, time stamps, an interface that goes and comes,
-// bit rates.
+// SocketCAN's rules without a kernel: filters, order and time of frames, ENOBUFS, losses.
 #include "host/sim/bus/socketcan_bus.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <linux/can/error.h>
 
-#include "host/base/input_error.hpp"
-#include "tests/host/sim/bus/bus_bench.hpp"
-#include "tests/host/sim/bus/fake_can_system.hpp"
+#include "tests/host/sim/bus/socketcan_case.hpp"
 
 namespace canproof::host::test {
 
@@ -22,37 +18,6 @@ using testing::SizeIs;
 constexpr int monitor = 100;
 constexpr int first = 101;
 constexpr int second = 102;
-
-/// Two nodes on vcan0. The run's clock begins at 1 s when real time is 5 s: 4 s apart.
-class SocketCan : public testing::Test {
-  protected:
-    void start(InterfaceControl control = InterfaceControl::none) {
-        bus = std::make_unique<SocketCanBus>("vcan0", system, control, Instant{1000000});
-        bus->listen([this](const BusFrame& frame) {
-            log.push_back(fmt::format("{} {} {}", frame.time.us, frame.sender == nullptr ? "-" : frame.sender->name(),
-                                      format_frame(frame.frame)));
-        });
-        bus->on_notice([this](const std::string& text) { notices.push_back(text); });
-        bus->attach(a);
-        bus->attach(b);
-        now = Instant{1000000};
-    }
-    /// Lets `us` pass on both clocks, then reads and acts.
-    void step(std::uint64_t us) {
-        now.us += us;
-        system.realtime_us += us;
-        bus->poll(now);
-        bus->advance(now);
-    }
-
-    FakeCanSystem system;
-    PlainNode a{"a"};
-    PlainNode b{"b"};
-    std::unique_ptr<SocketCanBus> bus;
-    Instant now{};
-    std::vector<std::string> log;
-    std::vector<std::string> notices;
-};
 
 }  // namespace
 
@@ -173,78 +138,6 @@ TEST_F(SocketCan, OneNodesFullQueueDoesNotHoldAnother) {
     EXPECT_THAT(system.sockets[second].sent, ElementsAre("704#05"));
 }
 
-TEST_F(SocketCan, ErrorFramesBecomeStatesOfTheController) {
-    struct Case {
-        std::uint32_t error_class;
-        std::uint8_t controller;
-        std::optional<CanState> state;
-        bool overrun;
-    };
-    // linux/can/error.h: data[1] 01h/02h receive/transmit overflow, 04h/08h warning, 10h/20h passive, 40h active
-    for (const Case& one :
-         {Case{CAN_ERR_CRTL, 0x04, CanState::warning, false}, Case{CAN_ERR_CRTL, 0x08, CanState::warning, false},
-          Case{CAN_ERR_CRTL, 0x10, CanState::error_passive, false},
-          Case{CAN_ERR_CRTL, 0x20, CanState::error_passive, false},
-          Case{CAN_ERR_CRTL, 0x30, CanState::error_passive, false},
-          Case{CAN_ERR_CRTL, 0x40, CanState::error_active, false}, Case{CAN_ERR_CRTL, 0x01, std::nullopt, true},
-          Case{CAN_ERR_CRTL, 0x02, std::nullopt, true}, Case{CAN_ERR_BUSOFF, 0, CanState::bus_off, false},
-          Case{CAN_ERR_RESTARTED, 0, CanState::error_active, false}, Case{CAN_ERR_ACK, 0, std::nullopt, false}}) {
-        can_frame frame{};
-        frame.can_id = CAN_ERR_FLAG | one.error_class;
-        frame.data[1] = one.controller;
-        const ControllerNews news = read_error_frame(frame);
-        EXPECT_EQ(news.state, one.state) << one.error_class << ":" << int{one.controller};
-        EXPECT_EQ(news.overrun, one.overrun) << one.error_class << ":" << int{one.controller};
-    }
-}
-
-TEST_F(SocketCan, NodeHearsOfPassiveBusOffAndRecovery) {
-    start();
-    system.arrive_error(first, CAN_ERR_CRTL, 0x10);
-    step(10);
-    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
-    step(10);
-    system.arrive_error(first, CAN_ERR_RESTARTED, 0);
-    step(10);
-    EXPECT_THAT(a.states, SizeIs(3));
-    EXPECT_THAT(a.states[0], HasSubstr(" 2"));
-    EXPECT_THAT(a.states[1], HasSubstr(" 3"));
-    EXPECT_THAT(a.states[2], HasSubstr(" 0"));
-    EXPECT_THAT(a.heard, IsEmpty());
-    EXPECT_EQ(bus->report(now).errors, 3U);
-}
-
-TEST_F(SocketCan, BusOffThatStaysIsRestartedOnlyWhereThatIsGranted) {
-    start();
-    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
-    step(10);
-    step(500000);
-    EXPECT_EQ(system.restarts, 0);
-    ASSERT_THAT(notices, SizeIs(1));
-    EXPECT_THAT(notices[0], HasSubstr("ip link set vcan0 type can restart"));
-
-    start(InterfaceControl::granted);
-    system.arrive_error(first + 3, CAN_ERR_BUSOFF, 0);
-    step(10);
-    step(499989);  // the error frame came 10 us before it was read
-    EXPECT_EQ(system.restarts, 0);
-    step(1);
-    EXPECT_EQ(system.restarts, 1);
-}
-
-TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
-    start();
-    system.arrive_error(first, CAN_ERR_CRTL, 0x01);
-    step(10);
-    system.arrive(first, "603#40", system.realtime_us);
-    step(10);
-    system.arrive(first, "603#40", system.realtime_us, 2);  // this socket has lost two
-    step(10);
-    system.arrive(first, "603#40", system.realtime_us, 2);
-    step(10);
-    EXPECT_THAT(a.overruns, ElementsAre(true, false, true, false));
-}
-
 TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
     start();
     system.arrive(monitor, "603#40", system.realtime_us);
@@ -312,104 +205,6 @@ TEST_F(SocketCan, AnswerLeavesBeforeTheNextFrameOfTheSameTime) {
     step(10);
     EXPECT_THAT(system.sockets[third].sent, SizeIs(40));
     EXPECT_EQ(answering.most, 1U);
-}
-
-TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {
-    start();
-    system.up = false;
-    system.fail(first, ENETDOWN);
-    step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
-    EXPECT_THAT(bus->watches(), IsEmpty());  // nothing to wake up for but the next look
-    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
-    step(100000);
-    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
-    system.up = true;
-    step(100000);
-    EXPECT_THAT(notices, SizeIs(2));
-    EXPECT_EQ(notices.back(), "vcan0 is up again");
-    EXPECT_THAT(a.states, SizeIs(2));
-    EXPECT_THAT(b.states, SizeIs(2));
-    a.send("703#05");
-    step(10);
-    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
-}
-
-TEST_F(SocketCan, SendingFindsOutThatTheInterfaceIsDown) {
-    start();
-    a.send("703#05");
-    system.up = false;
-    step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
-    EXPECT_EQ(system.sockets[first].send_calls, 1);
-}
-
-TEST_F(SocketCan, DownAndUpBetweenTwoLooksIsNoEventOfTheNode) {
-    start();
-    system.fail(first, ENETDOWN);  // reported late: it is up
-    step(10);
-    EXPECT_THAT(a.states, IsEmpty());
-    EXPECT_THAT(notices, IsEmpty());
-}
-
-TEST_F(SocketCan, InterfaceMadeAnewGetsNewSockets) {
-    start();
-    system.number = 0;
-    system.up = false;
-    system.fail(monitor, ENODEV);
-    step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0 is gone; waiting for it"));
-    system.number = 9;
-    system.up = true;
-    step(100000);
-    EXPECT_FALSE(system.sockets[first].open);
-    ASSERT_THAT(system.sockets, SizeIs(6));
-    a.send("703#05");
-    step(10);
-    EXPECT_THAT(system.sockets[first + 3].sent, ElementsAre("703#05"));
-}
-
-TEST_F(SocketCan, BitRateOfLssIsSetWhereGranted) {
-    a.rate = 125000;
-    start(InterfaceControl::granted);
-    a.rate = 250000;
-    step(10);
-    EXPECT_THAT(system.rates_set, ElementsAre(250000U));
-    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; vcan0 has it now"));
-    step(10);
-    EXPECT_THAT(system.rates_set, SizeIs(1));
-}
-
-TEST_F(SocketCan, BitRateOfLssIsSaidWhereNotGrantedOrNotPossible) {
-    a.rate = 125000;
-    start();
-    a.rate = 250000;
-    step(10);
-    EXPECT_THAT(system.rates_set, IsEmpty());
-    ASSERT_THAT(notices, SizeIs(1));
-    EXPECT_THAT(notices[0], HasSubstr("without --control-interface"));
-    EXPECT_THAT(notices[0], HasSubstr("ip link set vcan0 type can bitrate 250000"));
-
-    system.rate_refusal = "vcan0 has no bit rate to be set";
-    start(InterfaceControl::granted);
-    a.rate = 500000;
-    step(10);
-    EXPECT_THAT(notices.back(), HasSubstr("vcan0 has no bit rate to be set"));
-    EXPECT_THAT(notices.back(), HasSubstr("bitrate 500000"));
-}
-
-TEST_F(SocketCan, MissingInterfaceOrKernelIsSaidWithTheRemedy) {
-    const auto message = [this](int error) {
-        system.open_error = error;
-        try {
-            SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};
-        } catch (const InputError& refused) {
-            return std::string{refused.what()};
-        }
-        return std::string{};
-    };
-    EXPECT_THAT(message(ENODEV), HasSubstr("ip link add dev vcan7 type vcan"));
-    EXPECT_THAT(message(EAFNOSUPPORT), HasSubstr("no SocketCAN"));
 }
 
 TEST_F(SocketCan, LinesOfTheUserGoOutOfTheMonitorSocket) {

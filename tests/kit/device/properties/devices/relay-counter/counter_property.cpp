@@ -1,4 +1,4 @@
-// A law of the counter (section 5).
+// A law of the counter (section 6).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-// The counter (section 5).
+// The counter (section 6).
 #include "generated/relay_counter/requirements.hpp"
 #include "tests/devices/relay-counter/relay_counter_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,4 +1,4 @@
-// The relays (section 4).
+// The relays (section 5).
 #include "devices/relay-counter/firmware/relay.hpp"
 
 #include "generated/relay_counter/requirements.hpp"
@@ -10,22 +10,19 @@ namespace canproof::test {
 
 TEST(RelayCounterRelay, FollowsItsCommandInOperationalOnly) {
     verifies<req::RC_T_RELAY>();
-    EXPECT_TRUE(relay_counter::contact_is_closed(1, NmtState::operational));
-    EXPECT_FALSE(relay_counter::contact_is_closed(0, NmtState::operational));
-    for (const NmtState state : {NmtState::initialising, NmtState::pre_operational, NmtState::stopped}) {
-        EXPECT_FALSE(relay_counter::contact_is_closed(0, state));
-        EXPECT_FALSE(relay_counter::contact_is_closed(1, state));
-    }
+    EXPECT_TRUE(relay_counter::contact_is_closed(1, true));
+    EXPECT_FALSE(relay_counter::contact_is_closed(0, true));
+    EXPECT_FALSE(relay_counter::contact_is_closed(0, false));
+    EXPECT_FALSE(relay_counter::contact_is_closed(1, false));
 }
 
 TEST(RelayCounterRelay, HasARowForEachCommandAndState) {
     verifies<req::RC_T_RELAY>();
     namespace table = generated::relay_counter::relay_contact;
-    for (const auto state :
-         {NmtState::initialising, NmtState::pre_operational, NmtState::operational, NmtState::stopped}) {
-        EXPECT_NE(table::find(0, state), nullptr);
-        EXPECT_NE(table::find(1, state), nullptr);
-        EXPECT_EQ(table::find(2, state), nullptr);
+    for (const bool operational : {false, true}) {
+        EXPECT_NE(table::find(0, operational), nullptr);
+        EXPECT_NE(table::find(1, operational), nullptr);
+        EXPECT_EQ(table::find(2, operational), nullptr);
     }
 }
 

@@ -1,4 +1,4 @@
-// What schemata_check.cpp has mutated: one operator or condition a function.
+// What schemata_check.cpp has mutated: one construct a function.
 #include <type_traits>
 
 namespace canproof {
@@ -48,6 +48,26 @@ unsigned of_a_type(const unsigned a) noexcept {
 unsigned of_a_constant() noexcept {
     constexpr unsigned eight = twice(4U);
     return eight;
+}
+struct Log {
+    unsigned first{0U};
+    unsigned second{0U};
+    void shift(const unsigned digit) noexcept { first = first * 10U + digit; }
+};
+unsigned in_order(const unsigned a, const unsigned b) noexcept {
+    Log log;
+    log.shift(a);
+    log.shift(b);
+    return log.first;
+}
+unsigned set(const unsigned a) noexcept {
+    unsigned kept = 7U;
+    kept = a;
+    return kept;
+}
+constexpr unsigned list[4] = {10U, 11U, 12U, 13U};
+unsigned element(const unsigned a) noexcept {
+    return list[a];
 }
 
 }  // namespace canproof

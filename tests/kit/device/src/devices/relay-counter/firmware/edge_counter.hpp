@@ -1,4 +1,4 @@
-// Counts how often an input goes on (RC:5).
+// Counts how often an input goes on (RC:6).
 #pragma once
 
 #include <cstdint>

@@ -8,9 +8,9 @@
 namespace canproof::relay_counter {
 
 static_assert(implements<req::RC_T_RELAY>);
-bool contact_is_closed(const std::uint8_t command, const NmtState state) noexcept {
+bool contact_is_closed(const std::uint8_t command, const bool operational) noexcept {
     namespace table = generated::relay_counter::relay_contact;
-    return cell_or(table::find(command, state), &table::Row::closed, false);
+    return cell_or(table::find(command, operational), &table::Row::closed, false);
 }
 
 }  // namespace canproof::relay_counter

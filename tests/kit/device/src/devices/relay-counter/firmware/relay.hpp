@@ -3,11 +3,9 @@
 
 #include <cstdint>
 
-#include "firmware/canopen/nmt.hpp"
-
 namespace canproof::relay_counter {
 
-/// Whether a contact with this command (2000h: 0 or 1) is closed in this state (RC:4).
-bool contact_is_closed(std::uint8_t command, NmtState state) noexcept;
+/// Whether a contact with this command (2000h: 0 or 1) is closed (RC:5).
+bool contact_is_closed(std::uint8_t command, bool operational) noexcept;
 
 }  // namespace canproof::relay_counter

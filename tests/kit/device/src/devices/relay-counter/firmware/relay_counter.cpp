@@ -4,7 +4,9 @@
 #include "devices/relay-counter/firmware/relay.hpp"
 #include "firmware/base/requirement.hpp"
 #include "generated/relay_counter/constants.hpp"
+#include "generated/relay_counter/profile.hpp"
 #include "generated/relay_counter/requirements.hpp"
+#include "generated/relay_counter/tables.hpp"
 
 namespace canproof::relay_counter {
 
@@ -14,25 +16,33 @@ namespace own = generated::relay_counter;
 namespace field = generated::relay_counter::field;
 
 constexpr std::uint8_t relay_count = 2U;
-constexpr std::uint8_t max_node_id = 127U;
-constexpr NodeProfile profile{};
-constexpr ErrorTable error_table{};  // no emergency messages yet
+
+const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
+
+static_assert(implements<req::RC_T_ERRORS>);
+constexpr ErrorTable make_error_table() noexcept {
+    ErrorTable table{};
+    for (const own::error_codes::Row& row : own::error_codes::rows) {
+        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true});
+    }
+    return table;
+}
+const ErrorTable error_table = make_error_table();
 
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData&) noexcept
-    : Application{}, objects_{own::tables, MutableBytes{image_}, profile.limit_abort}, node_{objects_,      memory,
-                                                                                             queue,         *this,
-                                                                                             error_table,   profile,
-                                                                                             pdos_.memory()} {}
+    : Application{},
+      objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
+      lss_store_{memory},
+      node_{objects_, memory, queue, *this, error_table, own::profile, pdos_.memory()} {}
 
-static_assert(implements<req::RC_BOOT_001>);
+static_assert(implements<req::RC_BOOT_001> && implements<req::RC_LSS_001>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
-    node_id_ = inputs.node_switch;
-    if ((node_id_ != 0U) && (node_id_ <= max_node_id)) {
-        node_.power_on(node_id_, now);
-    }
+    const LssConfiguration stored = lss_store_.load(shipped);
+    bit_rate_ = stored.bit_rate;
+    node_.power_on(stored, now);
     set_inputs(inputs, now);
 }
 
@@ -44,6 +54,7 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     node_.set_controller(inputs.can_state, false, now);
+    tell_errors(now);
     counter_.see(inputs.count_input);
     show_count();
     show_state();
@@ -56,10 +67,6 @@ void Device::advance(const Instant now) noexcept {
 
 Instant Device::next_deadline() const noexcept {
     return node_.next_deadline();
-}
-
-std::uint32_t Device::bit_rate() const noexcept {
-    return own::bit_rate;
 }
 
 AbortCode Device::check_access(const EntryRef&) {
@@ -81,15 +88,32 @@ void Device::restart(const Instant) {
     show_count();
 }
 
-void Device::booted(const Instant) {}
+void Device::booted(const Instant now) {
+    tell_errors(now);  // a reset forgets what is active
+}
 
 void Device::communication_failed(const bool, const Instant) {}
 
+static_assert(implements<req::RC_LSS_002>);
+void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
+    bit_rate_ = bit_rate;
+}
+
+LssError Device::store_configuration(const LssConfiguration& configuration) {
+    return lss_store_.store(configuration);
+}
+
+static_assert(implements<req::RC_ERR_001>);
+void Device::tell_errors(const Instant now) noexcept {
+    node_.set_error(own::error::overload, inputs_.overload, now);
+}
+
 void Device::show_state() noexcept {
-    outputs_.lamp = lamp_is_lit(node_.state());
+    const bool operational = node_.state() == NmtState::operational;
+    outputs_.lamp = lamp_is_lit(operational, inputs_.overload);
     for (std::uint8_t number = 1U; number <= relay_count; ++number) {
         const std::uint8_t command = objects_.get(field::o2000_relay_command[number]);
-        outputs_.relay[number - 1U] = contact_is_closed(command, node_.state());
+        outputs_.relay[number - 1U] = contact_is_closed(command, operational);
     }
 }
 

@@ -1,10 +1,11 @@
-// The RC-22: two relays, a counter, and a lamp that shows the state.
+// The RC-22: two relays, a counter, its errors, LSS, and a lamp.
 #pragma once
 
 #include <array>
 
 #include "devices/relay-counter/firmware/edge_counter.hpp"
 #include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/node.hpp"
 #include "generated/relay_counter/objects.hpp"
 #include "generated/relay_counter/signals.hpp"
@@ -21,7 +22,7 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Reads the switch and starts. Without a node-ID the device stays silent.
+    /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// The physical inputs as they are from `now` on.
@@ -30,9 +31,10 @@ class Device final : private Application {
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
-    /// bit/s of the CAN controller.
-    std::uint32_t bit_rate() const noexcept;
-    std::uint8_t node_id() const noexcept { return node_id_; }
+    /// bit/s that the CAN controller works at.
+    std::uint32_t bit_rate() const noexcept { return bit_rate_; }
+    /// unconfigured_node_id when there is none.
+    std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
@@ -44,18 +46,22 @@ class Device final : private Application {
     void restart(Instant now) override;
     void booted(Instant now) override;
     void communication_failed(bool failed, Instant now) override;
+    void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
+    LssError store_configuration(const LssConfiguration& configuration) override;
 
+    void tell_errors(Instant now) noexcept;
     void show_state() noexcept;
     void show_count() noexcept;
 
     std::array<std::uint8_t, generated::relay_counter::image_size> image_{};
     ObjectDictionary objects_;
     PdoMemoryFor<generated::relay_counter::compiled::tables> pdos_{};
+    LssStore lss_store_;
     Node node_;
     Inputs inputs_{};
     Outputs outputs_{};
     EdgeCounter counter_{};
-    std::uint8_t node_id_{0U};
+    std::uint32_t bit_rate_{0U};
 };
 
 }  // namespace canproof::relay_counter

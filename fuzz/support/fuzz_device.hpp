@@ -1,0 +1,84 @@
+// What a fuzz target does with a device: it lives through an input twice, and is reset at the end.
+#pragma once
+
+#include "fuzz/support/device_world.hpp"
+
+namespace canproof::fuzz {
+
+/// Nothing tells a unit that was reset from one that was switched on at that moment.
+template <typename Unit>
+void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
+    const std::vector<Frame> said = used.take_sent();
+    const std::vector<Frame> expected = fresh.take_sent();
+    require(said.size() == expected.size(), "a reset node sends what a fresh one sends");
+    for (std::size_t i = 0; i < said.size(); ++i) {
+        require(
+            said[i].id == expected[i].id && said[i].length == expected[i].length && said[i].data == expected[i].data,
+            "a reset node sends what a fresh one sends", said[i].id);
+    }
+    const ByteView values = used.device().objects().image();
+    require(std::equal(values.data(), values.data() + values.size(), fresh.device().objects().image().data()),
+            "a reset node has the values of a fresh one");
+    Digest outputs;
+    for_each_output(used.device().outputs(), [&outputs](const char*, const auto& value) { outputs.add(value); });
+    Digest wanted;
+    for_each_output(fresh.device().outputs(), [&wanted](const char*, const auto& value) { wanted.add(value); });
+    require(outputs.value() == wanted.value(), "a reset node drives what a fresh one drives");
+}
+
+/// CO-NMT-005: after reset node a unit does what one does that is switched on then, with the same memory and inputs.
+/// One that hears no command, for want of a node-ID or while LSS changes the bit rate, is left alone, and so is one
+/// that gets another node-ID or bit rate at power-on only.
+template <typename Unit>
+void check_reset(DeviceWorld<Unit>& used) {
+    used.recover();
+    used.take_sent();
+    Frame command = data_frame(0, 2);
+    command.data[0] = 0x81;
+    command.data[1] = used.device().node_id();
+    used.receive(command);
+    DeviceWorld<Unit> fresh{{used.now().us, 0x5A}, used.memory(), used.inputs()};
+    const bool is_moved =
+        fresh.device().node_id() != used.device().node_id() || fresh.device().bit_rate() != used.device().bit_rate();
+    if (!used.has_sent() || is_moved || Unit::keeps_outputs(used.device(), used.inputs())) {
+        return;
+    }
+    require_same(used, fresh);
+    const std::uint8_t node = used.device().node_id();
+    Frame start = command;
+    start.data[0] = 1;
+    Frame guarding = data_frame(0x700U + node, 0);
+    guarding.remote = true;
+    for (const Frame& frame : {start, data_frame(0x80, 0), guarding}) {
+        for (DeviceWorld<Unit>* world : {&used, &fresh}) {
+            world->receive(frame);
+            world->pass(milliseconds(40));
+        }
+        require_same(used, fresh);
+    }
+}
+
+template <typename Unit>
+std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circumstances& circumstances) {
+    DeviceWorld<Unit> world{circumstances};
+    const std::size_t count = std::min(size / device_record_size, most_device_records);
+    for (std::size_t i = 0; i < count; ++i) {
+        world.happen(data + i * device_record_size);
+        world.check();
+    }
+    world.settle();
+    const std::uint64_t digest = world.digest();
+    if (circumstances.begins_us != 0) {  // one run of two is enough
+        check_reset(world);
+    }
+    return digest;
+}
+
+/// One input, lived through twice: what a device does depends on nothing but what happened to it.
+template <typename Unit>
+int fuzz_device(const std::uint8_t* data, std::size_t size) {
+    require(run_world<Unit>(data, size, {}) == run_world<Unit>(data, size, late_and_dirty), "two runs are equal");
+    return 0;
+}
+
+}  // namespace canproof::fuzz

@@ -1,0 +1,56 @@
+// The AX130751 does what a naive model of it does, which is written from the manual's sentences: outputs, process
+// values, TPDOs, emergency messages, 1001h and 1003h, after every step.
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <rapidcheck/gtest.h>
+
+#include "generated/ax130751/requirements.hpp"
+#include "properties/devices/ax130751/model_steps.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+void hold(ModelPair& pair, const Focus& focus) {
+    live(pair, focus);
+    if (pair.differs()) {
+        RC_FAIL(pair.report());
+    }
+}
+
+}  // namespace
+
+RC_GTEST_PROP(Ax130751Model, OutputsDoWhatNaiveOnesDo, ()) {
+    verifies<req::AOR_OUT_007, req::AOR_OUT_009, req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014, req::AOR_OUT_028,
+             req::AOR_OUT_029, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_008>(
+        "property");
+    ModelPair pair;
+    hold(pair, {Group::output, Group::output, Group::extra});
+}
+
+RC_GTEST_PROP(Ax130751Model, TheRelayDoesWhatANaiveOneDoes, ()) {
+    verifies<req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_009,
+             req::AOR_RELAY_010, req::AOR_RELAY_012, req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015,
+             req::AOR_RELAY_017>("property");
+    ModelPair pair;
+    hold(pair, {Group::relay});
+}
+
+RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathDoWhatNaiveOnesDo, ()) {
+    verifies<req::AOR_LT_001, req::AOR_LT_010, req::AOR_LT_013, req::AOR_LT_016, req::AOR_LT_018, req::AOR_LOGIC_006,
+             req::AOR_LOGIC_007, req::AOR_LOGIC_008, req::AOR_MATH_001, req::AOR_MATH_008>("property");
+    ModelPair pair;
+    hold(pair, {Group::table, Group::table, Group::logic, Group::math, Group::extra});
+}
+
+RC_GTEST_PROP(Ax130751Model, TheDeviceDoesWhatANaiveOneDoes, ()) {
+    verifies<req::AOR_OUT_001, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006, req::AOR_DIAG_007,
+             req::AOR_ERR_003, req::AOR_ERR_008, req::AOR_ERR_010, req::AOR_PDO_004, req::AOR_PDO_009>("property");
+    ModelPair pair;
+    set_up_network(pair);
+    hold(pair, {Group::output, Group::output, Group::output, Group::relay, Group::relay, Group::table, Group::logic,
+                Group::math, Group::extra, Group::diagnostics});
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,305 @@
+// The whole AX130751 as its manual tells it: slow, a cycle a millisecond, and without any cache. It is written from the
+// sentences of chapters 1, 3 and 4 and from the decisions of the register, and shares nothing with the firmware.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "properties/devices/ax130751/naive_errors.hpp"
+#include "properties/devices/ax130751/naive_relay.hpp"
+#include "properties/devices/ax130751/naive_tables.hpp"
+#include "properties/devices/ax130751/naive_writes.hpp"
+
+namespace canproof::naive_ax130751 {
+
+enum class Nmt { pre_operational, operational };
+
+class Device {
+  public:
+    explicit Device(unsigned node) : node_{node} {}
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device() = default;
+
+    /// Power-on, and each reset of the node: what is not stored is lost.
+    void start_up() {
+        parameters = stored_;
+        for (Output& output : parameters.outputs) {
+            output.command = 0;
+        }
+        parameters.write_states = {};
+        for (Extra& extra : parameters.extras) {
+            extra.value = 0;
+        }
+        blocks_ = Blocks{};
+        shown = Shown{};
+        terminals = {};
+        errors = Errors{};
+        failed_ = false;
+        for (std::size_t n = 0; n < 2; ++n) {
+            blocks_.outputs.at(n).reset(parameters.outputs.at(n).type);
+        }
+        points_.begin(parameters);
+        measure();
+        boot();
+        start_itself();
+        tell_faults();
+    }
+    /// NMT: 1 start, 128 pre-operational, 129 reset of the node, 130 of the communication.
+    void command(int specifier) {
+        if (specifier == 129) {
+            return start_up();
+        }
+        if (specifier == 130) {
+            parameters.communication = stored_.communication;
+            boot();
+            announce();
+            return start_itself();
+        }
+        const Nmt wanted = specifier == 1 ? Nmt::operational : Nmt::pre_operational;
+        if (wanted == state) {
+            return;
+        }
+        state = wanted;
+        rpdo_due_ = {};
+        tpdo_due_ = {};
+        for (std::size_t n = 0; n < 4 && state == Nmt::operational; ++n) {
+            const Pdo& pdo = parameters.communication.transmit.at(n);
+            if (pdo.valid && pdo.event != 0) {
+                transmit(n);
+            }
+        }
+    }
+    /// One millisecond later.
+    void pass() {
+        ++now;
+        cycle();
+        for (std::size_t n = 0; n < 4; ++n) {
+            if (rpdo_due_.at(n) == now) {
+                rpdo_due_.at(n) = 0;
+                network_.overdue.at(n) = true;
+            }
+        }
+        for (std::size_t n = 0; n < 4; ++n) {
+            if (heartbeat_due_.at(n) == now) {
+                heartbeat_due_.at(n) = 0;
+                silent_.at(n) = true;
+            }
+        }
+        announce();
+        for (std::size_t n = 0; n < 4; ++n) {
+            if (tpdo_due_.at(n) == now) {
+                transmit(n);
+            }
+        }
+    }
+    /// A write by SDO: 0, or the abort code with which it is refused.
+    std::uint32_t write(int index, int sub, int value) {
+        const Sources sources{parameters, shown, network_};
+        const std::uint32_t refusal = refusal_of(parameters, entries_, sources, {index, sub}, value);
+        if (refusal != 0) {
+            return refusal;
+        }
+        int& entry = *entries_.at({index, sub}).value;
+        const int before = entry;
+        entry = value;
+        follow_write(parameters, {index, sub}, before);
+        points_.follow(parameters, sources);
+        if (index >= 0x1400 && index <= 0x1403) {
+            const auto n = static_cast<std::size_t>(index - 0x1400);
+            rpdo_due_.at(n) = 0;
+            network_.overdue.at(n) = false;
+            short_.at(n) = false;
+            announce();
+        }
+        return 0;
+    }
+    /// RPDO `number`, 1 to 4, with the values of its shipped mapping.
+    void receive(int number, const std::vector<int>& bytes) {
+        const auto n = static_cast<std::size_t>(number - 1);
+        const Pdo& pdo = parameters.communication.receive.at(n);
+        if (state != Nmt::operational || !pdo.valid) {
+            return;
+        }
+        constexpr std::array<std::size_t, 4> lengths{5, 6, 6, 2};
+        short_.at(n) = bytes.size() < lengths.at(n);
+        if (!short_.at(n)) {
+            take(number, bytes);
+            network_.overdue.at(n) = network_.overdue.at(n) && pdo.event == 0;
+            rpdo_due_.at(n) = pdo.event == 0 ? rpdo_due_.at(n) : now + static_cast<std::uint64_t>(pdo.event);
+        }
+        announce();
+    }
+    /// A heartbeat of node 5 to 8.
+    void heartbeat(unsigned producer) {
+        const int time = parameters.communication.heartbeat_ms.at(producer - 5);
+        if (time != 0) {
+            heartbeat_due_.at(producer - 5) = now + static_cast<std::uint64_t>(time);
+            silent_.at(producer - 5) = false;
+            announce();
+        }
+    }
+    void store() { stored_ = parameters; }
+
+    Parameters parameters;
+    Shown shown;
+    Inputs inputs;
+    std::array<Terminals, 2> terminals;
+    bool relay_on_nc{false};
+    Errors errors;
+    std::vector<Said> said;
+    Nmt state{Nmt::pre_operational};
+    std::uint64_t now{0};
+
+    const Entries& entries() const { return entries_; }
+
+  private:
+    struct Blocks {
+        Faults faults;
+        std::array<NaiveTable, 10> tables;
+        std::array<NaiveMath, 4> math;
+        std::array<NaiveOutput, 2> outputs;
+        NaiveRelay relay;
+    };
+
+    /// What each boot-up begins anew: communication, and no block.
+    void boot() {
+        network_ = Network{};
+        short_ = {};
+        silent_ = {};
+        rpdo_due_ = {};
+        tpdo_due_ = {};
+        heartbeat_due_ = {};
+        state = Nmt::pre_operational;
+        said.push_back({now, 0x700 + node_, {0}});
+    }
+    /// 5555h
+    void start_itself() {
+        if (parameters.diagnostics.starts_self != 0) {
+            command(1);
+        }
+    }
+    /// Supply and temperature, and the contact of a relay that has no supply.
+    void measure() {
+        shown.supply = inputs.supply;
+        shown.temperature = inputs.temperature;
+        blocks_.faults.look(inputs, parameters.diagnostics);
+        relay_on_nc = !powered();
+    }
+    bool powered() const { return inputs.supply >= 7.0F && inputs.supply <= 39.0F; }
+    /// All blocks in their order (1.1).
+    void cycle() {
+        measure();
+        const Sources sources{parameters, shown, network_};
+        for (std::size_t n = 0; n < 10; ++n) {
+            const Table& table = parameters.tables.at(n);
+            blocks_.tables.at(n).cycle(table, sources.read(table.source), now, shown.tables.at(n));
+        }
+        for (std::size_t n = 0; n < 3; ++n) {
+            evaluate(parameters.logic.at(n), sources, shown.logic.at(n));
+        }
+        for (std::size_t n = 0; n < 4; ++n) {
+            shown.math.at(n) = blocks_.math.at(n).cycle(static_cast<int>(n + 1), parameters.math.at(n), sources);
+        }
+        const Diagnostics& limits = parameters.diagnostics;
+        const bool shutdown = !powered() || state != Nmt::operational ||
+                              (blocks_.faults.supply() && limits.supply_shuts != 0) ||
+                              (blocks_.faults.temperature() && limits.heat_shuts != 0);
+        const Circumstances circumstances{shutdown, powered(), now};
+        for (std::size_t n = 0; n < 2; ++n) {
+            blocks_.outputs.at(n).cycle(n, parameters.outputs.at(n), sources, circumstances,
+                                        static_cast<double>(inputs.load.at(n)), shown, terminals.at(n));
+        }
+        relay_on_nc = blocks_.relay.cycle(parameters.relay, sources, circumstances) || !powered();
+        tell_faults();
+    }
+    void tell_faults() {
+        errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
+        errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
+    }
+    /// Errors of communication, and what 1029h:1 makes of the first of them.
+    void announce() {
+        const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
+        network_.silent = any(silent_);
+        for (std::uint32_t n = 0; n < 4; ++n) {
+            errors.set(heartbeat_error | (5 + n) << 16U, silent_.at(n), now, 0x80 + node_, said);
+        }
+        errors.set(length_error, any(short_), now, 0x80 + node_, said);
+        errors.set(time_out_error, any(network_.overdue), now, 0x80 + node_, said);
+        const bool failed = network_.silent || any(network_.overdue);
+        if (failed && !failed_ && parameters.communication.error_behaviour == 0) {
+            command(128);
+        }
+        failed_ = failed;
+    }
+    void take(int number, const std::vector<int>& bytes) {
+        const auto word = [&](std::size_t at) {
+            const int value = bytes.at(at) + 0x100 * bytes.at(at + 1);
+            return value >= 0x8000 ? value - 0x10000 : value;
+        };
+        if (number == 1) {
+            parameters.outputs[0].command = word(0);
+            parameters.outputs[1].command = word(2);
+            parameters.write_states[2] = bytes.at(4);
+        } else if (number == 4) {
+            parameters.write_states[0] = bytes.at(0);
+            parameters.write_states[1] = bytes.at(1);
+        } else {
+            for (std::size_t n = 0; n < 3; ++n) {
+                parameters.extras.at(n + (number == 2 ? 0U : 3U)).value = word(2 * n);
+            }
+        }
+    }
+    /// TPDO n + 1: 1 and 2 as shipped, 3 with 4030h:1, 3320h:1, 3310h:1 and 4030h:4, 4 as shipped.
+    void transmit(std::size_t n) {
+        std::vector<int> data;
+        const auto add = [&data](std::uint32_t value, int bytes) {
+            for (int i = 0; i < bytes; ++i) {
+                data.push_back(static_cast<int>(value >> (8U * static_cast<unsigned>(i)) & 0xFFU));
+            }
+        };
+        const auto word = [&add](int value) { add(static_cast<std::uint32_t>(value), 2); };
+        if (n == 0) {
+            word(shown.feedback[0]);
+            word(shown.feedback[1]);
+        } else if (n == 1) {
+            word(shown.target[0]);
+            word(shown.target[1]);
+        } else if (n == 2) {
+            word(shown.math[0]);
+            word(shown.logic[0].output);
+            add(static_cast<std::uint32_t>(shown.logic[0].selected), 1);
+            word(shown.math[3]);
+        } else {
+            add(bits_of(shown.supply), 4);
+            add(bits_of(shown.temperature), 4);
+        }
+        said.push_back({now, 0x180 + 0x100 * static_cast<unsigned>(n) + node_, data});
+        tpdo_due_.at(n) = now + static_cast<std::uint64_t>(parameters.communication.transmit.at(n).event);
+    }
+    /// IEEE 754 single precision.
+    static std::uint32_t bits_of(float value) {
+        if (!(value > 0.0F) && !(value < 0.0F)) {
+            return 0;
+        }
+        int exponent = 0;
+        const float fraction = std::frexp(std::fabs(value), &exponent);  // 0.5 to 1
+        const auto mantissa = static_cast<std::uint32_t>(std::ldexp(fraction, 24)) & 0x7FFFFFU;
+        return (value < 0.0F ? 0x80000000U : 0U) | static_cast<std::uint32_t>(exponent + 126) << 23U | mantissa;
+    }
+
+    unsigned node_;
+    Parameters stored_;
+    Entries entries_{entries_of(parameters)};
+    Blocks blocks_;
+    Network network_;
+    FirstPoints points_;
+    std::array<bool, 4> short_{};
+    std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not watched
+    std::array<std::uint64_t, 4> tpdo_due_{};
+    std::array<bool, 4> silent_{};
+    std::array<std::uint64_t, 4> heartbeat_due_{};
+    bool failed_{false};
+};
+
+}  // namespace canproof::naive_ax130751

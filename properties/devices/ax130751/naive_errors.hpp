@@ -1,0 +1,97 @@
+// Supply, temperature and the errors of the AX130751: 1001h, 1003h and emergency messages (1.8, 3.2.2, 3.2.4).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "properties/devices/ax130751/naive_parameters.hpp"
+
+namespace canproof::naive_ax130751 {
+
+struct Inputs {
+    float supply{24.0F};
+    float temperature{35.0F};
+    std::array<float, 2> load{250.0F, 250.0F};
+};
+
+/// A frame that the node is to send.
+struct Said {
+    std::uint64_t at{0};  ///< ms since power-on
+    unsigned id{0};
+    std::vector<int> data;
+
+    bool operator==(const Said& other) const { return at == other.at && id == other.id && data == other.data; }
+};
+
+/// Entries of 1003h, most significant half first: description and channel, code.
+constexpr std::uint32_t supply_error = 0x00003100;
+constexpr std::uint32_t temperature_error = 0x00004200;
+constexpr std::uint32_t time_out_error = 0x00008100;
+constexpr std::uint32_t length_error = 0x00008210;
+constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel is the producer's node-ID
+
+class Errors {
+  public:
+    /// `id`: of emergency messages.
+    void set(std::uint32_t error, bool present, std::uint64_t now, unsigned id, std::vector<Said>& said) {
+        if (active_.count(error) == (present ? 1U : 0U)) {
+            return;
+        }
+        if (present) {
+            active_[error] = true;
+            list_.push_front(error);
+            if (list_.size() > 4) {
+                list_.pop_back();
+            }
+        } else {
+            active_.erase(error);
+            std::deque<std::uint32_t> rest;
+            for (const std::uint32_t other : list_) {
+                if (other != error) {
+                    rest.push_back(other);
+                }
+            }
+            list_ = rest;
+        }
+        const auto byte = [&](unsigned shift) { return present ? static_cast<int>(error >> shift & 0xFFU) : 0; };
+        said.push_back({now, id, {byte(0), byte(8), reg(), byte(16), byte(24), 0, 0, 0}});
+    }
+    int reg() const { return active_.empty() ? 0 : 1; }
+    /// 1003h from sub-index 1 on.
+    const std::deque<std::uint32_t>& list() const { return list_; }
+    void empty_list() { list_.clear(); }
+
+  private:
+    std::map<std::uint32_t, bool> active_;
+    std::deque<std::uint32_t> list_;
+};
+
+/// 1.8: faults begin beyond their limit and end where the hysteresis is reached.
+class Faults {
+  public:
+    void look(const Inputs& inputs, const Diagnostics& limits) {
+        const auto under = static_cast<float>(limits.under);
+        const auto over = static_cast<float>(limits.over);
+        const auto back = static_cast<float>(limits.supply_hysteresis);
+        const auto hot = static_cast<float>(limits.hot);
+        const auto cool = static_cast<float>(limits.hot - limits.heat_hysteresis);
+        follow(under_, limits.watches_supply, inputs.supply < under, inputs.supply >= under + back);
+        follow(over_, limits.watches_supply, inputs.supply > over, inputs.supply <= over - back);
+        follow(hot_, limits.watches_heat, inputs.temperature > hot, inputs.temperature <= cool);
+    }
+    bool supply() const { return under_ || over_; }
+    bool temperature() const { return hot_; }
+
+  private:
+    static void follow(bool& fault, int watched, bool begins, bool ends) {
+        fault = watched != 0 && (begins || (fault && !ends));
+    }
+
+    bool under_{false};
+    bool over_{false};
+    bool hot_{false};
+};
+
+}  // namespace canproof::naive_ax130751

@@ -1,0 +1,287 @@
+// The universal outputs of the AX130751 (1.2, 1.3), by sentences and not by tables.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "properties/devices/ax130751/naive_sources.hpp"
+
+namespace canproof::naive_ax130751 {
+
+/// What stands at the terminals of one output.
+struct Terminals {
+    double volts{0.0};
+    double milliamperes{0.0};
+    double duty{0.0};
+    double hertz{0.0};
+    double level{0.0};
+    bool on{false};
+};
+
+/// What a cycle tells all outputs.
+struct Circumstances {
+    bool shutdown{false};  ///< a diagnostic fault, or the node is not operational
+    bool powered{true};    ///< the supply is from 7 V to 39 V
+    std::uint64_t now{0};  ///< ms since power-on
+};
+
+/// What decides about an output, in this order (1.2, 1.3).
+enum class Decision { off, forced, ramp_off, keep, fault, control };
+
+/// A way from one value to another at constant speed: the whole span in the time for its direction.
+class NaiveRamp {
+  public:
+    void jump(double value) {
+        from_ = value;
+        to_ = value;
+    }
+    void go(double target, double span, int up, int down, std::uint64_t now) {
+        const bool same = !differ(target, to_) && !differ(span, span_) && up == up_ && down == down_;
+        if (!same) {
+            from_ = at(now);
+            to_ = target;
+            since_ = now;
+            span_ = span;
+            up_ = up;
+            down_ = down;
+        }
+    }
+    double at(std::uint64_t now) const {
+        const double distance = to_ - from_;
+        const int time = distance > 0.0 ? up_ : down_;
+        if (time == 0 || span_ <= 0.0) {
+            return to_;
+        }
+        const double gone = span_ * static_cast<double>((now - since_) * 1000) / (time * 1000.0);
+        if (gone >= std::fabs(distance)) {
+            return to_;
+        }
+        return distance > 0.0 ? from_ + gone : from_ - gone;
+    }
+
+  private:
+    static bool differ(double a, double b) { return a < b || a > b; }
+
+    double from_{0.0};
+    double to_{0.0};
+    double span_{0.0};
+    int up_{0};
+    int down_{0};
+    std::uint64_t since_{0};
+};
+
+/// Table 3 and 3.3.10: what an output of a type can be driven to; a frequency is 0 or at least 50 Hz.
+inline double in_range(int type, double value) {
+    switch (type) {
+        case 10:
+            return std::clamp(value, -10.0, 10.0);
+        case 20:
+            return std::clamp(value, 0.0, 24.0);
+        case 40:
+            return std::clamp(value, 0.0, 100.0);
+        case 500:
+            return value <= 0.0 ? 0.0 : std::clamp(value, 50.0, 30000.0);
+        default:
+            return 0.0;
+    }
+}
+
+class NaiveOutput {
+  public:
+    /// Evaluates output `number`, 1 or 2, and shows 7330h, 2370h and its terminals.
+    void cycle(std::size_t at, const Output& output, const Sources& sources, const Circumstances& now, double load,
+               Shown& shown, Terminals& terminals) {
+        if (output.type != type_) {
+            reset(output.type);
+            shown.target.at(at) = 0;
+            shown.feedback.at(at) = 0;
+        }
+        const Signal control = sources.read(output.control);
+        const Signal enable = sources.read(output.enable);
+        const Signal forced = sources.read(output.override_input);
+        control_.follow(control);
+        enable_.follow(enable);
+        override_.follow(forced);
+        terminals = Terminals{};
+        const Decision decision = decide(output, control, enable, forced, now.shutdown);
+        if (is_digital(output)) {
+            switch_by(decision, output, now.now);
+            terminals.on = drive_;
+            terminals.level = output.range == 1 ? 12.0 : 5.0;
+            terminals.volts = drive_ ? terminals.level : 0.0;
+            shown.target.at(at) = logic_ ? 1 : 0;
+            shown.feedback.at(at) = drive_ ? 1 : 0;
+            return;
+        }
+        const double target = move_by(decision, output, control, now.now);
+        const double value = at_terminals(output, in_range(output.type, ramp_.at(now.now)), load);
+        shown.target.at(at) = to_integer(target, output.fv_digits);
+        shown.feedback.at(at) = to_integer(value, output.fv_digits);
+        drive(output, value, terminals);
+    }
+    void reset(int type) {
+        *this = NaiveOutput{};
+        type_ = type;
+    }
+
+  private:
+    /// An interlock that has a source, and no value.
+    static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
+
+    Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
+                    bool shutdown) const {
+        if (shutdown || lacks(output.enable, enable) || lacks(output.override_input, forced)) {
+            return Decision::off;
+        }
+        const bool overrides_when_on = output.override_response == 0;
+        if (forced.fine() && override_.on() == overrides_when_on) {
+            return Decision::forced;
+        }
+        const bool enables_when_on = output.enable_response < 3;
+        if (enable.fine() && enable_.on() != enables_when_on) {
+            switch (output.enable_response % 3) {
+                case 0:
+                    return Decision::off;
+                case 1:
+                    return Decision::ramp_off;
+                default:
+                    return Decision::keep;
+            }
+        }
+        if (control.error() || enable.error() || forced.error()) {
+            const int mode = is_digital(output) ? output.digital_fault_mode : output.fault_mode;
+            return mode == 0 ? Decision::keep : Decision::fault;
+        }
+        return is_digital(output) && control.unused() ? Decision::off : Decision::control;
+    }
+
+    /// The profile of Figure 3, in the unit of the output; OFF without a control.
+    static double profile(const Output& output, const Signal& control) {
+        const double x1 = physical(output.pv_1, output.pv_digits);
+        const double x2 = physical(output.pv_2, output.pv_digits);
+        const double y1 = physical(output.fv_1, output.fv_digits);
+        const double y2 = physical(output.fv_2, output.fv_digits);
+        const double x = control.value;
+        if (control.unused() || (output.control_response == 1 && x < x1) || (output.control_response == 2 && x > x2)) {
+            return 0.0;
+        }
+        if (x <= x1) {
+            return y1;
+        }
+        return x >= x2 ? y2 : y1 + (x - x1) * (y2 - y1) / (x2 - x1);
+    }
+
+    /// Gives the target.
+    double move_by(Decision decision, const Output& output, const Signal& control, std::uint64_t now) {
+        const double span =
+            std::fabs(physical(output.fv_2, output.fv_digits) - physical(output.fv_1, output.fv_digits));
+        double target = 0.0;
+        switch (decision) {
+            case Decision::control:
+                target = in_range(output.type, profile(output, control));
+                ramp_.go(target, span, output.ramp_up, output.ramp_down, now);
+                return target;
+            case Decision::ramp_off:
+                ramp_.go(0.0, span, output.ramp_up, output.ramp_down, now);
+                return 0.0;
+            case Decision::keep:
+                ramp_.jump(ramp_.at(now));
+                return in_range(output.type, ramp_.at(now));
+            case Decision::forced:
+                target = in_range(output.type, physical(output.override_value, output.fv_digits));
+                break;
+            case Decision::fault:
+                target = in_range(output.type, physical(output.fault_value, output.fv_digits));
+                break;
+            default:
+                break;
+        }
+        ramp_.jump(target);
+        return target;
+    }
+
+    /// 14 V drive no more current through a load; without pulses there is no duty cycle.
+    static double at_terminals(const Output& output, double value, double load) {
+        if (output.type == 20 && load * value > 14000.0) {
+            return 14000.0 / load;
+        }
+        return output.type == 40 && output.frequency == 0 ? 0.0 : value;
+    }
+
+    static void drive(const Output& output, double value, Terminals& terminals) {
+        const double level = output.range == 1 ? 12.0 : 5.0;
+        if (output.type == 10) {
+            terminals.volts = value;
+        } else if (output.type == 20) {
+            terminals.milliamperes = value;
+        } else if (output.type == 40) {
+            terminals.duty = value;
+            terminals.hertz = output.frequency;
+            terminals.level = level;
+        } else if (output.type == 500) {
+            terminals.duty = value > 0.0 ? 50.0 : 0.0;
+            terminals.hertz = value;
+            terminals.level = level;
+        }
+    }
+
+    /// 1.2: logic state and drive state.
+    void switch_by(Decision decision, const Output& output, std::uint64_t now) {
+        const bool control = control_.on();
+        switch (decision) {
+            case Decision::control:
+                follow(output, control, now);
+                logic_ = control;
+                drive_ = memory_;
+                break;
+            case Decision::keep:
+                break;
+            case Decision::forced:
+                logic_ = output.override_value != 0;
+                drive_ = logic_;
+                break;
+            case Decision::fault:
+                logic_ = output.fault_state != 0;
+                drive_ = logic_;
+                break;
+            default:
+                logic_ = false;
+                drive_ = false;
+                break;
+        }
+        blinks_ = blinks_ && decision == Decision::control;
+        before_ = control;
+    }
+
+    /// Table 1.
+    void follow(const Output& output, bool control, std::uint64_t now) {
+        const bool blinks = output.polarity == 3 && control;
+        if (blinks && !blinks_) {
+            since_ = now;
+        }
+        blinks_ = blinks;
+        if (output.polarity == 2) {
+            memory_ = memory_ != (control && !before_);
+        } else if (blinks) {
+            const auto half = static_cast<std::uint64_t>(output.blink);
+            memory_ = half == 0 || (now - since_) / half % 2 == 0;
+        } else {
+            memory_ = output.polarity == 1 ? !control : control;
+        }
+    }
+
+    int type_{0};
+    Reading control_;
+    Reading enable_;
+    Reading override_;
+    NaiveRamp ramp_;
+    bool logic_{false};
+    bool drive_{false};
+    bool memory_{false};  ///< what the control made of the drive when it last drove it
+    bool before_{false};
+    bool blinks_{false};
+    std::uint64_t since_{0};
+};
+
+}  // namespace canproof::naive_ax130751

@@ -1,0 +1,192 @@
+// What a control source of the AX130751 stands for: value, limits and state (1.3, Tables 4A, 4B and 5), by sentences
+// and not by tables. Values are numbers in their physical unit.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "properties/devices/ax130751/naive_blocks.hpp"
+#include "properties/devices/ax130751/naive_parameters.hpp"
+
+namespace canproof::naive_ax130751 {
+
+using naive_blocks::State;
+
+/// What a block hands on.
+struct Signal {
+    double value{0.0};
+    double lower{0.0};
+    double upper{0.0};
+    State state{State::unused};
+
+    bool fine() const { return state == State::fine; }
+    bool error() const { return state == State::error; }
+    bool unused() const { return state == State::unused; }
+};
+
+inline double power_of_ten(int digits) {
+    double power = 1.0;
+    for (int i = 0; i < digits; ++i) {
+        power *= 10.0;
+    }
+    return power;
+}
+
+/// 1234 with two digits is 12.34.
+inline double physical(int integer, int digits) {
+    return integer / power_of_ten(digits);
+}
+
+/// The nearest 16-bit integer with these digits; a half goes away from zero.
+inline int to_integer(double value, int digits) {
+    return static_cast<int>(std::lround(std::clamp(value * power_of_ten(digits), -32768.0, 32767.0)));
+}
+
+/// What the blocks showed when they were last evaluated.
+struct Shown {
+    struct OfTable {
+        int output{0};  ///< 3yz8h
+        State state{State::unused};
+        double least{0.0};  ///< limits for others
+        double greatest{0.0};
+    };
+    struct OfLogic {
+        int selected{0};  ///< 3310h
+        int output{0};    ///< 3320h
+        State state{State::unused};
+    };
+    std::array<OfTable, 10> tables;
+    std::array<OfLogic, 3> logic;
+    std::array<int, 4> math{};      ///< 4030h
+    std::array<int, 2> target{};    ///< 7330h
+    std::array<int, 2> feedback{};  ///< 2370h
+    float supply{0.0F};             ///< 5020h
+    float temperature{0.0F};        ///< 5030h
+};
+
+/// Faults of reception.
+struct Network {
+    std::array<bool, 4> overdue{};  ///< RPDO 1 to 4
+    bool silent{false};             ///< a heartbeat or the life guarding is lost
+};
+
+inline bool is_digital(const Output& output) {
+    return output.type == 1000 || output.type == 1020;
+}
+
+class Sources {
+  public:
+    Sources(const Parameters& parameters, const Shown& shown, const Network& network)
+        : parameters_{parameters}, shown_{shown}, network_{network} {}
+
+    Signal read(const Choice& choice) const {
+        const int n = choice.number;
+        const auto at = static_cast<std::size_t>(n - 1);
+        switch (choice.source) {
+            case 1:
+                return n >= 1 && n <= 9 ? message(n) : Signal{};
+            case 2:
+                return n == 1 ? write_state(3) : Signal{};
+            case 3:
+                return n >= 1 && n <= 10 ? table(n) : Signal{};
+            case 4:
+                return n >= 1 && n <= 4 ? math(at) : Signal{};
+            case 5:
+                return n >= 1 && n <= 3
+                           ? Signal{shown_.logic.at(at).output / 10.0, 0.0, 100.0, shown_.logic.at(at).state}
+                           : Signal{};
+            case 6:
+                return n == 1 || n == 2 ? field_value(at, shown_.target.at(at)) : Signal{};
+            case 7:
+                return n == 1 || n == 2 ? field_value(at, shown_.feedback.at(at)) : Signal{};
+            case 8:
+                return ordered(tenths(shown_.supply), parameters_.diagnostics.under, parameters_.diagnostics.over,
+                               State::fine);
+            case 9:
+                return ordered(tenths(shown_.temperature),
+                               parameters_.diagnostics.hot - parameters_.diagnostics.heat_hysteresis,
+                               parameters_.diagnostics.hot, State::fine);
+            default:
+                return Signal{};
+        }
+    }
+    /// Output of lookup table `number`, 1 to 10, as others see it.
+    Signal table(int number) const {
+        const auto at = static_cast<std::size_t>(number - 1);
+        const Shown::OfTable& shown = shown_.tables.at(at);
+        return {physical(shown.output, parameters_.tables.at(at).y_digits), shown.least, shown.greatest, shown.state};
+    }
+
+  private:
+    static double tenths(float measured) { return std::round(static_cast<double>(measured) * 10.0) / 10.0; }
+    static Signal ordered(double value, double one, double other, State state) {
+        return {value, std::min(one, other), std::max(one, other), state};
+    }
+    State reception(int rpdo) const {
+        return network_.silent || network_.overdue.at(static_cast<std::size_t>(rpdo - 1)) ? State::error : State::fine;
+    }
+    /// 6220h: RPDO4 sets that of the outputs, RPDO1 that of the relay.
+    Signal write_state(int number) const {
+        const int written = parameters_.write_states.at(static_cast<std::size_t>(number - 1));
+        return {written != 0 ? 1.0 : 0.0, 0.0, 1.0, reception(number == 3 ? 1 : 4)};
+    }
+    /// Numbers 1 and 2 command the outputs, 3 the relay, 4 to 9 are the extra values of RPDO2 and RPDO3.
+    Signal message(int number) const {
+        if (number == 3) {
+            return write_state(3);
+        }
+        if (number < 3) {
+            const Output& output = parameters_.outputs.at(static_cast<std::size_t>(number - 1));
+            if (is_digital(output)) {
+                return write_state(number);
+            }
+            const int digits = output.pv_digits;
+            return ordered(physical(output.command, digits), physical(output.pv_1, digits),
+                           physical(output.pv_2, digits), reception(1));
+        }
+        const Extra& extra = parameters_.extras.at(static_cast<std::size_t>(number - 4));
+        return ordered(physical(extra.value, extra.digits), physical(extra.pv_1, extra.digits),
+                       physical(extra.pv_2, extra.digits), reception(number < 7 ? 2 : 3));
+    }
+    Signal math(std::size_t at) const {
+        const MathBlock& block = parameters_.math.at(at);
+        return ordered(physical(shown_.math.at(at), block.digits), physical(block.pv_1, block.digits),
+                       physical(block.pv_2, block.digits), State::fine);
+    }
+    /// 7330h or 2370h: a state while the output is digital.
+    Signal field_value(std::size_t at, int integer) const {
+        const Output& output = parameters_.outputs.at(at);
+        if (is_digital(output)) {
+            return {static_cast<double>(integer), 0.0, 1.0, State::fine};
+        }
+        const int digits = output.fv_digits;
+        return ordered(physical(integer, digits), physical(output.fv_1, digits), physical(output.fv_2, digits),
+                       State::fine);
+    }
+
+    const Parameters& parameters_;
+    const Shown& shown_;
+    const Network& network_;
+};
+
+/// A signal read as ON or OFF (1.2): with hysteresis between its limits.
+class Reading {
+  public:
+    bool follow(const Signal& signal) {
+        if (signal.unused()) {
+            on_ = false;
+        } else if (signal.fine() && signal.value <= signal.lower) {
+            on_ = false;
+        } else if (signal.fine() && signal.value >= signal.upper) {
+            on_ = true;
+        }
+        return on_;
+    }
+    bool on() const { return on_; }
+
+  private:
+    bool on_{false};
+};
+
+}  // namespace canproof::naive_ax130751

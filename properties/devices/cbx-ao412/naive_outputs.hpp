@@ -1,0 +1,60 @@
+// The four outputs of the CAN-CBX-AO412: from 6411h, calibration and error mode to a voltage (4.3.1, 7.10, 7.11).
+// Knows nothing of the firmware.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace canproof::naive_ao4 {
+
+struct OutputSettings {
+    int command{0};               ///< 6411h
+    unsigned error_mode{1};       ///< 6443h
+    std::int32_t error_value{0};  ///< 6444h
+    int offset{0};                ///< 2404h
+    int gain{0};                  ///< 2405h
+};
+
+/// Steps of the converter that an output may show.
+struct Steps {
+    int low;
+    int high;
+};
+
+/// 7.10.2.2, 7.11: gain, offset, the nearest step of eight with halves upwards, at most 4095. Beside the border of two
+/// steps a calibrated output may show either: how exactly it computes is its own.
+inline Steps steps_of(const OutputSettings& set, int value) {
+    const double full_scale_v = 4.096 * 30.9 / 12.4;
+    const double gain = 1.0 + set.gain / 262144.0;
+    const double offset_v = set.offset * (10.24 / 32768.0);
+    const double code = value * gain + offset_v / full_scale_v * 32768.0;
+    const double unsure = set.gain == 0 && set.offset == 0 ? 0.0 : 0.01;
+    const auto step = [](double of) {
+        return static_cast<int>(std::fmin(std::fmax(std::floor((of + 4.0) / 8.0), -4095.0), 4095.0));
+    };
+    return {step(code - unsure), step(code + unsure)};
+}
+
+class Output {
+  public:
+    void command(int value) {
+        driven_ = true;
+        held_ = value;
+    }
+    /// 7.10.3: 0 V, the error value, or as it is.
+    void fail(const OutputSettings& set) {
+        if (set.error_mode == 0) {
+            driven_ = false;
+        } else if (set.error_mode == 1) {
+            command(set.error_value >> 16);
+        }
+    }
+    Steps shown(const OutputSettings& set) const { return driven_ ? steps_of(set, held_) : Steps{0, 0}; }
+
+  private:
+    bool driven_{false};
+    int held_{0};
+};
+
+}  // namespace canproof::naive_ao4

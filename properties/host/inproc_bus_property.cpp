@@ -1,0 +1,218 @@
+// The in-process bus does what a list of stations and a clock do, frame for frame and state for state.
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <rapidcheck/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/can_bits.hpp"
+#include "properties/host/naive_bus.hpp"
+#include "tests/host/sim/bus/bus_bench.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+enum class Deed { send, put, send_by_door, switch_off, plug, unplug };
+
+struct Act {
+    std::uint64_t after_us{0};
+    Deed deed{Deed::send};
+    std::size_t which{0};
+    Frame frame{};
+};
+
+/// Of a few numbers as 11 bits, as 29 bits, and as the beginning of 29 bits. `station` keeps them apart, as CANopen
+/// does.
+Frame any_frame(std::size_t station) {
+    Frame frame{};
+    const std::uint32_t number =
+        *rc::gen::element<std::uint32_t>(0x000, 0x010, 0x120, 0x7F0) + static_cast<std::uint32_t>(station);
+    frame.extended = *rc::gen::arbitrary<bool>();
+    frame.id = frame.extended && *rc::gen::arbitrary<bool>() ? number << 18U : number;
+    frame.remote = *rc::gen::inRange(0, 4) == 0;
+    frame.length = *rc::gen::inRange<std::uint8_t>(0, 9);
+    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
+        frame.data[i] = *rc::gen::element<std::uint8_t>(0x00, 0xFF, 0x1F, 0xAA, 0x83);
+    }
+    return frame;
+}
+
+constexpr std::size_t node_count = 3;
+constexpr std::size_t most_doors = 2;
+
+std::vector<Act> any_acts(std::uint64_t us_per_bit) {
+    std::vector<Act> acts(*rc::gen::inRange<std::size_t>(1, 40));
+    for (Act& act : acts) {
+        act.after_us =
+            *rc::gen::oneOf(rc::gen::just<std::uint64_t>(0), rc::gen::inRange<std::uint64_t>(0, 150)) * us_per_bit +
+            *rc::gen::inRange<std::uint64_t>(0, 3);
+        act.deed = *rc::gen::weightedElement<Deed>({{12, Deed::send},
+                                                    {3, Deed::put},
+                                                    {4, Deed::send_by_door},
+                                                    {1, Deed::switch_off},
+                                                    {2, Deed::plug},
+                                                    {1, Deed::unplug}});
+        act.which = *rc::gen::inRange<std::size_t>(
+            0, act.deed == Deed::send || act.deed == Deed::switch_off ? node_count : most_doors);
+        const bool by_door = act.deed == Deed::send_by_door;
+        act.frame = any_frame(act.deed == Deed::put ? 7U : by_door ? 5U + act.which : act.which);
+    }
+    return acts;
+}
+
+NaiveFaults any_faults() {
+    NaiveFaults faults;
+    faults.corrupted = *rc::gen::element(0.0, 0.0, 0.3, 0.8);
+    faults.lost = *rc::gen::element(0.0, 0.0, 0.3);
+    faults.bus_off = *rc::gen::element(0.0, 0.0, 0.1);
+    faults.seed = *rc::gen::inRange<std::uint64_t>(1, 1000);
+    return faults;
+}
+
+std::vector<std::string> lines_of(const std::vector<NaiveBus::Heard>& heard) {
+    std::vector<std::string> lines;
+    for (const NaiveBus::Heard& one : heard) {
+        lines.push_back(fmt::format("{} {}", one.us, format_frame(one.frame)));
+    }
+    return lines;
+}
+
+std::vector<std::string> lines_of(const std::vector<std::pair<std::uint64_t, int>>& states) {
+    std::vector<std::string> lines;
+    for (const auto& [us, state] : states) {
+        lines.push_back(fmt::format("{} {}", us, state));
+    }
+    return lines;
+}
+
+/// The bus and the naive one, told the same.
+class TwoBuses {
+  public:
+    TwoBuses(std::uint64_t us_per_bit, const NaiveFaults& faults)
+        : bus_{"inproc", static_cast<std::uint32_t>(1000000U / us_per_bit),
+               BusFaultRates{faults.corrupted, faults.lost, faults.bus_off, faults.seed}},
+          naive_{us_per_bit, faults} {
+        for (test::PlainNode& node : nodes_) {
+            bus_.attach(node);
+            naive_.add(node.name(), false);
+        }
+        bus_.listen([this](const BusFrame& one) {
+            log_.push_back(fmt::format("{} {} {}", one.time.us, one.sender == nullptr ? "outside" : one.sender->name(),
+                                       format_frame(one.frame)));
+        });
+    }
+
+    void run_to(std::uint64_t us) {
+        test::run_until(bus_, now_, Instant{us});
+        naive_.run_to(us);
+        now_ = Instant{us};
+    }
+    void let(const Act& act) {
+        run_to(now_.us + act.after_us);
+        switch (act.deed) {
+            case Deed::send:
+                nodes_[act.which].waiting.push_back(act.frame);
+                naive_.send(static_cast<int>(act.which) + 1, act.frame, now_.us);
+                break;
+            case Deed::put:
+                bus_.put(act.frame, now_);
+                naive_.send(0, act.frame, now_.us);
+                break;
+            case Deed::switch_off:
+                if (naive_.station(static_cast<int>(act.which) + 1).state != 3) {
+                    bus_.switch_off(nodes_[act.which], now_);
+                    naive_.switch_off(static_cast<int>(act.which) + 1, now_.us);
+                }
+                break;
+            default:
+                let_door(act);
+                break;
+        }
+        run_to(now_.us);
+    }
+    void check() const {
+        std::vector<std::string> expected;
+        for (const NaiveBus::Sent& one : naive_.sent()) {
+            const bool is_door = one.sender == "door";
+            expected.push_back(
+                fmt::format("{} {} {}", one.us, is_door ? "outside" : one.sender, format_frame(one.frame)));
+        }
+        RC_ASSERT(log_ == expected);
+        for (std::size_t i = 0; i < node_count; ++i) {
+            const NaiveBus::Station& same = naive_.station(static_cast<int>(i) + 1);
+            RC_ASSERT(nodes_[i].heard == lines_of(same.heard));
+            RC_ASSERT(nodes_[i].states == lines_of(same.states));
+            RC_ASSERT(nodes_[i].overruns == same.overruns);
+        }
+        for (const auto& [which, door] : doors_) {
+            RC_ASSERT(door.heard == lines_of(naive_.station(door.number).heard));
+        }
+        RC_ASSERT(bus_.report(now_).frames == expected.size());
+        RC_ASSERT(bus_.report(now_).errors == naive_.errors());
+        RC_ASSERT(bus_.report(now_).worst_latency.us == naive_.worst_latency());
+    }
+
+  private:
+    struct Door {
+        std::unique_ptr<Gateway> gateway;
+        int number{0};
+        std::vector<std::string> heard;
+    };
+
+    void let_door(const Act& act) {
+        const auto found = doors_.find(act.which);
+        if (found == doors_.end()) {
+            if (act.deed == Deed::plug) {
+                Door& door = doors_[act.which];
+                door.gateway = std::make_unique<Gateway>("door", 100, [&door](const Frame& frame, Instant at) {
+                    door.heard.push_back(fmt::format("{} {}", at.us, format_frame(frame)));
+                });
+                bus_.attach_gateway(*door.gateway);
+                door.number = naive_.add("door", true);
+            }
+        } else if (act.deed == Deed::unplug) {
+            bus_.detach_gateway(*found->second.gateway);
+            naive_.remove(found->second.number, now_.us);
+            doors_.erase(found);
+        } else {
+            found->second.gateway->put(act.frame);
+            naive_.send(found->second.number, act.frame, now_.us);
+        }
+    }
+
+    std::array<test::PlainNode, node_count> nodes_{test::PlainNode{"a"}, test::PlainNode{"b"}, test::PlainNode{"c"}};
+    ArbitratedBus bus_;
+    NaiveBus naive_;
+    std::map<std::size_t, Door> doors_;
+    std::vector<std::string> log_;
+    Instant now_{};
+};
+
+}  // namespace
+
+RC_GTEST_PROP(InprocBusLaw, DoesWhatTheNaiveBusDoes, ()) {
+    const auto us_per_bit = *rc::gen::element<std::uint64_t>(1, 2, 8);
+    TwoBuses buses{us_per_bit, any_faults()};
+    for (const Act& act : any_acts(us_per_bit)) {
+        buses.let(act);
+    }
+    buses.run_to(200000);
+    buses.check();
+}
+
+RC_GTEST_PROP(InprocBusLaw, FrameIsAsLongAsItsBits, ()) {
+    const Frame frame = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
+    RC_ASSERT(frame_bits(frame) == naive_frame_bits(frame));
+}
+
+RC_GTEST_PROP(InprocBusLaw, ArbitrationIsBitByBit, ()) {
+    const Frame one = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
+    const Frame other = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
+    RC_ASSERT((arbitration_rank(one) < arbitration_rank(other)) ==
+              (naive_arbitration_field(one) < naive_arbitration_field(other)));
+}
+
+}  // namespace canproof::host

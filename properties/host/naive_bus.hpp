@@ -1,0 +1,303 @@
+// A CAN bus as a list of stations and a clock in whole microseconds: what the in-process bus must show. Frames are
+// strings of bits here, arbitration compares them bit by bit, the CRC is a long division.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "firmware/canopen/frame.hpp"
+
+namespace canproof::host {
+
+/// `count` bits of a number, the highest first.
+inline std::string naive_bits(std::uint64_t value, unsigned count) {
+    std::string bits;
+    for (unsigned i = count; i-- > 0;) {
+        bits += ((value >> i) % 2U == 1U) ? '1' : '0';
+    }
+    return bits;
+}
+
+/// Identifier, RTR and IDE as they stand on the wire; 0 is dominant, so that the smaller text wins.
+inline std::string naive_arbitration_field(const Frame& frame) {
+    const std::string rtr = frame.remote ? "1" : "0";
+    return frame.extended ? naive_bits(frame.id / 262144U, 11) + "11" + naive_bits(frame.id % 262144U, 18) + rtr
+                          : naive_bits(frame.id, 11) + rtr + "0";
+}
+
+/// The remainder of a division on paper by 1100010110011001.
+inline std::string naive_crc(std::string bits) {
+    const std::string divisor = "1100010110011001";
+    const std::size_t places = bits.size();
+    bits += std::string(15, '0');
+    for (std::size_t at = 0; at < places; ++at) {
+        for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
+            const std::size_t place = at + divisor.size() - 1U - i;  // the leading one last
+            bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
+        }
+    }
+    return bits.substr(places);
+}
+
+/// Bits from the start to the end of the frame, with those that are stuffed in.
+inline unsigned naive_frame_bits(const Frame& frame) {
+    std::string bits = "0" + naive_arbitration_field(frame) + (frame.extended ? "00" : "0");
+    bits += naive_bits(frame.length, 4);
+    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
+        bits += naive_bits(frame.data[i], 8);
+    }
+    std::string wire;
+    for (const char bit : bits + naive_crc(bits)) {
+        wire += bit;
+        const std::string last = wire.size() < 5 ? "" : wire.substr(wire.size() - 5);
+        if (last == "00000" || last == "11111") {
+            wire += bit == '0' ? '1' : '0';
+        }
+    }
+    return static_cast<unsigned>(wire.size()) + 10U;  // delimiter, acknowledge, delimiter, seven bits of end
+}
+
+/// Probabilities and seed of what goes wrong.
+struct NaiveFaults {
+    double corrupted{0.0};
+    double lost{0.0};
+    double bus_off{0.0};
+    std::uint64_t seed{1};
+};
+
+class NaiveBus {
+  public:
+    struct Heard {
+        std::uint64_t us;
+        Frame frame;
+    };
+    struct Station {
+        std::string name;
+        bool gateway{false};
+        std::deque<std::pair<std::uint64_t, Frame>> queue;  ///< with the time since when it is the first
+        std::vector<Heard> heard;
+        std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
+        std::vector<bool> overruns;
+        unsigned transmit_errors{0};
+        unsigned receive_errors{0};
+        int state{0};
+        bool overrun{false};
+        std::uint64_t off_until{0};
+        std::uint64_t suspended_until{0};
+    };
+    struct Sent {
+        std::uint64_t us;
+        std::string sender;
+        Frame frame;
+    };
+
+    NaiveBus(std::uint64_t us_per_bit, const NaiveFaults& faults)
+        : bit_{us_per_bit}, faults_{faults}, draws_{faults.seed} {
+        add("outside", true);
+    }
+
+    /// Its number is one that only this station ever has.
+    int add(const std::string& name, bool gateway) {
+        Station station;
+        station.name = name;
+        station.gateway = gateway;
+        stations_.emplace(next_number_, station);
+        return next_number_++;
+    }
+    void remove(int number, std::uint64_t now) {
+        if (on_wire_ && sender_ == number) {
+            cut(now);
+        }
+        stations_.erase(number);
+    }
+    void send(int number, const Frame& frame, std::uint64_t now) {
+        stations_.at(number).queue.emplace_back(now, frame);
+    }
+    void switch_off(int number, std::uint64_t now) {
+        stations_.at(number).transmit_errors = 256;
+        if (on_wire_ && sender_ == number) {
+            cut(now);
+        }
+        look_at_state(stations_.at(number), now);
+    }
+
+    /// Everything up to `now` and at it.
+    void run_to(std::uint64_t now) {
+        for (bool any = true; any;) {
+            any = recover_first(now) || end_frame(now) || start_frame(now);
+        }
+    }
+
+    const Station& station(int number) const { return stations_.at(number); }
+    const std::vector<Sent>& sent() const { return sent_; }
+    std::uint64_t errors() const { return errors_; }
+    std::uint64_t worst_latency() const { return worst_latency_; }
+
+  private:
+    bool happens(double probability) {
+        return probability > 0.0 && static_cast<double>(draws_() >> 32U) < probability * 4294967296.0;
+    }
+
+    /// The earliest bus-off that ends by `now`, unless something happens on the wire before.
+    bool recover_first(std::uint64_t now) {
+        Station* first = nullptr;
+        for (auto& [number, one] : stations_) {
+            if (one.state == 3 && (first == nullptr || one.off_until < first->off_until)) {
+                first = &one;
+            }
+        }
+        const std::uint64_t next = on_wire_ ? end_ : next_start();
+        if (first == nullptr || first->off_until > now || first->off_until > next) {
+            return false;
+        }
+        first->transmit_errors = first->receive_errors = 0;
+        first->suspended_until = std::max(first->suspended_until, first->off_until);
+        look_at_state(*first, first->off_until);
+        return true;
+    }
+
+    /// When the next frame begins, if nothing else happens.
+    std::uint64_t next_start() const {
+        std::uint64_t earliest = ~std::uint64_t{0};
+        for (const auto& [number, one] : stations_) {
+            if (one.state != 3 && !one.queue.empty()) {
+                earliest = std::min(earliest, std::max({free_from_, one.suspended_until, one.queue.front().first}));
+            }
+        }
+        return earliest;
+    }
+
+    bool start_frame(std::uint64_t now) {
+        const std::uint64_t at = next_start();
+        if (on_wire_ || at > now) {
+            return false;
+        }
+        std::string best = "2";
+        for (const auto& [number, one] : stations_) {
+            const bool bids =
+                one.state != 3 && !one.queue.empty() && std::max(one.suspended_until, one.queue.front().first) <= at;
+            if (bids && naive_arbitration_field(one.queue.front().second) < best) {
+                best = naive_arbitration_field(one.queue.front().second);
+                sender_ = number;
+            }
+        }
+        on_wire_ = true;
+        const unsigned length = naive_frame_bits(stations_.at(sender_).queue.front().second);
+        corrupted_ = happens(faults_.corrupted);
+        const std::uint64_t used = corrupted_ ? 1U + draws_() % length + 20U : length;  // 20: error flags and delimiter
+        end_ = at + used * bit_;
+        return true;
+    }
+
+    bool end_frame(std::uint64_t now) {
+        if (!on_wire_ || end_ > now) {
+            return false;
+        }
+        on_wire_ = false;
+        free_from_ = end_ + 3U * bit_;
+        Station& from = stations_.at(sender_);
+        const bool waits_longer = from.gateway || from.state >= 2;
+        from.suspended_until = waits_longer ? free_from_ + 8U * bit_ : 0U;
+        if (corrupted_) {
+            ++errors_;
+            from.transmit_errors += from.gateway ? 0U : 8U;
+            tell_error(&from);
+            if (!from.gateway) {
+                look_at_state(from, end_);
+            }
+        } else {
+            arrive(from);
+        }
+        return true;
+    }
+
+    /// The sender falls off the bus in the middle of its frame: the others see an error.
+    void cut(std::uint64_t now) {
+        on_wire_ = false;
+        ++errors_;
+        end_ = now;
+        free_from_ = now + 23U * bit_;
+        tell_error(&stations_.at(sender_));
+    }
+
+    void tell_error(const Station* sender) {
+        for (auto& [number, one] : stations_) {
+            if (&one != sender && !one.gateway && one.state != 3) {
+                one.receive_errors = std::min(one.receive_errors + 1U, 256U);
+                look_at_state(one, end_);
+            }
+        }
+    }
+
+    void arrive(Station& from) {
+        const auto [since, frame] = from.queue.front();
+        worst_latency_ = std::max(worst_latency_, end_ - since);
+        from.queue.pop_front();
+        if (!from.queue.empty()) {
+            from.queue.front().first = std::max(from.queue.front().first, end_);
+        }
+        sent_.push_back({end_, from.name, frame});
+        if (!from.gateway) {
+            from.transmit_errors -= from.transmit_errors > 0U ? 1U : 0U;
+            from.transmit_errors = happens(faults_.bus_off) ? 256U : from.transmit_errors;
+            look_at_state(from, end_);
+        }
+        const bool loses = happens(faults_.lost);
+        const std::uint64_t loser = loses ? draws_() % stations_.size() : 0U;
+        std::uint64_t place = 0;
+        for (auto& [number, one] : stations_) {
+            const bool misses = loses && place++ == loser && !one.gateway;
+            if (&one != &from && one.state != 3) {
+                take(one, frame, misses);
+            }
+        }
+    }
+
+    void take(Station& one, const Frame& frame, bool misses) {
+        if (misses != one.overrun) {
+            one.overruns.push_back(misses);
+            one.overrun = misses;
+        }
+        if (misses) {
+            return;
+        }
+        one.receive_errors = one.receive_errors > 127U ? 119U : one.receive_errors > 0U ? one.receive_errors - 1U : 0U;
+        look_at_state(one, end_);
+        one.heard.push_back({end_, frame});
+    }
+
+    void look_at_state(Station& one, std::uint64_t now) {
+        const unsigned worst = std::max(one.transmit_errors, one.receive_errors);
+        const int state = one.transmit_errors > 255U ? 3 : worst > 127U ? 2 : worst > 95U ? 1 : 0;
+        if (state != one.state) {
+            one.states.emplace_back(now, state);
+            one.state = state;
+            if (state == 3) {
+                one.queue.clear();
+                one.off_until = now + 128U * 11U * bit_;
+            }
+        }
+    }
+
+    std::uint64_t bit_;
+    NaiveFaults faults_;
+    std::mt19937_64 draws_;
+    std::map<int, Station> stations_;  ///< by number: in order of attachment
+    int next_number_{0};
+    std::vector<Sent> sent_;
+    bool on_wire_{false};
+    bool corrupted_{false};
+    int sender_{0};
+    std::uint64_t end_{0};
+    std::uint64_t free_from_{0};
+    std::uint64_t errors_{0};
+    std::uint64_t worst_latency_{0};
+};
+
+}  // namespace canproof::host

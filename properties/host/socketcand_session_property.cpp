@@ -1,0 +1,170 @@
+// A client of socketcand hears what it has asked for, by a list of what it asked.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+// rapidcheck's GoogleTest support needs gtest first
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/bus/socketcand_session.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// The client's words, and what it should hear of them. Identifiers are kept as the texts that name them: three digits
+/// or eight.
+class NaiveClient {
+  public:
+    std::string open() {
+        mode_ = "bcmmode";
+        return "< ok >";
+    }
+    std::string change_mode(const std::string& mode) {
+        if (mode_.empty()) {
+            return "< error no bus is open >";
+        }
+        mode_ = mode;
+        wanted_.clear();
+        return "< ok >";
+    }
+    std::string subscribe(const std::string& id, bool on) {
+        if (mode_ != "bcmmode") {
+            return mode_.empty() ? "< error no bus is open >" : "< error unknown command >";
+        }
+        wanted_.erase(std::remove(wanted_.begin(), wanted_.end(), id), wanted_.end());
+        if (on) {
+            wanted_.push_back(id);
+        }
+        return "";
+    }
+    std::string send(std::size_t length) {
+        if (mode_.empty() || mode_ == "controlmode") {
+            return mode_.empty() ? "< error no bus is open >" : "< error unknown command >";
+        }
+        ++frames_sent;
+        bytes_sent += length;
+        return "";
+    }
+    std::string hear(const std::string& id, const Frame& frame, const std::string& bytes, std::uint64_t us) {
+        if (mode_.empty()) {
+            return "";
+        }
+        ++frames_heard;
+        bytes_heard += frame.length;
+        const bool asked = std::find(wanted_.begin(), wanted_.end(), id) != wanted_.end();
+        const bool hears = mode_ == "rawmode" || (mode_ == "bcmmode" && asked);
+        return hears && !frame.remote ? fmt::format("< frame {} 1700000000.{:06} {} >", id, us, bytes) : "";
+    }
+    bool is_open() const { return !mode_.empty(); }
+
+    std::size_t frames_sent{0};
+    std::size_t bytes_sent{0};
+    std::size_t frames_heard{0};
+    std::size_t bytes_heard{0};
+
+  private:
+    std::string mode_;
+    std::vector<std::string> wanted_;
+};
+
+/// The same numbers with 11 and with 29 bits.
+std::string any_identifier() {
+    return *rc::gen::element<std::string>("000", "00000000", "181", "00000181", "7FF", "000007FF", "1FFFFFFF");
+}
+
+class Conversation {
+  public:
+    Conversation() { heard(); }  // the greeting
+    void go_on() {
+        now_ += *rc::gen::inRange<std::uint64_t>(0, 100);
+        const std::string id = any_identifier();
+        const auto mode = *rc::gen::element<std::string>("rawmode", "bcmmode", "bcmmode", "controlmode");
+        std::string expected;
+        switch (*rc::gen::weightedElement<int>({{1, 0}, {1, 1}, {4, 2}, {3, 3}, {2, 4}, {6, 5}})) {
+            case 0:
+                expected = naive_.open();
+                say("< open can0 >");
+                break;
+            case 1:
+                expected = naive_.change_mode(mode);
+                say("< " + mode + " >");
+                break;
+            case 2:
+                expected = naive_.subscribe(id, true);
+                say("< subscribe 0 0 " + id + " >");
+                break;
+            case 3:
+                expected = naive_.subscribe(id, false);
+                say("< unsubscribe " + id + " >");
+                break;
+            case 4:
+                expected = send(id);
+                break;
+            default:
+                expected = arrive(id);
+                break;
+        }
+        RC_ASSERT(heard() == expected);
+    }
+    /// The counters that it can ask for.
+    void check_counts() {
+        if (naive_.is_open()) {
+            say("< statistics 1 >");
+            session_.advance(Instant{now_ + 1000});
+            RC_ASSERT(heard() == fmt::format("< stat {} {} {} {} >", naive_.bytes_heard, naive_.frames_heard,
+                                             naive_.bytes_sent, naive_.frames_sent));
+        }
+    }
+
+  private:
+    void say(const std::string& text) { session_.receive(text, Instant{now_}); }
+    std::string heard() {
+        std::string text = session_.output();
+        session_.sent(text.size());
+        return text;
+    }
+    std::string send(const std::string& id) {
+        const auto length = *rc::gen::inRange<std::size_t>(0, 9);
+        std::string bytes;
+        for (std::size_t i = 0; i < length; ++i) {
+            bytes += fmt::format(" {:02X}", 0x11U * i);
+        }
+        const std::string expected = naive_.send(length);
+        say(fmt::format("< send {} {:X}{} >", id, length, bytes));
+        if (expected.empty()) {
+            bytes.erase(std::remove(bytes.begin(), bytes.end(), ' '), bytes.end());
+            RC_ASSERT(session_.gateway().next_frame() != nullptr);
+            RC_ASSERT(format_frame(*session_.gateway().next_frame()) == id + "#" + bytes);
+            session_.gateway().take_frame();
+        }
+        RC_ASSERT(session_.gateway().next_frame() == nullptr);
+        return expected;
+    }
+    std::string arrive(const std::string& id) {
+        const bool remote = *rc::gen::inRange(0, 4) == 0;
+        const std::string bytes = *rc::gen::element<std::string>("", "05", "0102030405060708");
+        const Frame frame = parse_frame(id + "#" + (remote ? "R" : bytes), "law");
+        session_.gateway().receive(frame, Instant{now_});
+        return naive_.hear(id, frame, bytes, now_);
+    }
+
+    SocketcandSession session_{"client", 1700000000000000};
+    NaiveClient naive_;
+    std::uint64_t now_{0};
+};
+
+}  // namespace
+
+RC_GTEST_PROP(SocketcandSessionLaw, ClientHearsWhatItAskedFor, ()) {
+    Conversation conversation;
+    for (int i = *rc::gen::inRange(1, 60); i > 0; --i) {
+        conversation.go_on();
+    }
+    conversation.check_counts();
+}
+
+}  // namespace canproof::host

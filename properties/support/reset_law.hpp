@@ -1,0 +1,134 @@
+// What a reset leaves behind: nothing. A unit that has lived through anything is reset; from then on it must do, frame
+// for frame and output for output, what a unit does that is switched on at that moment with the same stored set and the
+// same inputs. CiA 301, 7.3.2.2: reset node, power-on. For reset communication, which keeps the application, see
+// communication_law().
+#pragma once
+
+#include "properties/support/reset_events.hpp"
+
+namespace canproof::test {
+
+enum class Reset { node, power };
+
+inline bool every_entry(const EntryRef&) {
+    return true;
+}
+
+template <typename Traits>
+void read_all(ResetUnit<Traits>& unit, bool reads_all) {
+    if (!reads_all) {
+        return;
+    }
+    for (const ObjectRow& object : unit.device->objects().tables().objects) {
+        for (std::size_t i = 0; i < object.count; ++i) {
+            const unsigned sub = unit.device->objects().tables().entries[object.first_entry + i].subindex;
+            unit.request(0x40, object.index, sub, 0);
+        }
+    }
+}
+
+/// Lets the same happen to both units, step by step. What tells them apart, and after which step; empty when nothing
+/// does.
+template <typename Traits, typename Counts>
+std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const std::vector<Event>& stimulus,
+                             bool reads_all, const Counts& counts) {
+    std::string found = difference(one, other, counts);
+    std::string after = "at once";
+    const auto both = [&](const std::string& what, const auto& act) {
+        if (found.empty()) {
+            act(one);
+            act(other);
+            found = difference(one, other, counts);
+            after = what;
+        }
+    };
+    using Unit = ResetUnit<Traits>;
+    both("3 ms", [](Unit& unit) { unit.pass(milliseconds(3)); });
+    both("all values by SDO", [reads_all](Unit& unit) { read_all(unit, reads_all); });
+    both("start", [](Unit& unit) { unit.command(1); });
+    both("60 ms", [](Unit& unit) { unit.pass(milliseconds(60)); });
+    for (unsigned number = 0; number < 2; ++number) {
+        both("an RPDO", [number](Unit& unit) {
+            unit.send(unit.value(0x1400U + number, 1) & 0x7FFU, {0x10, 0x02, 0x90, 0x01, 0x30, 0, 0x77, 0});
+        });
+    }
+    both("SYNC", [](Unit& unit) { unit.send(0x80, {}); });
+    both("guarding", [](Unit& unit) { unit.ask_remote(0x700U + unit.node()); });
+    both("LSS configuration", [](Unit& unit) { unit.send(0x7E5, {0x5E, 0, 0, 0, 0, 0, 0, 0}); });
+    for (const Event& event : stimulus) {
+        both(rc::toString(event), [&event](Unit& unit) { Happening<Traits>::happen(unit, event); });
+    }
+    both("recovery", [](Unit& unit) { unit.recover(); });
+    both("400 ms", [](Unit& unit) { unit.pass(milliseconds(400)); });
+    both("all values by SDO", [reads_all](Unit& unit) { read_all(unit, reads_all); });
+    return found.empty() ? "" : fmt::format("after {}: {}", after, found);
+}
+
+/// Reset node, or power-on of the same unit, against a unit that begins then.
+template <typename Traits>
+void restart_law(Reset reset) {
+    ResetUnit<Traits> used;
+    Happening<Traits>::happen(used, some_events(every_kind));
+    used.recover();
+    const auto stimulus = some_events(every_kind);
+    used.take_frames();
+    if (reset == Reset::node) {
+        used.command(0x81);
+        RC_PRE(!Traits::keeps_outputs(*used.device, used.inputs));
+    } else {
+        used.power_on();
+    }
+    used.pass(Duration{});  // a self-start is due at once
+    ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
+    fresh.pass(Duration{});
+    const bool reads_all = *rc::gen::inRange(0, 8) == 0;
+    const std::string found = first_difference(used, fresh, stimulus, reads_all, every_entry);
+    RC_ASSERT(found == "");
+}
+
+/// What a reset of the communication leaves of objects: errors go on, and with them 1001h and 1003h; all other values
+/// below 2000h are the stored ones or the defaults.
+inline bool is_communication_parameter(const EntryRef& entry) {
+    return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
+}
+
+/// Reset communication. Two units live through the same; then one goes on with a communication of its own that tells
+/// its application nothing: parameters, transfers half done, timers, a SYNC to come. Both are reset, and do the same
+/// from then on: the application goes on as in the unit that was spared, and nothing is left of the rest.
+template <typename Traits>
+void communication_law() {
+    const std::vector<EventKind> shared{EventKind::setting, EventKind::setting, EventKind::nmt,
+                                        EventKind::input,   EventKind::time,    EventKind::late};
+    const std::vector<EventKind> own{EventKind::communication, EventKind::communication, EventKind::request,
+                                     EventKind::heartbeat, EventKind::remote};
+    ResetUnit<Traits> used;
+    ResetUnit<Traits> spared;
+    const auto first = some_events(every_kind);
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {
+        Happening<Traits>::happen(*unit, first);
+        unit->recover();
+        unit->command(0x82);
+    }
+    const int rounds = *rc::gen::inRange(1, 4);
+    for (int round = 0; round < rounds; ++round) {
+        const auto both = some_events(shared);
+        Happening<Traits>::happen(used, both);
+        Happening<Traits>::happen(spared, both);
+        for (const Event& event : some_events(own)) {
+            Happening<Traits>::happen_to_communication(used, event);
+        }
+    }
+    Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
+    const auto stimulus = some_events(every_kind);
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {
+        unit->take_frames();
+        unit->command(0x82);
+    }
+    ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
+    const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
+    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // a node-ID that LSS has not stored holds
+    const std::string found = first_difference(used, spared, stimulus, false, every_entry);
+    RC_ASSERT(found == "");
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,54 @@
+#include "host/assess/mutation/function_lines.hpp"
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+/// Braces that open less those that close, comments apart.
+int depth_of(const std::string& line) {
+    const std::string code = line.substr(0, line.find("//"));
+    return static_cast<int>(std::count(code.begin(), code.end(), '{')) -
+           static_cast<int>(std::count(code.begin(), code.end(), '}'));
+}
+
+/// The line behind a static_assert that begins at `at`; `at` when none does.
+std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
+    if (lines[at].find("static_assert(") == std::string::npos) {
+        return at;
+    }
+    while (at < lines.size() && lines[at].find(';') == std::string::npos) {
+        ++at;
+    }
+    return at + 1;
+}
+
+}  // namespace
+
+std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link) {
+    std::size_t first = link == 0 ? lines.size() : link - 1;
+    // The link itself may be a later line of its statement.
+    while (first < lines.size() && lines[first].find(';') == std::string::npos) {
+        ++first;
+    }
+    ++first;
+    for (std::size_t next = first; first < lines.size(); first = next) {
+        next = behind_link(lines, first);
+        if (next == first) {
+            break;
+        }
+    }
+    int depth = 0;
+    bool opened = false;
+    for (std::size_t at = first; at < lines.size(); ++at) {
+        depth += depth_of(lines[at]);
+        opened = opened || lines[at].substr(0, lines[at].find("//")).find('{') != std::string::npos;
+        if (opened && depth <= 0) {
+            return {first + 1, at + 1};
+        }
+    }
+    return {0, 0};
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,19 @@
+#include "host/sim/devices/advance_device.hpp"
+
+#include <fmt/format.h>
+
+#include "host/base/time_text.hpp"
+
+namespace canproof::host {
+
+void advance_device(SimulatedDevice& device, const std::string& name, Instant now) {
+    device.advance(now);
+    if (device.next_deadline() <= now) {
+        throw StuckDevice{
+            fmt::format("{} does not do at {} s what is due: its next_deadline() is {} s after advance(); it must be "
+                        "later than now",
+                        name, format_seconds(now), format_seconds(device.next_deadline()))};
+    }
+}
+
+}  // namespace canproof::host

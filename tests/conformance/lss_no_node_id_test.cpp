@@ -1,0 +1,111 @@
+// LSS of a node without a node-ID (CiA 305, 6.4.2): what it serves, how it gets a node-ID.
+#include "generated/canopen/requirements.hpp"
+#include "tests/conformance/lss_cases.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+TEST_F(Unconfigured, WhatTheControllerWentThroughBeforeTheNodeBootsIsNotTold) {
+    verifies<req::CO_LSS_030, req::CO_LSS_031>();
+    device->node().set_can_state(CanState::bus_off, now);
+    device->node().set_can_state(CanState::error_active, now);
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(device->communication_errors(), 0);
+    talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}, {"7E5#0400", {"705#00"}}});
+    EXPECT_EQ(pass(100), Frames{});
+}
+
+TEST_F(Unconfigured, AControllerThatIsPassiveWhenTheNodeBootsIsAnError) {
+    verifies<req::CO_LSS_031, req::CO_EMCY_001>();
+    device->node().set_can_state(CanState::error_passive, now);
+    EXPECT_EQ(sent(), Frames{});
+    talk({{"7E5#0401", {}},
+          {"7E5#1105", {"7E4#110000"}},
+          {"7E5#0400", {"705#00", "085#2081110100000000"}},  // 8120h
+          {"605#4001100000000000", {"585#4F01100011000000"}}});
+    device->node().set_can_state(CanState::error_active, now);
+    EXPECT_EQ(sent(), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Unconfigured, NothingButLssIsServed) {
+    verifies<req::CO_LSS_030, req::CO_K_LSS_UNCONFIGURED>();
+    EXPECT_EQ(first_frames, Frames{});
+    EXPECT_EQ(pass(5000), Frames{});
+    talk({{"000#0100", {}},
+          {"000#8100", {}},
+          {"000#8200", {}},
+          {"000#01FF", {}},
+          {"605#4000100000000000", {}},
+          {"6FF#4000100000000000", {}},
+          {"7FF#R", {}},
+          {"700#R", {}},
+          {"080#", {}}});
+    EXPECT_EQ(state(), NmtState::initialising);
+    device->node().set_overrun(true, now);
+    EXPECT_EQ(sent(), Frames{});
+    talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
+    EXPECT_EQ(device->next_deadline(), never);
+}
+
+TEST_F(Unconfigured, ANodeIdIsTakenAtTheSwitchToWaiting) {
+    verifies<req::CO_LSS_031, req::CO_LSS_041>();
+    talk({{"7E5#0401000000000000", {}},
+          {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},
+          {"7E5#1120000000000000", {"7E4#1100000000000000"}},
+          {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},  // pending
+          {"620#4000100000000000", {}},
+          {"7E5#0400000000000000", {"720#00"}},
+          {"620#4000100000000000", {"5A0#4300100078563412"}},
+          {"000#0120", {"1A0#0000"}}});
+    EXPECT_EQ(state(), NmtState::operational);
+}
+
+TEST_F(Unconfigured, LeavingConfigurationWithoutANodeIdChangesNothing) {
+    verifies<req::CO_LSS_030, req::CO_LSS_031>();
+    talk({{"7E5#0401000000000000", {}},
+          {"7E5#0400000000000000", {}},
+          {"7E5#0401000000000000", {}},
+          {"7E5#1120000000000000", {"7E4#1100000000000000"}},
+          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // taken back
+          {"7E5#0400000000000000", {}}});
+    EXPECT_EQ(pass(5000), Frames{});
+    EXPECT_EQ(state(), NmtState::initialising);
+}
+
+TEST_F(Unconfigured, ADeviceThatResetsItselfStaysSilentWithoutANodeId) {
+    verifies<req::CO_LSS_018, req::CO_LSS_030>();
+    resets_itself = true;
+    start({255, 125000});
+    talk({{"7E5#0401", {}}, {"7E5#0400", {}}, {"7E5#4C", {"7E4#50"}}});
+    talk({{"7E5#0401", {}}, {"7E5#1107", {"7E4#110000"}}, {"7E5#0400", {"707#00"}}});
+}
+
+TEST_F(Lss, ANodeIdCanBeTakenAway) {
+    verifies<req::CO_LSS_010, req::CO_LSS_030>();
+    talk({{"605#2B1710000A000000", {"585#6017100000000000"}},  // heartbeat each 10 ms
+          {"7E5#0401000000000000", {}},
+          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
+          {"7E5#0400000000000000", {}}});
+    EXPECT_EQ(pass(10), (Frames{"10:705#7F"}));
+    talk({{"000#8205", {}}});
+    EXPECT_EQ(pass(1000), Frames{});
+    EXPECT_EQ(state(), NmtState::initialising);
+    talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}},
+          {"7E5#0401000000000000", {}},
+          {"7E5#1106000000000000", {"7E4#1100000000000000"}},
+          {"7E5#0400000000000000", {"706#00"}}});
+}
+
+TEST_F(Unconfigured, TheBitRateCanBeChangedWithoutANodeId) {
+    verifies<req::CO_LSS_030, req::CO_LSS_014>();
+    talk({{"7E5#0401000000000000", {}},
+          {"7E5#1300000000000000", {"7E4#1300000000000000"}},
+          {"7E5#1505000000000000", {}}});
+    EXPECT_EQ(pass(5), Frames{});
+    EXPECT_EQ(bit_rate(), 1000000U);
+    talk({{"7E5#5E00000000000000", {}}});
+    pass(5);
+    talk({{"7E5#5E00000000000000", {"7E4#5EFF000000000000"}}});
+}
+
+}  // namespace canproof::test

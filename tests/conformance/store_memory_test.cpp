@@ -1,0 +1,187 @@
+// Storing on a memory that fails, loses power or holds something else (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
+#include "generated/canopen/requirements.hpp"
+#include "generated/cbx_ao412/requirements.hpp"
+#include "tests/conformance/store_cases.hpp"
+#include "tests/support/faulty_memory.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
+    verifies<req::CO_STORE_004>();
+    set_values("1111");
+    write("603#2310100173617665");
+    const auto stored = memory.bytes();
+    const std::size_t before = memory.written();
+    set_values("2222");
+    write("603#2310100173617665");
+    const std::size_t size_of_save = memory.written() - before;
+    ASSERT_GT(size_of_save, 100U);
+    std::size_t old_sets = 0;
+    for (std::size_t cut = 0; cut <= size_of_save; ++cut) {
+        memory.bytes() = stored;
+        power_on();
+        set_values("2222");
+        memory.cut_power_after(cut);
+        send("603#2310100173617665");
+        memory.restore_power();
+        power_on();
+        const std::string found = values();
+        EXPECT_TRUE(found == "1111 1111 1111 " || found == "2222 2222 2222 ")
+            << "cut after " << cut << " bytes: " << found;
+        old_sets += found == "1111 1111 1111 " ? 1 : 0;
+    }
+    EXPECT_EQ(old_sets,
+              size_of_save - 1);  // the last byte but one commits the new set, the last makes the old one void
+}
+
+TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
+    verifies<req::CO_STORE_005>();
+    set_values("1111");
+    write("603#2310100173617665");
+    set_values("2222");
+    memory.cut_power_after(10);
+    EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100100000606"}));
+    memory.restore_power();
+    power_on();
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+}
+
+TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
+    verifies<req::CO_STORE_004>();
+    write("603#2310100173617665");
+    write("603#2310100173617665");
+    // As after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
+    const std::size_t size = bank_size();
+    set_header(0, size, sequence_at, 0xFFFFFFFE);
+    set_header(size, size, sequence_at, 0xFFFFFFFF);
+    EXPECT_EQ(power_on(), (Frames{"703#00"}));
+    set_values("3412");
+    // Power fails before the last byte, which would make the older set void: both are committed.
+    memory.cut_power_after(size + 2);  // one byte makes the bank void, `size` fill it, one commits it
+    EXPECT_EQ(save(), saved);
+    memory.restore_power();
+    power_on();
+    EXPECT_EQ(values(), "3412 3412 3412 ");
+}
+
+TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
+    verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
+    set_values("3412");
+    write("603#2310100173617665");
+    memory.bytes()[40] ^= 0x01;
+    EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"}));
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+    EXPECT_EQ(send("603#4003100100000000"), (Frames{"583#4303100110610000"}));
+    EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
+}
+
+TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
+    verifies<req::AO4_STORE_005>();
+    set_values("3412");
+    write("603#2310100173617665");
+    write("603#2310100173617665");
+    const std::size_t size = bank_size();
+    const auto stored = memory.bytes();
+    for (const std::size_t offset : {magic_at, layout_at}) {
+        memory.bytes() = stored;
+        set_header(0, size, offset, 0x12345678);
+        set_header(size, size, offset, 0x12345678);
+        EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << offset;
+        EXPECT_EQ(values(), "0000 0000 0000 ") << offset;
+    }
+}
+
+TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
+    verifies<req::AO4_STORE_005>();
+    for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
+        std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
+        EXPECT_EQ(power_on(), (Frames{"703#00"})) << int{blank};
+        for (const std::size_t at : {0U, 5U, 13U}) {
+            std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
+            memory.bytes()[at] = 0x5A;
+            EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << int{blank} << ' ' << at;
+        }
+    }
+}
+
+TEST_F(Store, AMemoryThatKeepsNothingIsFoundOut) {
+    verifies<req::CO_STORE_005>();
+    FaultyMemory worn{1024};
+    worn.worn = true;
+    power_on_with(worn);
+    EXPECT_EQ(save(), hardware_error);
+}
+
+TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
+    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    EXPECT_EQ(faulty.commits, 1U);
+    set_values("2222");
+    faulty.fail_commit(1);
+    EXPECT_EQ(save(), hardware_error);
+    power_on_with(faulty);
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+}
+
+TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
+    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_commit(1);
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#8011100100000606"}));
+    power_on_with(faulty);
+    EXPECT_EQ(values(), "1111 1111 1111 ");
+    faulty.fail_commit(0);
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
+    EXPECT_EQ(faulty.commits, 1U);
+}
+
+TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
+    verifies<req::CO_STORE_005>();
+    host::Memory small{64};
+    EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
+    EXPECT_EQ(save(), hardware_error);
+    EXPECT_EQ(values(), "0000 0000 0000 ");
+}
+
+TEST_F(Store, AReadThatFailsAnywhereGivesTheStoredSetOrTheDefaultsAndIsNeverTakenForASave) {
+    verifies<req::CO_STORE_004, req::CO_STORE_005>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    EXPECT_EQ(save(), saved);
+    faulty.fail_read(0);
+    power_on_with(faulty);
+    const std::size_t reads = faulty.reads;
+    ASSERT_GT(reads, 10U);
+    for (std::size_t n = 1; n <= reads; ++n) {
+        faulty.fail_read(n);
+        power_on_with(faulty);
+        faulty.fail_read(0);
+        const std::string found = values();
+        const bool told = send("603#4001100000000000").at(0).substr(12, 2) == "01";
+        EXPECT_TRUE(told ? found == "0000 0000 0000 " : found == "1111 1111 1111 ") << n << ": " << found;
+    }
+    power_on_with(faulty);
+    faulty.fail_read(0);
+    write("603#2310100273617665");  // communication parameters anew, the others copied from the old bank
+    const std::size_t of_save = faulty.reads;
+    const auto sound = faulty.sound.bytes();
+    for (std::size_t n = 1; n <= of_save; ++n) {
+        faulty.sound.bytes() = sound;
+        power_on_with(faulty);
+        faulty.fail_read(n);
+        EXPECT_EQ(send("603#2310100273617665"), (Frames{"583#8010100200000606"})) << n;
+        faulty.fail_read(0);
+        power_on_with(faulty);
+        EXPECT_EQ(values(), "1111 1111 1111 ") << n;
+    }
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,284 @@
+// Transmit PDOs of types 0 to 240, 252 and 253 (CiA 301, 7.2.2, 7.5.2.37): SYNC and remote frames.
+#include "generated/canopen/requirements.hpp"
+#include "tests/conformance/tpdo_cases.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+// -- Types 0 to 240 ---------------------------------------------------------------------------------------------------
+
+TEST_F(Tpdo, Type0IsSentAtTheSyncAfterAChange) {
+    verifies<req::CO_PDO_013, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("00");
+    talk(*this, {
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"605#2F01200222000000", {"585#6001200200000000"}},
+                    {"080#", {"185#1122"}},
+                    {"080#", {}},
+                    {"605#2F01200222000000", {"585#6001200200000000"}},  // no change
+                    {"080#", {}},
+                    {"605#2F01200200000000", {"585#6001200200000000"}},
+                    {"080#", {"185#1100"}},
+                });
+}
+
+TEST_F(Tpdo, TypeNIsSentAtEachNthSync) {
+    verifies<req::CO_PDO_014, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("03");
+    talk(*this, {
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"080#", {}},
+                    {"080#", {"185#1100"}},
+                    {"080#", {}},
+                    {"080#", {}},
+                    {"080#", {"185#1100"}},
+                    {"080#", {}},
+                    {"000#8005", {}},
+                    {"080#", {}},
+                    {"000#0105", {}},  // counted anew
+                    {"080#", {}},
+                    {"080#", {}},
+                    {"080#", {"185#1100"}},
+                });
+}
+
+TEST_F(Tpdo, Type1And240AreTheEndsOfTheRange) {
+    verifies<req::CO_PDO_014>();
+    set_type("F0");
+    send("000#0105");
+    for (int sync = 1; sync <= 480; ++sync) {
+        const Frames expected = (sync % 240 == 0) ? Frames{"185#0000", "285#0000000000000000"}
+                                                  : Frames{"285#0000000000000000"};  // TPDO2 is of type 1
+        EXPECT_EQ(send("080#"), expected) << sync;
+    }
+}
+
+TEST_F(Tpdo, TheStartValueSaysWhichSyncIsTheFirst) {
+    verifies<req::CO_PDO_019, req::CO_SYNC_001>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2F1910000A000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 10
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180202000000", {"585#6000180200000000"}},  // each second SYNC
+                    {"605#2F00180604000000", {"585#6000180600000000"}},  // from counter 4 on
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"080#02", {}},
+                    {"080#03", {}},
+                    {"080#04", {}},  // the first
+                    {"080#05", {"185#0000"}},
+                    {"080#06", {}},
+                    {"080#07", {"185#0000"}},
+                    {"080#08", {}},
+                    {"080#09", {"185#0000"}},
+                    {"080#0A", {}},
+                    {"080#01", {"185#0000"}},
+                    {"000#8005", {}},
+                    {"000#0105", {}},
+                    {"080#05", {}},
+                    {"080#06", {}},
+                    {"080#07", {}},
+                    {"080#04", {}},
+                    {"080#05", {"185#0000"}},
+                });
+}
+
+TEST_F(Tpdo, WithoutAStartValueAnySyncIsTheFirst) {
+    verifies<req::CO_PDO_019, req::CO_PDO_014>();
+    send("605#2F1910000A000000");  // 1019h: counter 1 … 10
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
+    EXPECT_EQ(send("080#07"), (Frames{"285#0000000000000000"}));  // TPDO2 is of type 1
+    EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
+}
+
+TEST_F(Tpdo, WithoutACounterTheStartValueHasNoEffect) {
+    verifies<req::CO_PDO_019>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180201000000", {"585#6000180200000000"}},
+                    {"605#2F00180604000000", {"585#6000180600000000"}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"080#", {"185#0000"}},
+                    {"080#", {"185#0000"}},
+                });
+}
+
+TEST_F(Tpdo, AProducedSyncAndItsCounterWorkInTheNodeItself) {
+    verifies<req::CO_SYNC_005, req::CO_PDO_019>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2F19100003000000", {"585#6019100000000000"}},  // counter 1 … 3
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180203000000", {"585#6000180200000000"}},
+                    {"605#2F00180602000000", {"585#6000180600000000"}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"605#2306100010270000", {"585#6006100000000000"}},  // 10 ms
+                    {"605#2305100080000040", {"585#6005100000000000"}},
+                });
+    EXPECT_EQ(pass(70), (Frames{"10:080#01", "20:080#02", "30:080#03", "40:080#01", "40:185#0000", "50:080#02",
+                                "60:080#03", "70:080#01", "70:185#0000"}));
+}
+
+TEST_F(Tpdo, AProducedSyncWithoutACounterIsTheFirstWhateverTheStartValue) {
+    verifies<req::CO_SYNC_005, req::CO_PDO_019>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180201000000", {"585#6000180200000000"}},
+                    {"605#2F00180604000000", {"585#6000180600000000"}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"605#2306100010270000", {"585#6006100000000000"}},  // 10 ms
+                    {"605#2305100080000040", {"585#6005100000000000"}},
+                });
+    EXPECT_EQ(pass(20), (Frames{"10:080#", "10:185#0000", "20:080#", "20:185#0000"}));
+}
+
+TEST_F(Tpdo, AnEventTimerSendsNoSynchronousPdo) {
+    verifies<req::CO_PDO_014, req::CO_PDO_013>();
+    send("000#0105");
+    EXPECT_EQ(send("605#2B01180564000000"), (Frames{"585#6001180500000000"}));  // TPDO2, type 1: 100 ms
+    EXPECT_TRUE(pass(1000).empty());
+    EXPECT_EQ(send("080#"), (Frames{"285#0000000000000000"}));
+}
+
+TEST_F(Tpdo, ASyncOfWrongLengthTriggersNothing) {
+    verifies<req::CO_SYNC_002>();
+    start();
+    EXPECT_EQ(send("080#01"), (Frames{"085#4082110100000000"}));  // 8240h
+    EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
+}
+
+TEST_F(Tpdo, AtASyncTpdosTakeTheirValuesBeforeRpdosSetTheirs) {
+    verifies<req::CO_PDO_029>();
+    silence_tpdo2();
+    // 2207h in RPDO3 and in TPDO3, both of type 1
+    map_tpdo3({"20000722"});
+    talk(*this, {
+                    {"605#2F02180201000000", {"585#6002180200000000"}},
+                    {"605#2302160120000722", {"585#6002160100000000"}},
+                    {"605#2F02160001000000", {"585#6002160000000000"}},
+                    {"605#2F02140201000000", {"585#6002140200000000"}},
+                    {"605#2302140105040000", {"585#6002140100000000"}},
+                    {"000#0105", {"185#0000"}},
+                    {"405#11223344", {}},
+                    {"080#", {"385#00000000"}},
+                    {"080#", {"385#11223344"}},
+                });
+}
+
+// -- Requests ---------------------------------------------------------------------------------------------------------
+
+TEST_F(Tpdo, Type253IsSentOnRequestAlone) {
+    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("FD");
+    send("605#2B0018050A000000");  // no event timer in this type
+    talk(*this, {
+                    {"000#0105", {}},
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"080#", {}},
+                    {"185#R2", {"185#1100"}},
+                    {"185#R0", {"185#1100"}},
+                    {"605#2F01200122000000", {"585#6001200100000000"}},
+                    {"185#R8", {"185#2200"}},
+                });
+    EXPECT_TRUE(pass(100).empty());
+}
+
+TEST_F(Tpdo, Type252IsSentAtNoSync) {
+    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("FC");
+    send("000#0105");
+    for (int syncs = 0; syncs < 300; ++syncs) {  // 252 of them, and more
+        EXPECT_TRUE(send("080#").empty()) << syncs;
+    }
+}
+
+TEST_F(Tpdo, Type252GivesTheValuesOfTheLastSync) {
+    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    silence_tpdo2();
+    set_type("FC");
+    talk(*this, {
+                    {"000#0105", {}},
+                    {"185#R2", {}},  // no SYNC yet
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"080#", {}},
+                    {"605#2F01200122000000", {"585#6001200100000000"}},
+                    {"185#R2", {"185#1100"}},
+                    {"185#R2", {"185#1100"}},
+                    {"080#", {}},
+                    {"185#R2", {"185#2200"}},
+                    {"000#8005", {}},
+                    {"000#0105", {}},
+                    {"185#R2", {}},
+                });
+}
+
+TEST_F(Tpdo, SynchronousTypesAnswerWithTheValuesOfTheLastSync) {
+    verifies<req::CO_PDO_016>();
+    silence_tpdo2();
+    for (const char* type : {"00", "05"}) {
+        power_on();
+        silence_tpdo2();
+        set_type(type);
+        talk(*this, {
+                        {"000#0105", {}},
+                        {"080#", {}},
+                        {"605#2F01200111000000", {"585#6001200100000000"}},
+                        {"185#R2", {"185#0000"}},
+                    });
+    }
+}
+
+TEST_F(Tpdo, EventDrivenTypesAnswerAfterTheInhibitTime) {
+    verifies<req::CO_PDO_016>();
+    start();
+    EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
+    send("000#8005");
+    set_inhibit_time("6400");  // 10 ms
+    start();
+    EXPECT_TRUE(send("185#R2").empty());
+    EXPECT_EQ(pass(30), (Frames{"10:185#0000"}));
+    EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
+}
+
+TEST_F(Tpdo, Bit30ForbidsRequests) {
+    verifies<req::CO_PDO_016>();
+    silence_tpdo2();
+    for (const char* type : {"FE", "FD", "FC", "01", "00"}) {
+        power_on();
+        silence_tpdo2();
+        set_type(type);
+        send("605#2300180185010040");
+        send("000#0105");
+        send("080#");
+        EXPECT_TRUE(send("185#R2").empty()) << type;
+        EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));
+        send("080#");
+        EXPECT_EQ(send("185#R2"), (Frames{"185#0000"})) << type;
+    }
+}
+
+TEST_F(Tpdo, OnlyItsElevenBitIdentifierAsksForIt) {
+    verifies<req::CO_PDO_016, req::CO_PDO_006, req::CO_FRAME_001>();
+    start();
+    talk(*this, {
+                    {"00000185#R2", {}},
+                    {"184#R2", {}},
+                    {"385#R2", {}},  // TPDO3 is not valid
+                    {"185#1122", {}},
+                });
+}
+
+}  // namespace canproof::test

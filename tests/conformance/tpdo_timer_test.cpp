@@ -1,0 +1,164 @@
+// Transmit PDOs and time (CiA 301, 7.5.2.37): inhibit time, event timer, a device without other events.
+#include "generated/canopen/requirements.hpp"
+#include "tests/conformance/tpdo_cases.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+// -- A device whose only event is the event timer (AX130751, 3.2.15) --------------------------------------------------
+
+namespace {
+
+/// The TPDO service alone, on the dictionary of the slave.
+class TimeDriven : public Tpdo {
+  protected:
+    void begin() {
+        service.reset();
+        service.start(now);
+        service.advance(now);
+    }
+    TransmitQueue own_queue;
+    SizedPdoMemory<0, max_pdos, max_pdo_lines> pdo_memory;
+    TransmitPdos service{pdo_memory.memory().sent, pdo_memory.memory().sent_lines, device->objects(), own_queue,
+                         TpdoTrigger::event_timer};
+};
+
+}  // namespace
+
+TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
+    verifies<req::CO_PDO_018>();
+    begin();
+    EXPECT_TRUE(own_queue.empty());
+    EXPECT_EQ(service.next_deadline(), never);
+    device->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+}
+
+TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
+    verifies<req::CO_PDO_018, req::CO_PDO_017>();
+    device->objects().write(0x1800, 5, 100);  // ms
+    begin();
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
+    device->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());  // a change is no event
+    now = now + milliseconds(100);
+    service.advance(now);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
+    Frame request = data_frame(0x185, 2);
+    request.remote = true;
+    service.answer(request, now);
+    service.advance(now);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
+}
+
+TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
+    verifies<req::CO_PDO_018, req::CO_PDO_013>();
+    // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
+    device->objects().write(0x1801, 2, 0);
+    device->objects().write(0x1A01, 0, 1);
+    device->objects().write(0x1A01, 1, 0x20010108);
+    begin();
+    device->objects().write(0x2001, 1, 0x11);
+    service.value_changed(0x2001, 1, now);
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+    service.sync(0);
+    EXPECT_EQ(host::format_frame(own_queue.pop()), "285#11");
+    service.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+}
+
+TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
+    verifies<req::CO_PDO_017>();
+    device->objects().write(0x1800, 5, 5);   // 5 ms
+    device->objects().write(0x1800, 3, 80);  // 8 ms
+    begin();
+    EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
+}
+
+TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
+    verifies<req::CO_PDO_027>();
+    TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
+    unused.start(now);  // before reset() no TPDO is known
+    unused.sync(0);
+    unused.value_changed(0x2001, 1, now);
+    unused.advance(now);
+    EXPECT_TRUE(own_queue.empty());
+    EXPECT_EQ(unused.next_deadline(), never);
+}
+
+TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
+    verifies<req::CO_PDO_017>();
+    set_inhibit_time("6400");  // 100 * 100 us = 10 ms
+    start();
+    talk(*this, {
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"605#2F01200122000000", {"585#6001200100000000"}},
+                });
+    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values of then, once
+    EXPECT_EQ(send("605#2F01200133000000"), (Frames{"185#3300", "585#6001200100000000"}));
+    pass(9);
+    EXPECT_EQ(send("605#2F01200144000000"), (Frames{"585#6001200100000000"}));
+    EXPECT_EQ(pass(5), (Frames{"1:185#4400"}));
+}
+
+TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
+    verifies<req::CO_PDO_017, req::CO_PDO_018>();
+    set_inhibit_time("6400");  // 10 ms
+    start();
+    EXPECT_TRUE(send("000#8005").empty());
+    EXPECT_TRUE(pass(4).empty());
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
+}
+
+TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
+    verifies<req::CO_PDO_017>();
+    send("605#2B00180519000000");  // 25 ms
+    start();
+    EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
+    // an event begins the interval anew
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#1100", "585#6001200100000000"}));
+    EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
+}
+
+TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
+    verifies<req::CO_PDO_017>();
+    send("605#2B0018050A000000");  // 10 ms
+    start();
+    now = now + milliseconds(13);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"185#0000"}));
+    EXPECT_EQ(pass(10), (Frames{"7:185#0000"}));
+    pass(7);
+    now = now + milliseconds(100);  // what was missed is not made up for
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"185#0000"}));
+    device->advance(now);
+    EXPECT_TRUE(sent().empty());
+}
+
+TEST_F(Tpdo, TheInhibitTimeOutlastsAShorterEventTimer) {
+    verifies<req::CO_PDO_017>();
+    send("605#2B00180505000000");  // 5 ms
+    set_inhibit_time("5000");      // 8 ms
+    start();
+    EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
+}
+
+TEST_F(Tpdo, ANewEventTimerRunsFromItsWrite) {
+    verifies<req::CO_PDO_025>();
+    start();
+    EXPECT_TRUE(pass(100).empty());
+    EXPECT_EQ(send("605#2B0018050A000000"), (Frames{"585#6000180500000000"}));
+    EXPECT_EQ(pass(15), (Frames{"10:185#0000"}));
+    EXPECT_EQ(send("605#2B00180500000000"), (Frames{"585#6000180500000000"}));
+    EXPECT_TRUE(pass(100).empty());
+}
+
+}  // namespace canproof::test

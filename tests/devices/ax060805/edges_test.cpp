@@ -1,0 +1,123 @@
+// The constants of the AX060805 at their edges, on both sides and nearer than one in a thousand, by what the device
+// does.
+#include "generated/ax060805/requirements.hpp"
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// Every sample passes as it is, angles are Euler angles in thousandths of a degree.
+class InclinometerEdges : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        switch_filter_off();
+        use_euler_angles();
+        angle_digits(1000);
+    }
+    std::uint32_t merit_at(double x, double y, double z) {
+        feel(x, y, z);
+        pass(5);
+        return read(0x4020);
+    }
+    /// The X axis that many degrees from the vertical, the rest of it along Y.
+    std::uint32_t merit_beside_the_vertical(double degrees) {
+        turn(90.0 - degrees, 90.0);
+        pass(5);
+        return read(0x4020);
+    }
+    std::uint32_t merit_when_warm(float degrees) {
+        inputs.sensor_temperature = degrees;
+        set_inputs();
+        pass(5);
+        return read(0x4020);
+    }
+};
+
+}  // namespace
+
+TEST_F(InclinometerEdges, GimbalLockBeginsOneDegreeFromTheVertical) {
+    verifies<req::INC_K_GIMBAL_LOCK, req::INC_FOM_001, req::INC_INSTALL_005>();
+    EXPECT_EQ(merit_beside_the_vertical(0.9995), 1U);
+    EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022");
+    EXPECT_EQ(merit_beside_the_vertical(1.0005), 0U);
+    EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
+}
+
+TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
+    verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008>();
+    turn(60.0, 40.0);
+    pass(5);
+    // sin 0.00005 degrees is 8.7266e-7
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees, beyond what 16 bits show
+    angle_digits(100);
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the last roll
+    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // that of the formula
+}
+
+TEST_F(InclinometerEdges, WeightEndsBelowATenthOfG) {
+    verifies<req::INC_K_LEAST_GRAVITY, req::INC_ANGLE_011>();
+    EXPECT_EQ(merit_at(0.0, 0.0, -0.10005), 0U);
+    EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
+    EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
+    EXPECT_EQ(roll(), -32768);  // -90 degrees
+    EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
+    EXPECT_EQ(roll(), -32768);  // of the last direction
+}
+
+TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {
+    verifies<req::INC_K_SENSOR_RANGE, req::INC_ERR_006>();
+    for (const double sign : {1.0, -1.0}) {
+        EXPECT_EQ(merit_at(16.0 * sign, 1.0, -1.0), 0U);
+        EXPECT_EQ(merit_at(16.001 * sign, 1.0, -1.0), 2U);
+        EXPECT_EQ(merit_at(1.0, 16.0 * sign, -1.0), 0U);
+        EXPECT_EQ(merit_at(1.0, 16.001 * sign, -1.0), 2U);
+        EXPECT_EQ(merit_at(1.0, 1.0, 16.0 * sign), 0U);
+        EXPECT_EQ(merit_at(1.0, 1.0, 16.001 * sign), 2U);
+    }
+}
+
+TEST_F(InclinometerEdges, SensorIsTrustedFromMinus40To125Degrees) {
+    verifies<req::INC_K_TEMPERATURE_LOW, req::INC_K_TEMPERATURE_HIGH, req::INC_ERR_005>();
+    EXPECT_EQ(merit_when_warm(125.0F), 0U);
+    EXPECT_EQ(read(0x1001), 0U);
+    EXPECT_EQ(merit_when_warm(125.01F), 1U);
+    EXPECT_EQ(read(0x1003, 1), 0x4200U);
+    EXPECT_EQ(merit_when_warm(-40.0F), 0U);
+    EXPECT_EQ(read(0x1001), 0U);
+    EXPECT_EQ(merit_when_warm(-40.01F), 1U);
+    EXPECT_EQ(read(0x1003, 1), 0x4200U);
+}
+
+TEST_F(InclinometerEdges, SampleComesEachFiveMillisecondsToTheMicrosecond) {
+    verifies<req::INC_K_SAMPLE_PERIOD, req::INC_FILTER_001>();
+    pass(5);
+    const Instant sampled = now;
+    acceleration_digits(1000);
+    feel(0.5, 0.0, -1.0);
+    now = Instant{sampled.us + 4999};
+    device->advance(now);
+    EXPECT_EQ(accelerations()[0], 0);
+    now = Instant{sampled.us + 5000};
+    device->advance(now);
+    EXPECT_EQ(accelerations()[0], 500);
+}
+
+TEST_F(InclinometerEdges, SupplyAndProcessorTemperatureAreShownUpToTheEndsOfTheirRanges) {
+    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
+    const auto shown = [this](float supply, float temperature) {
+        inputs.supply_voltage = supply;
+        inputs.processor_temperature = temperature;
+        set_inputs();
+        pass(5);
+        return std::pair{real(0x5020), real(0x5030)};
+    };
+    EXPECT_EQ(shown(70.0F, 150.0F), (std::pair{70.0F, 150.0F}));
+    EXPECT_EQ(shown(70.01F, 150.01F), (std::pair{70.0F, 150.0F}));
+    EXPECT_EQ(shown(0.0F, -50.0F), (std::pair{0.0F, -50.0F}));
+    EXPECT_EQ(shown(-0.01F, -50.01F), (std::pair{0.0F, -50.0F}));
+}
+
+}  // namespace canproof::test

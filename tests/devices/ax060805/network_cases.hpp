@@ -1,0 +1,14 @@
+// What the tests of the AX060805 on its network share, node 127.
+#pragma once
+
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+
+namespace canproof::test {
+
+class Network : public InclinometerTest {
+  protected:
+    void store_all() { write(0x1010, 1, 0x65766173, 4); }
+    void configure_lss() { send("7E5#0401"); }
+};
+
+}  // namespace canproof::test

@@ -1,0 +1,26 @@
+// An output of a type on the bench, as the tests of the universal outputs need it (AX130751, 1.2, 1.3).
+#pragma once
+
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+
+namespace canproof::test {
+
+class Ax130751Output : public Ax130751Blocks {
+  protected:
+    /// Output 1 of a type, without ramps, its profile also outside (2342h = 0).
+    void make(int type) {
+        set16(0x6310, 1, type);
+        no_ramps(1);
+        set8(0x2342, 1, 0);
+        pass(1);
+    }
+    /// Input enable or override of output 1: number 3 + n of the CANopen messages, read as digital.
+    void connect(std::uint16_t source_index, int number) {
+        extra_as_percent(number);
+        set8(source_index, 1, canopen);
+        set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
+        pass(1);
+    }
+};
+
+}  // namespace canproof::test

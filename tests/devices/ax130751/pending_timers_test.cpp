@@ -1,0 +1,204 @@
+// What waits in an AX130751 - delays of the relay, blinking, ramps - and each event that can end it, keep it, force its
+// outcome or begin it anew (1.2, 1.3, 1.4). Cycles run each millisecond and see what was written before.
+#include <functional>
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751Pending : public Ax130751Blocks {
+  protected:
+    static constexpr int never_changes = -1;
+
+    /// An event while a change of the relay waits, what the relay is then, and how long it is until it changes:
+    /// milliseconds after the end of the event.
+    struct Case {
+        std::string name;
+        std::function<void()> begins;
+        bool meanwhile;
+        std::function<void()> ends;
+        int changes_after;
+    };
+
+    void SetUp() override {
+        Ax130751Blocks::SetUp();
+        for (int number = 1; number <= 3; ++number) {
+            extra_as_percent(number);
+        }
+    }
+    void command_relay(int state) { set8(0x6220, 3, state); }
+    void temperature(float celsius) {
+        inputs.cpu_temperature = celsius;
+        set_inputs();
+    }
+    /// Enable from 2500h:1, override from 2500h:2. Neither acts.
+    void connect_relay() {
+        set8(0x2280, 1, canopen);
+        set8(0x2281, 1, 4);
+        set8(0x2282, 1, 4);  // enabled when ON, else kept
+        set16(0x2500, 1, 100);
+        set8(0x2290, 1, canopen);
+        set8(0x2291, 1, 5);
+        set8(0x22A0, 1, 1);
+        set32(0x22A1, 1, 30);
+        set32(0x22A2, 1, 20);
+        pass(1);
+    }
+    /// The relay rests at `rest`; the opposite is wanted for ten milliseconds before the event, which lasts six.
+    void expect(const Case& one, bool rest) {
+        one.begins();
+        pass(1);
+        EXPECT_EQ(relay_on(), one.meanwhile) << one.name;
+        pass(4);
+        EXPECT_EQ(relay_on(), one.meanwhile) << one.name;
+        one.ends();
+        pass(1);
+        const int wait = one.changes_after == never_changes ? 200 : one.changes_after;
+        if (one.changes_after != 0) {
+            pass(static_cast<std::uint64_t>(wait - 1));
+            EXPECT_EQ(relay_on(), rest) << one.name;
+            pass(1);
+        }
+        EXPECT_EQ(relay_on(), one.changes_after == never_changes ? rest : !rest) << one.name;
+    }
+};
+
+}  // namespace
+
+TEST_F(Ax130751Pending, DelayOfOnAndEachEvent) {
+    verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_015, req::AOR_RELAY_009>();
+    const auto nothing = [] {};
+    const std::vector<Case> cases{
+        // 30 ms were asked for; 10 have gone when the event begins, 16 when it has ended.
+        {"nothing happens", nothing, false, nothing, 30 - 16},
+        {"the wish goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 30},
+        {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 30},
+        {"override ON",
+         [&] {
+             set8(0x2293, 1, 1);
+             set16(0x2500, 2, 100);
+         },
+         true, [&] { set16(0x2500, 2, 0); }, 0},
+        {"disabled, kept", [&] { set16(0x2500, 1, 0); }, false, [&] { set16(0x2500, 1, 100); }, 30},
+        {"disabled, OFF",
+         [&] {
+             set8(0x2282, 1, 0);
+             set16(0x2500, 1, 0);
+         },
+         false, [&] { set16(0x2500, 1, 100); }, 30},
+        {"shutdown", [&] { temperature(90.0F); }, false, [&] { temperature(20.0F); }, 30},
+        {"no control", [&] { set8(0x2260, 1, not_used); }, false, [&] { set8(0x2260, 1, canopen); }, 30},
+        {"pre-operational", [&] { send("000#807F"); }, false, [&] { start(); }, 30},
+        {"reset communication", [&] { send("000#827F"); }, false, [&] { start(); }, 30},
+        {"inverse polarity", [&] { set8(0x2242, 1, 2); }, false, [&] { set8(0x2242, 1, 1); }, 30},
+        {"a longer delay", [&] { set32(0x22A1, 1, 90); }, false, nothing, 90 - 16},
+        {"a delay that is over", [&] { set32(0x22A1, 1, 5); }, true, nothing, 0},
+        {"the other delay", [&] { set32(0x22A2, 1, 5); }, false, nothing, 30 - 16},
+        {"no delays", [&] { set8(0x22A0, 1, 0); }, true, nothing, 0},
+        {"delays off and on", [&] { set8(0x22A0, 1, 0); }, true, [&] { set8(0x22A0, 1, 1); }, 0},
+        {"reset node", [&] { send("000#817F"); }, false, [&] { start(); }, never_changes},
+    };
+    for (const Case& one : cases) {
+        SetUp();
+        connect_relay();
+        command_relay(1);
+        pass(1);  // this cycle sees it
+        pass(10);
+        ASSERT_FALSE(relay_on()) << one.name;
+        expect(one, false);
+    }
+}
+
+TEST_F(Ax130751Pending, DelayOfOffAndEachEvent) {
+    verifies<req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015>();
+    const auto nothing = [] {};
+    const std::vector<Case> cases{
+        // 20 ms were asked for.
+        {"nothing happens", nothing, true, nothing, 20 - 16},
+        {"the wish goes away", [&] { command_relay(1); }, true, [&] { command_relay(0); }, 20},
+        {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 0},
+        {"override ON",
+         [&] {
+             set8(0x2293, 1, 1);
+             set16(0x2500, 2, 100);
+         },
+         true, [&] { set16(0x2500, 2, 0); }, 20},
+        {"disabled, kept", [&] { set16(0x2500, 1, 0); }, true, [&] { set16(0x2500, 1, 100); }, 20},
+        {"shutdown", [&] { temperature(90.0F); }, false, [&] { temperature(20.0F); }, 0},
+        {"pre-operational", [&] { send("000#807F"); }, false, [&] { start(); }, 0},
+        {"a longer delay", [&] { set32(0x22A2, 1, 90); }, true, nothing, 90 - 16},
+        {"a delay that is over", [&] { set32(0x22A2, 1, 5); }, false, nothing, 0},
+        {"the other delay", [&] { set32(0x22A1, 1, 5); }, true, nothing, 20 - 16},
+        {"no delays", [&] { set8(0x22A0, 1, 0); }, false, nothing, 0},
+        {"reset node", [&] { send("000#817F"); }, false, [&] { start(); }, 0},
+    };
+    for (const Case& one : cases) {
+        SetUp();
+        connect_relay();
+        set32(0x22A1, 1, 0);
+        command_relay(1);
+        pass(1);
+        command_relay(0);
+        pass(1);  // this cycle sees it
+        pass(10);
+        ASSERT_TRUE(relay_on()) << one.name;
+        expect(one, true);
+    }
+}
+
+TEST_F(Ax130751Pending, BlinkingOfTheRelayAndEachEvent) {
+    verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
+    const auto nothing = [] {};
+    const std::vector<Case> cases{
+        // 40 ms in each state; what begins anew begins with ON.
+        {"nothing happens", nothing, true, nothing, 40 - 16},
+        {"the control goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 40},
+        {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 40},
+        {"override ON",
+         [&] {
+             set8(0x2293, 1, 1);
+             set16(0x2500, 2, 100);
+         },
+         true, [&] { set16(0x2500, 2, 0); }, 40},
+        {"disabled, kept", [&] { set16(0x2500, 1, 0); }, true, [&] { set16(0x2500, 1, 100); }, 40},
+        {"shutdown", [&] { temperature(90.0F); }, false, [&] { temperature(20.0F); }, 40},
+        {"pre-operational", [&] { send("000#807F"); }, false, [&] { start(); }, 40},
+        {"reset communication", [&] { send("000#827F"); }, false, [&] { start(); }, 40},
+        {"another polarity", [&] { set8(0x2242, 1, 1); }, true, [&] { set8(0x2242, 1, 5); }, 40},
+        {"a slower rate", [&] { set16(0x2250, 1, 90); }, true, nothing, 90 - 16},
+        {"no rate", [&] { set16(0x2250, 1, 0); }, true, nothing, never_changes},
+    };
+    for (const Case& one : cases) {
+        SetUp();
+        connect_relay();
+        set8(0x22A0, 1, 0);
+        set16(0x2250, 1, 40);
+        set8(0x2242, 1, 5);
+        command_relay(1);
+        pass(1);  // this cycle sees it
+        pass(10);
+        ASSERT_TRUE(relay_on()) << one.name;
+        expect(one, true);
+    }
+}
+
+TEST_F(Ax130751Pending, ARelayThatIsResetDoesNotChangeLater) {
+    verifies<req::AOR_OUT_026>();
+    connect_relay();
+    command_relay(1);
+    pass(10);
+    send("000#817F");
+    pass(1);
+    start();
+    pass(200);
+    EXPECT_FALSE(relay_on());
+    command_relay(1);
+    pass(1);
+    EXPECT_TRUE(relay_on()) << "no delay as shipped, and none is left over";
+}
+
+}  // namespace canproof::test

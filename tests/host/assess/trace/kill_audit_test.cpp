@@ -1,0 +1,170 @@
+// reports/kills.csv: which tests notice a mutant of what they claim, and what the audit says when a test is gone or
+// changed.
+#include "host/assess/trace/kill_audit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/assess/mutation/function_lines.hpp"
+#include "host/assess/trace/kill_record.hpp"
+#include "host/base/input_error.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string source = R"(// Tests.
+TEST_F(Relay, Closes) {
+    verifies<req::A>();
+    EXPECT_EQ(state(), "{");  // on
+}
+TEST_P(Relay, OpensAtEach) {
+    EXPECT_TRUE(open(1'000));
+}
+RC_GTEST_PROP(RelayLaw, Holds, (const int value)) {
+    RC_ASSERT(value == value);
+}
+)";
+
+class Kills : public testing::Test {
+  protected:
+    Kills() : root_{std::filesystem::temp_directory_path() / ("canproof-kills-" + std::to_string(getpid()))} {
+        std::filesystem::create_directories(root_ / "tests");
+        write(source);
+        for (const char* test : {"Relay.Closes", "All/Relay.OpensAtEach/0", "RelayLaw.Holds"}) {
+            evidence_.runs.push_back({test, "tests/relay_test.cpp", true, true});
+            record_[test] = {hash(test), {}, {}};
+        }
+        claim("A", "Relay.Closes");
+        claim("B", "All/Relay.OpensAtEach/0");
+        claim("C", "RelayLaw.Holds");
+        record_["Relay.Closes"].kills = {"A"};
+        record_["RelayLaw.Holds"].without_mutants = {"C"};
+    }
+    ~Kills() override { std::filesystem::remove_all(root_); }
+
+    void write(const std::string& text) const { std::ofstream{root_ / "tests" / "relay_test.cpp"} << text; }
+    std::string hash(const std::string& test) const { return TestBodies{root_}.hash("tests/relay_test.cpp", test); }
+    void claim(const std::string& id, const std::string& test) {
+        evidence_.verdicts[id].push_back({test, "test", true, 0.0, "tests/relay_test.cpp"});
+    }
+    KillAudit audit() const { return audit_kills({"A", "B", "C"}, evidence_, record_, root_); }
+    static std::string edited(const std::string& from, const std::string& to) {
+        std::string text = source;
+        return text.replace(text.find(from), from.size(), to);
+    }
+
+    std::filesystem::path root_;
+    Evidence evidence_;
+    KillRecord record_;
+};
+
+}  // namespace
+
+TEST_F(Kills, AnItemIsShownByATestThatNoticesAMutantOfIt) {
+    const KillAudit found = audit();
+    EXPECT_EQ(found.shown, 1U);
+    EXPECT_THAT(found.unnoticed, ElementsAre("B"));
+    EXPECT_THAT(found.immutable, ElementsAre("C"));
+    EXPECT_THAT(found.idle, ElementsAre("All/Relay.OpensAtEach/0", "RelayLaw.Holds"));
+    EXPECT_THAT(found.unjudged, IsEmpty());
+    EXPECT_THAT(found.regressions, IsEmpty());
+}
+
+TEST_F(Kills, ATestThatIsGoneIsARegression) {
+    evidence_.runs.erase(evidence_.runs.begin());
+    evidence_.verdicts.erase("A");
+    const KillAudit found = audit();
+    EXPECT_EQ(found.shown, 0U);
+    EXPECT_THAT(found.regressions, ElementsAre("A: Relay.Closes noticed a mutant of it, and no test does as it is now",
+                                               "Relay.Closes: gone; it noticed mutants of A"));
+}
+
+TEST_F(Kills, AnotherTestOfTheItemDoesNotHideTheOneThatIsGone) {
+    evidence_.runs.erase(evidence_.runs.begin());
+    evidence_.verdicts.erase("A");
+    claim("A", "RelayLaw.Holds");
+    record_["RelayLaw.Holds"].kills = {"A"};
+    const KillAudit found = audit();
+    EXPECT_EQ(found.shown, 1U);
+    EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: gone; it noticed mutants of A"));
+}
+
+TEST_F(Kills, ATestWithoutItsAssertionsShowsNothing) {
+    write(edited("EXPECT_EQ(state(), \"{\");", ""));
+    const KillAudit found = audit();
+    EXPECT_EQ(found.shown, 0U);
+    EXPECT_THAT(found.changed, ElementsAre("Relay.Closes"));
+    EXPECT_THAT(found.unjudged, ElementsAre("A"));
+    EXPECT_THAT(found.regressions,
+                ElementsAre("A: Relay.Closes noticed a mutant of it, and no test does as it is now"));
+}
+
+TEST_F(Kills, ANewTestWaitsToBeJudged) {
+    evidence_.runs.push_back({"Relay.IsNew", "tests/relay_test.cpp", true, true});
+    evidence_.verdicts.erase("B");
+    claim("B", "Relay.IsNew");
+    const KillAudit found = audit();
+    EXPECT_THAT(found.never, ElementsAre("Relay.IsNew"));
+    EXPECT_THAT(found.unjudged, ElementsAre("B"));
+    EXPECT_THAT(kill_summary(found), HasSubstr("of 1 item(s) a test notices one, of 0 none does, 1 have none, 1 wait"));
+}
+
+TEST_F(Kills, CommentsAndLayoutDoNotChangeABody) {
+    const std::string before = hash("Relay.Closes");
+    EXPECT_EQ(before.size(), 16U);
+    write(edited("// on", "// closed") + "TEST(Other, Test) {}\n");
+    EXPECT_EQ(hash("Relay.Closes"), before);
+    write(edited("EXPECT_EQ(state(), \"{\");", "EXPECT_EQ(\n        state(),  \"{\");"));
+    EXPECT_EQ(hash("Relay.Closes"), before);
+    write(edited("\"{\"", "\" {\""));
+    EXPECT_NE(hash("Relay.Closes"), before);
+}
+
+TEST_F(Kills, EachTestHasItsOwnBody) {
+    const std::string law = hash("RelayLaw.Holds");
+    write(edited("1'000", "1'001"));
+    EXPECT_NE(hash("All/Relay.OpensAtEach/0"), record_["All/Relay.OpensAtEach/0"].body);
+    EXPECT_EQ(hash("RelayLaw.Holds"), law);
+    EXPECT_EQ(hash("Relay.Missing"), "");
+    EXPECT_EQ(TestBodies{root_}.hash("tests/none.cpp", "Relay.Closes"), "");
+}
+
+TEST_F(Kills, TheRecordIsReadBack) {
+    record_["Relay.Closes"].kills = {"A", "B"};
+    const std::string text = write_kill_record(record_);
+    EXPECT_THAT(text, HasSubstr("\nRelay.Closes," + record_["Relay.Closes"].body + ",A B,\n"));
+    std::ofstream{root_ / "kills.csv"} << text;
+    const KillRecord read = read_kill_record(root_ / "kills.csv");
+    EXPECT_EQ(write_kill_record(read), text);
+    EXPECT_THAT(read.at("RelayLaw.Holds").without_mutants, ElementsAre("C"));
+    EXPECT_TRUE(read_kill_record(root_ / "none.csv").empty());
+    std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants\nRelay.Closes\n";
+    EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
+}
+
+TEST(FunctionBelowALink, EndsWithItsBlock) {
+    const std::vector<std::string> lines{"static_assert(implements<req::A> &&",
+                                         "              implements<req::B>);",
+                                         "static_assert(implements<req::C>);",
+                                         "int f() noexcept {  // {",
+                                         "    if (g()) {",
+                                         "    }",
+                                         "}",
+                                         "int h() {}"};
+    const std::pair<std::size_t, std::size_t> f{4, 7};
+    EXPECT_EQ(function_below(lines, 1), f);
+    EXPECT_EQ(function_below(lines, 2), f);
+    EXPECT_EQ(function_below(lines, 3), f);
+    EXPECT_EQ(function_below({"static_assert(implements<req::A>);"}, 1), (std::pair<std::size_t, std::size_t>{0, 0}));
+}
+
+}  // namespace canproof::host::test

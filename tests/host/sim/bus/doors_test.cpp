@@ -1,0 +1,55 @@
+// Doors of the in-process bus: what they hold back, and when nothing of theirs is left.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "tests/host/sim/bus/bus_bench.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::SizeIs;
+
+}  // namespace
+
+TEST(Door, IsSendingUntilItsFrameIsThrough_AlsoWhileItWaitsToBeRepeated) {
+    std::size_t repeated = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        BusFaultRates faults;
+        faults.corrupted = 0.5;
+        faults.seed = seed;
+        ArbitratedBus bus{"inproc", 125000, faults};
+        PlainNode node{"node"};
+        bus.attach(node);
+        Gateway door{"door", 4, {}};
+        bus.attach_gateway(door);
+        EXPECT_FALSE(bus.is_sending(door));
+        ASSERT_TRUE(door.put(parse_frame("123#", "test")));
+        bus.advance(Instant{0});
+        while (node.heard.empty()) {
+            EXPECT_TRUE(bus.is_sending(door)) << bus.next_deadline().us;
+            bus.advance(bus.next_deadline());
+        }
+        EXPECT_FALSE(bus.is_sending(door));
+        repeated += bus.report(Instant{100000}).errors;
+    }
+    EXPECT_GT(repeated, 0U);
+}
+
+TEST(Door, TakesAsManyFramesAsItHoldsAndMoreWhenOneHasLeft) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    PlainNode node{"node"};
+    bus.attach(node);
+    Gateway door{"door", 2, {}};
+    bus.attach_gateway(door);
+    EXPECT_TRUE(door.put(parse_frame("123#", "test")));
+    EXPECT_TRUE(door.put(parse_frame("124#", "test")));
+    EXPECT_FALSE(door.put(parse_frame("125#", "test")));
+    bus.advance(Instant{0});
+    EXPECT_TRUE(door.put(parse_frame("125#", "test")));
+    run_until(bus, Instant{0}, Instant{10000});
+    EXPECT_THAT(node.heard, SizeIs(3));
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,68 @@
+"""The files of the firmware that get mutants, and the list of all mutants as C++."""
+import glob
+import json
+import os
+
+LIST = """// Written by tests/mutation/code/schemata.py: the mutants of the firmware.
+#include <iterator>
+
+#include "host/codegen/alteration.hpp"
+
+namespace canproof::mutants {{
+unsigned chosen = 0U;
+unsigned char* told = nullptr;
+}}  // namespace canproof::mutants
+
+namespace canproof::host {{
+
+namespace {{
+
+// {{file, function and line, change, address, size, number}}
+const Alteration all[] = {{
+{lines}}};
+
+}}  // namespace
+
+Alterations generated_alterations() {{
+    return {{all, std::size(all)}};
+}}
+
+}}  // namespace canproof::host
+"""
+
+
+def firmware_files(source):
+    """The sources and headers of the firmware: what all devices share, then that of each device."""
+    src = os.path.join(source, "src")
+    roots = [os.path.join(src, "firmware"), *sorted(glob.glob(os.path.join(src, "devices", "*", "firmware")))]
+    return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
+            if file.endswith((".cpp", ".hpp"))]
+
+
+def number_text(text, first):
+    """The text with NUMBER[n] as numbers of the program, from `first` on."""
+    parts = text.split("NUMBER[")
+    out = [parts[0]]
+    for part in parts[1:]:
+        digits, rest = part.split("]", 1)
+        out.append(f"{first + int(digits)}U{rest}")
+    return "".join(out)
+
+
+def write_changed(path, text):
+    """Leaves a file alone that holds this already: nothing is compiled anew."""
+    if os.path.exists(path) and open(path, encoding="utf-8").read() == text:
+        return
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as out:
+        out.write(text)
+
+
+def lines_of(name, mutants, first):
+    """The lines of the list for one file, whose first mutant has the number `first`."""
+    lines = []
+    for number, (line, function, original, mutated) in enumerate(mutants, first):
+        cell = json.dumps(f"{function}, line {line}")
+        change = json.dumps(f"{original} -> {mutated}", ensure_ascii=False)
+        lines.append(f"    {{{json.dumps(name)}, {cell}, {change}, &mutants::chosen, sizeof(unsigned), {number}U}},\n")
+    return lines

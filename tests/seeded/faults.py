@@ -1,0 +1,113 @@
+"""Reads the seeded faults, tests/seeded/*.patch, applies them to a copy of the tree and takes them back."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FOLDER = ROOT / "tests" / "seeded"
+# What no build of the test programs reads.
+LEFT_OUT = {"build", ".git", "out", "__pycache__"}
+
+
+class Wrong(Exception):
+    """A patch that is not as it should be: its text says how."""
+
+
+def layers():
+    """The names that a patch may begin with: the shared firmware, the host's buses, and each device."""
+    devices = sorted(folder.parent.name for folder in (ROOT / "src" / "devices").glob("*/firmware"))
+    return ["canopen", *devices, "bus"]
+
+
+class Fault:
+    """One patch: `layer`, `kind`, and `says`, the sentence on its first line."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path).resolve()
+        self.name = self.path.stem
+        lines = self.path.read_text(encoding="utf-8").splitlines()
+        found = [layer for layer in layers() if self.name.startswith(layer + "-")]
+        if not found:
+            raise Wrong(f"{self.name}: name it LAYER-what-is-wrong.patch; layers: {', '.join(layers())}")
+        if len(lines) < 4 or not re.fullmatch(r"[A-Z].*\.", lines[0]):
+            raise Wrong(f"{self.name}: line 1 is one sentence that says what is wrong")
+        kind = re.fullmatch(r"Kind: ([a-z][a-z -]*)", lines[1])
+        if not kind:
+            raise Wrong(f"{self.name}: line 2 is \"Kind: \" and the kind of fault, such as reset or timer")
+        if lines[2] or not re.match(r"(diff --git a/|--- a/)", lines[3]):
+            raise Wrong(f"{self.name}: line 3 is empty, and the unified diff follows, from the root, with a/ and b/")
+        self.layer = found[0]
+        self.kind = kind[1]
+        self.says = lines[0]
+        self.files = [line[6:] for line in lines if line.startswith("+++ b/")]
+        outside = [file for file in self.files if not file.startswith("src/")]
+        if outside or not self.files:
+            raise Wrong(f"{self.name}: a fault is one of src/, not of {', '.join(outside) or 'nothing'}")
+
+    def patch(self, tree, *options):
+        """Runs patch(1); context must fit word for word, lines may have moved."""
+        return subprocess.run(["patch", "-s", "-f", "-F0", "-p1", "-r", "-", *options, "-d", str(tree), "-i", str(self.path)],
+                              capture_output=True, text=True, check=False)
+
+    def apply(self, tree):
+        done = self.patch(tree)
+        if done.returncode != 0:
+            raise Wrong(f"{self.name} does not apply; write it anew: {done.stdout.strip()}")
+
+    def revert(self, tree):
+        done = self.patch(tree, "-R")
+        if done.returncode != 0:
+            raise Wrong(f"{self.name} cannot be taken back: {done.stdout.strip()}")
+
+    def check(self, tree):
+        """Looks whether it applies, without writing."""
+        done = self.patch(tree, "--dry-run")
+        if done.returncode != 0:
+            raise Wrong(f"{self.name} does not apply; write it anew: {done.stdout.strip()}")
+
+
+def all_patches():
+    return sorted(FOLDER.glob("*.patch"))
+
+
+def read_faults(paths):
+    """The faults, or one exception that names every wrong patch."""
+    faults, wrong = [], []
+    for path in paths:
+        try:
+            faults.append(Fault(path))
+        except (Wrong, OSError, UnicodeDecodeError) as error:
+            wrong.append(str(error))
+    if wrong:
+        raise Wrong("\n".join(wrong))
+    return faults
+
+
+def files_below(folder):
+    found = set()
+    for place, folders, files in os.walk(folder):
+        folders[:] = [name for name in folders if name not in LEFT_OUT]
+        found.update(os.path.relpath(os.path.join(place, name), folder) for name in files)
+    return found
+
+
+def same(one, other):
+    try:
+        return one.stat().st_size == other.stat().st_size and one.read_bytes() == other.read_bytes()
+    except FileNotFoundError:
+        return False
+
+
+def copy_tree(tree):
+    """Makes `tree` the same as the project. A file that is the same stays as it is: what it made need not be built again."""
+    tree.mkdir(parents=True, exist_ok=True)
+    wanted = files_below(ROOT)
+    for name in files_below(tree) - wanted:
+        (tree / name).unlink()
+    for name in wanted:
+        if not same(ROOT / name, tree / name):
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            (tree / name).unlink(missing_ok=True)
+            shutil.copy(ROOT / name, tree / name)  # written now, so newer than what an earlier run built
