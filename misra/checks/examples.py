@@ -1,7 +1,7 @@
 """Proof of the checkers on each rule's examples."""
 import tempfile
 
-from .rules import HOME, ROOT, named
+from .rules import HOME, named
 from .tools import find
 
 

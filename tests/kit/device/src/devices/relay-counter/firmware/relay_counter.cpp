@@ -15,7 +15,7 @@ namespace {
 namespace own = generated::relay_counter;
 namespace field = generated::relay_counter::field;
 
-constexpr std::uint8_t relay_count = 2U;
+constexpr std::uint32_t relay_count = 2U;
 
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
@@ -77,9 +77,7 @@ AbortCode Device::before_write(const EntryRef&, const ByteView) {
     return AbortCode::none;
 }
 
-void Device::after_write(const EntryRef&, const Instant) {
-    show_state();
-}
+void Device::after_write(const EntryRef&, const Instant) {}
 
 void Device::put_factory_values(const ParameterGroup) {}
 
