@@ -88,7 +88,7 @@ TEST_F(CbxPending, SelfStartAndEachEvent) {
 }
 
 TEST_F(CbxPending, InhibitTimeOfEmergencyMessagesAndEachEvent) {
-    verifies<req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_012, req::AO4_OD_1015>();
+    verifies<req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;
         std::function<Frames()> happens;  ///< 40 ms after the first of two messages, 100 ms apart
