@@ -141,7 +141,8 @@ TEST(PendingTimer, EventTimerOfATpdo) {
 TEST(PendingTimer, InhibitTimeOfATpdo) {
     verifies<req::CO_PDO_017, req::CO_PDO_018, req::CO_PDO_027>();
     const std::string change = "605#2F01200122000000";
-    expect({"605#2B001803E8030000", "000#0105", "605#2F01200111000000"},  // 1000 * 100 us
+    expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us
+            "000#0105", "605#2F01200111000000"},
            {
                {"nothing", {}, {"60:185#1100"}},
                {"another change", {change}, {"60:185#2200"}},
