@@ -2,6 +2,8 @@
 // or renew it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/slave_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -141,7 +143,8 @@ TEST(PendingTimer, EventTimerOfATpdo) {
 TEST(PendingTimer, InhibitTimeOfATpdo) {
     verifies<req::CO_PDO_017, req::CO_PDO_018, req::CO_PDO_027>();
     const std::string change = "605#2F01200122000000";
-    expect({"605#2B001803E8030000", "000#0105", "605#2F01200111000000"},  // 1000 * 100 us
+    expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us
+            "000#0105", "605#2F01200111000000"},
            {
                {"nothing", {}, {"60:185#1100"}},
                {"another change", {change}, {"60:185#2200"}},
@@ -153,6 +156,35 @@ TEST(PendingTimer, InhibitTimeOfATpdo) {
                {"switched off", {"605#2300180185010080"}, {}},
                {"reset communication and start", {"000#8205", "000#0105", change}, {}},
            });
+}
+
+TEST(PendingTimer, CountOfSyncsOfATpdo) {
+    verifies<req::CO_PDO_014>();
+    const std::vector<Case> cases{
+        {"nothing", {}, {"1"}},
+        {"start", {"000#0105"}, {"1"}},
+        {"pre-operational and start", {"000#8005", "000#0105"}, {"3"}},
+        {"another type and back", {"605#2F00180202000000", "605#2F00180203000000"}, {"3"}},
+        {"reset communication, type and start", {"000#8205", "605#2F00180203000000", "000#0105"}, {"3"}},
+    };
+    for (const Case& one : cases) {
+        SlaveBench bench;
+        for (const char* frame :
+             {"605#2F00180203000000", "000#0105", "080#", "080#"}) {  // each third SYNC, two are gone
+            bench.send(frame);
+        }
+        for (const std::string& frame : one.event) {
+            bench.send(frame);
+        }
+        int syncs = 1;
+        for (Frames said = bench.send("080#"); syncs < 9; said = bench.send("080#")) {
+            if (std::find(said.begin(), said.end(), "185#0000") != said.end()) {
+                break;
+            }
+            ++syncs;
+        }
+        EXPECT_EQ(Frames{std::to_string(syncs)}, one.later) << one.name;
+    }
 }
 
 }  // namespace canproof::test
