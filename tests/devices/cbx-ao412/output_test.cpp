@@ -282,4 +282,14 @@ TEST_F(Output, AResetDuringAFailurePutsTheStoredCalibrationInForce) {
     expect_steps(1, 1024);
 }
 
+TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
+    verifies<req::AO4_AOUT_010>();
+    set(2, "0020");                 // 2000h = 8192: 1024 steps
+    write("603#2310100173617665");  // with 6443h = 1 and 6444h = 0
+    inputs.hardware_fault = true;
+    set_inputs();
+    send("000#8103");
+    expect_steps(2, 0);
+}
+
 }  // namespace canproof::test
