@@ -292,4 +292,17 @@ TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
     expect_steps(2, 0);
 }
 
+TEST_F(OutputInError, AnInternalFailureOutlastsACommunicationError) {
+    verifies<req::AO4_AOUT_006>();
+    write("603#23161001C8003100");
+    inputs.internal_fault = true;
+    set_inputs();
+    send("731#05");
+    pass(300);  // the producer is silent
+    send("731#05");
+    write("603#2B11640100100000");
+    write("603#2B11640300100000");
+    expect_error_outputs();
+}
+
 }  // namespace canproof::test
