@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -12,11 +11,10 @@
 #include <thread>
 
 #include "host/assess/mutation/code_mutation.hpp"
-#include "host/assess/mutation/function_lines.hpp"
+#include "host/assess/mutation/implementing_mutants.hpp"
 #include "host/assess/mutation/test_server.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
-#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
@@ -25,7 +23,7 @@ namespace {
 /// Mutants of one item, spread over all, that a test is tried with before the others.
 constexpr std::size_t first_tries = 24;
 /// Of processor time, for one test and one item.
-constexpr double most_seconds = 10.0;
+constexpr double most_seconds = 3.0;
 
 using Numbers = std::vector<std::size_t>;
 
@@ -42,59 +40,6 @@ struct Task {
     bool is_property{false};
     std::set<std::string> claims;
 };
-
-std::vector<std::string> lines_of(const std::filesystem::path& file) {
-    std::ifstream in{file};
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    check_read(in, file.string());
-    return lines;
-}
-
-/// The mutants of code in the functions that implement each item.
-std::map<std::string, Numbers> code_by_item(const std::filesystem::path& root, const Evidence& evidence,
-                                            const std::vector<AlteredCell>& mutants) {
-    std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> by_file;  // line, number
-    for (const AlteredCell& mutant : mutants) {
-        const auto at = mutant.cell.rfind(", line ");
-        by_file[mutant.item].push_back({std::stoul(mutant.cell.substr(at + 7)), mutant.number});
-    }
-    std::map<std::string, std::vector<std::string>> sources;
-    std::map<std::string, Numbers> code;
-    for (const auto& [id, places] : evidence.implemented) {
-        std::set<std::size_t> numbers;
-        for (const auto& place : places) {
-            const std::string file = place.substr(0, place.rfind(':'));
-            if (by_file.count(file) == 0) {
-                continue;
-            }
-            if (sources.count(file) == 0) {
-                sources[file] = lines_of(root / file);
-            }
-            const auto [first, last] = function_below(sources[file], std::stoul(place.substr(place.rfind(':') + 1)));
-            for (const auto& [line, number] : by_file[file]) {
-                if (line >= first && line <= last) {
-                    numbers.insert(number);
-                }
-            }
-        }
-        code[id].assign(numbers.begin(), numbers.end());
-    }
-    return code;
-}
-
-/// What the shared requirement that does an item for a device is shown by, shows the item as well.
-void follow_delegation(const Register& content, std::map<std::string, Numbers>& code) {
-    for (const auto& part : content.parts) {
-        for (const auto& requirement : part.requirements) {
-            if (!requirement.by.empty() && code[requirement.id].empty()) {
-                code[requirement.id] = code[requirement.by];
-            }
-        }
-    }
-}
 
 /// All of them, first some that are spread over all.
 Numbers spread(const Numbers& all) {
@@ -253,8 +198,7 @@ KillRecord record_kills(const KillSetup& setup, const Register& content, KillRec
     for (const AlteredCell& cell : read_cells(setup.programs / "canproof_tests")) {
         mutants.cells[cell.item].push_back(cell.number);
     }
-    mutants.code = code_by_item(setup.root, evidence, read_cells(setup.programs / "code_mutants"));
-    follow_delegation(content, mutants.code);
+    mutants.code = implementing_mutants(setup.root, content, evidence, read_cells(setup.programs / "code_mutants"));
     std::map<std::string, ToldTest> told;
     for (ToldTest& test :
          read_told(told_by(setup.programs / "code_mutants", setup.programs / "verdicts" / "code_mutants"))) {
