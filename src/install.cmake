@@ -27,7 +27,7 @@ install(DIRECTORY tests/support DESTINATION ${home}/tests)
 install(FILES tests/bench/frame_cost_main.cpp DESTINATION ${home}/tests/bench)
 install(FILES tests/mutation/main.cpp DESTINATION ${home}/tests/mutation)
 install(DIRECTORY tests/mutation/code DESTINATION ${home}/tests/mutation USE_SOURCE_PERMISSIONS
-        FILES_MATCHING PATTERN CMakeLists.txt PATTERN mutant.hpp PATTERN schemata.py PATTERN told.cpp PATTERN example EXCLUDE)
+        FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.py PATTERN *.hpp PATTERN *.cpp PATTERN example EXCLUDE)
 install(PROGRAMS tests/coverage DESTINATION ${home}/tests)
 install(FILES properties/CMakeLists.txt DESTINATION ${home}/properties)
 install(DIRECTORY properties/support DESTINATION ${home}/properties)

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "firmware/base/bytes.hpp"
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/object_types.hpp"
 
 namespace canproof::fuzz {
 
@@ -26,6 +28,25 @@ inline Frame any_frame(unsigned how, const std::uint8_t* data) {
     frame.remote = (how & 0x80U) != 0;
     frame.extended = (how & 0x40U) != 0;
     return frame;
+}
+
+/// An expedited write to any entry, of the right length, so that values matter and not addresses.
+inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uint32_t node_id,
+                                        const std::uint8_t* data) {
+    const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;
+    const EntryRow& entry = tables.entries[chosen];
+    for (const ObjectRow& object : tables.objects) {
+        const bool holds = chosen >= object.first_entry && chosen < std::size_t{object.first_entry} + object.count;
+        if (holds && entry.size >= 1 && entry.size <= 4) {
+            Frame write = data_frame(0x600U + node_id, 8);
+            write.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - entry.size) << 2U));
+            write_le(MutableBytes{write.data}, 1, 2, object.index);
+            write.data[3] = entry.subindex;
+            std::copy_n(data + 2, entry.size, write.data.begin() + 4);
+            return write;
+        }
+    }
+    return std::nullopt;
 }
 
 /// The duration in a record of kind C: up to 10 s.

@@ -20,6 +20,7 @@
 #include "firmware/canopen/transmit_queue.hpp"
 #include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
+#include "fuzz/support/entries.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
 #include "fuzz/support/own_identifiers.hpp"
@@ -71,7 +72,7 @@ class DeviceWorld {
         const std::uint8_t* const data = record + 2;
         switch (record[0] & 0x0FU) {
             case 4:
-                return entry_write(data);
+                return entry_write(device_->objects().tables(), node(), data);
             case 5:
                 return frame_of(0x7E5, how, data);
             case 6:
@@ -217,24 +218,6 @@ class DeviceWorld {
         frame.remote = true;
         return frame;
     }
-    /// An expedited write of the right length, so that values matter and not addresses.
-    std::optional<Frame> entry_write(const std::uint8_t* data) const {
-        const DictionaryTables& tables = device_->objects().tables();
-        const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;
-        const EntryRow& entry = tables.entries[chosen];
-        for (const ObjectRow& object : tables.objects) {
-            const bool holds = chosen >= object.first_entry && chosen < std::size_t{object.first_entry} + object.count;
-            if (holds && entry.size >= 1 && entry.size <= 4) {
-                Frame write = data_frame(0x600U + node(), 8);
-                write.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - entry.size) << 2U));
-                write_le(MutableBytes{write.data}, 1, 2, object.index);
-                write.data[3] = entry.subindex;
-                std::copy_n(data + 2, entry.size, write.data.begin() + 4);
-                return write;
-            }
-        }
-        return std::nullopt;
-    }
 
     void set_input(unsigned which, const std::uint8_t* data) {
         unsigned count = 0;
@@ -298,14 +281,6 @@ class DeviceWorld {
         return digest.value();
     }
 
-    template <typename Visit>
-    static void for_each_entry(const ObjectDictionary& objects, const Visit& visit) {
-        for (const ObjectRow& object : objects.tables().objects) {
-            for (std::size_t i = 0; i < object.count; ++i) {
-                visit(EntryRef{&objects.tables().entries[object.first_entry + i], object.index});
-            }
-        }
-    }
     /// Whether the values are others than those in `seen`, which takes them then.
     bool differs_from(Image& seen) const {
         const ByteView image = device_->objects().image();

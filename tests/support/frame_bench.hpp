@@ -32,7 +32,8 @@ class FrameBench {
         bench_watch.ends(Work::frame, text.c_str());
         return sent();
     }
-    /// Lets time pass; every deadline on the way is kept, and what is due gets done. Frames as `milliseconds:frame`, counted from the call.
+    /// Lets time pass; every deadline on the way is kept, and what is due gets done. Frames as `milliseconds:frame`,
+    /// counted from the call.
     Frames pass(std::uint64_t ms) {
         const Instant start = now;
         const Instant end = now + milliseconds(ms);

@@ -5,7 +5,8 @@
 
 namespace canproof::test {
 
-/// From its register here (slave/slave.cpp), from its generated tables on the microcontroller (src/target/tests/slave.cpp).
+/// From its register here (slave/slave.cpp), from its generated tables on the microcontroller
+/// (src/target/tests/slave.cpp).
 const host::GenericDescription& slave();
 
 }  // namespace canproof::test

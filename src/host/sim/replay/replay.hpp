@@ -39,8 +39,8 @@ constexpr Duration longest_silence = milliseconds(3600000);
 /// Otherwise they are written when the device makes them.
 ///
 /// Writes the device's frames to `frames_out`, changes of outputs as `seconds,signal,value` to `outputs_out` when
-/// given. Throws InputError for a signal that the device does not have, StuckDevice for a device that does not do what is
-/// due.
+/// given. Throws InputError for a signal that the device does not have, StuckDevice for a device that does not do what
+/// is due.
 void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out);
 
 }  // namespace canproof::host
