@@ -14,6 +14,8 @@ DISABLED = [re.compile(pattern) for pattern in (
     rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=(?!=)[^;]*;$",         # an assignment
     rf"(?:\+\+|--){PLACE};$", rf"{PLACE}(?:\+\+|--);$",
     r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;]*\)(?:\.\w+\([^;]*\))*;$",  # a call
+    r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;)]*[,(]$",                     # … whose arguments go on in the next line
+    rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=$", rf"{TYPE}\s+\w+ =$",
     rf"{TYPE}\s+\w+(?:\s*=[^;]*|\{{[^;]*\}}|\([^;]*\)[^;]*|\[[^;]*\])?;$",  # a declaration
     r"(?:const|constexpr|static) [^;]*[\w)}\]];$",
     r"(?:using|typedef|friend|template)\b[^;]*[\w>)];$",
