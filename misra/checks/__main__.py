@@ -50,8 +50,8 @@ def check(build, output):
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
     prove_rules(rules, generated, faults)
     progress.step("proving them on violations seeded into copies of the firmware")
+    seeds, unseen = prove_on_firmware(rules, generated, faults)
     units, headers = scope(generated)
-    seeds, unseen = prove_on_firmware(rules, units, generated, faults)
     progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen, {unseen} unseen)")
     with tempfile.TemporaryDirectory() as graphs:
         found = find(rules, units, headers, generated, graphs, faults)
