@@ -62,7 +62,6 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 
 void Device::advance(const Instant now) noexcept {
     node_.advance(now);
-    show_state();
 }
 
 Instant Device::next_deadline() const noexcept {
@@ -82,8 +81,7 @@ void Device::after_write(const EntryRef&, const Instant) {}
 void Device::put_factory_values(const ParameterGroup) {}
 
 void Device::restart(const Instant) {
-    counter_.restart(inputs_.count_input);
-    show_count();
+    counter_.restart(inputs_.count_input);  // 2010h has its default, 0
 }
 
 void Device::booted(const Instant now) {
