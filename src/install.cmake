@@ -27,7 +27,7 @@ install(DIRECTORY tests/support DESTINATION ${home}/tests)
 install(FILES tests/bench/frame_cost_main.cpp DESTINATION ${home}/tests/bench)
 install(FILES tests/mutation/main.cpp DESTINATION ${home}/tests/mutation)
 install(DIRECTORY tests/mutation/code DESTINATION ${home}/tests/mutation USE_SOURCE_PERMISSIONS
-        FILES_MATCHING PATTERN CMakeLists.txt PATTERN mutant.hpp PATTERN schemata.py PATTERN told.cpp PATTERN example EXCLUDE)
+        FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.py PATTERN *.hpp PATTERN *.cpp PATTERN example EXCLUDE)
 install(PROGRAMS tests/coverage DESTINATION ${home}/tests)
 install(FILES properties/CMakeLists.txt DESTINATION ${home}/properties)
 install(DIRECTORY properties/support DESTINATION ${home}/properties)
@@ -45,7 +45,8 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "CANopen devices from requirements: progra
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What ./run and ./test of a new device need; what mutate, coverage, misra, fuzz and target need beyond it is recommended.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++, cmake (>= 3.25), ninja-build, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libcli11-dev, libfmt-dev, libssl-dev, libsocketcan-dev, libgtest-dev, libgmock-dev, librapidcheck-dev")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-19, libclang-rt-19-dev, ccache, googletest, gcc-arm-none-eabi, libstdc++-arm-none-eabi-newlib, qemu-system-arm")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-19, libclang-rt-19-dev, llvm-19, python3, python3-clang-19, clang-tidy-19, clang-tools-19, cppcheck, ccache, googletest, gcc-arm-none-eabi, libnewlib-arm-none-eabi, libstdc++-arm-none-eabi-newlib, qemu-system-arm")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 include(CPack)

@@ -20,6 +20,7 @@
 #include "firmware/canopen/transmit_queue.hpp"
 #include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
+#include "fuzz/support/entries.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
 #include "fuzz/support/own_identifiers.hpp"
@@ -280,14 +281,6 @@ class DeviceWorld {
         return digest.value();
     }
 
-    template <typename Visit>
-    static void for_each_entry(const ObjectDictionary& objects, const Visit& visit) {
-        for (const ObjectRow& object : objects.tables().objects) {
-            for (std::size_t i = 0; i < object.count; ++i) {
-                visit(EntryRef{&objects.tables().entries[object.first_entry + i], object.index});
-            }
-        }
-    }
     /// Whether the values are others than those in `seen`, which takes them then.
     bool differs_from(Image& seen) const {
         const ByteView image = device_->objects().image();

@@ -15,10 +15,11 @@ import time
 
 from .cache import drop_unused
 from .callgraph import check_call_graph
-from .examples import prove_on_firmware, prove_rules
+from .examples import prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
 from .reports import Outcome, lead, write_all
 from .rules import HOME, ROOT, Faults, Rules, firmware_files, named, short_path
+from .seeds import prove_on_firmware
 from .structure import archives, check_layers, check_symbols
 from .tools import TOOLS, compile_each, find
 
@@ -49,9 +50,9 @@ def check(build, output):
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
     prove_rules(rules, generated, faults)
     progress.step("proving them on violations seeded into copies of the firmware")
+    seeds, unseen = prove_on_firmware(rules, generated, faults)
     units, headers = scope(generated)
-    seeds = prove_on_firmware(rules, units, generated, faults)
-    progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen)")
+    progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen, {unseen} unseen)")
     with tempfile.TemporaryDirectory() as graphs:
         found = find(rules, units, headers, generated, graphs, faults)
         progress.step("call graph, stack, symbols, layers")

@@ -1,4 +1,5 @@
-"""What the compiler sees only one translation unit at a time: 6.2.1 and 6.2.3 (one definition, one place) and 6.9.1 (one alias).
+"""What the compiler sees only one translation unit at a time: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias),
+6.4.2 (hidden functions) and the part of 13.3.3 for overrides.
 
 A scanner of declarations by their braces, for code as clang-format leaves it."""
 import re
@@ -22,6 +23,7 @@ class Item(NamedTuple):
     path: str
     line: int
     text: str
+    names: tuple = ()  # of the parameters; None for one without
 
 
 def closing(code, at):
@@ -54,6 +56,13 @@ def spelled_type(parameter):
     return re.sub(r"\s+", " ", re.sub(r"\s*([&*<>,])\s*", r"\1", text)).strip()
 
 
+def name_of(parameter):
+    """The parameter's own name, or None."""
+    text = re.sub(r"\s*=.*$|\[\[\w+\]\]", "", parameter, flags=re.DOTALL).strip()
+    match = re.search(r"(?:[\w>&*]\s+|[&*])(\w+)$", text)
+    return match[1] if match and not re.fullmatch(r"(?:const\s+)?[\w:]+", text) else None
+
+
 class Scanner:
     def __init__(self, path, text):
         self.path = path
@@ -80,10 +89,11 @@ class Scanner:
             return
         inside = clean[match.end() : stop]
         parameters = tuple(spelled_type(part) for part in split_at_commas(inside))
+        names = tuple(name_of(part) for part in split_at_commas(inside))
         qualifier = " const" if re.match(r"\)\s*const\b", clean[stop:]) else ""
         result = re.sub(r"\b(?:constexpr|inline|static|virtual|explicit|friend|noexcept)\b|\[\[[^\]]*\]\]", "", match["result"])
         name = scope + re.sub(r"\s+", "", match["name"]) + qualifier
-        self.items.append(Item(name, parameters, spelled_type(result), defined, self.path, self.line(at), self.code[at:end]))
+        self.items.append(Item(name, parameters, spelled_type(result), defined, self.path, self.line(at), self.code[at:end], names))
 
     def scan(self, start=0, stop=None, scope="", in_class=False):
         stop = len(self.code) if stop is None else stop
@@ -171,3 +181,58 @@ def same_aliases(texts):
             for spelled, item in definitions.items():
                 if spelled not in others:
                     yield Finding("6.9.1", item.path, item.line)
+
+
+BASES = re.compile(r"\b(?:class|struct)\s+(?P<name>\w+)\s*(?:final\b\s*)?:(?!:)(?P<bases>[^{};]+)\{")
+
+
+def bases_of(code):
+    """By class, the simple names of its bases and the names that its `using` declarations take over from them."""
+    for match in BASES.finditer(code):
+        bases = [re.sub(r"<.*|\b(?:public|private|protected|virtual)\b|\s", "", part, flags=re.DOTALL).split("::")[-1]
+                 for part in split_at_commas(match["bases"])]
+        body = code[match.end() : closing(code, match.end() - 1)]
+        yield match["name"], bases, set(re.findall(r"\busing\s+(?:\w+(?:<[^;]*>)?::)+(\w+)\s*;", body))
+
+
+def overriding(item):
+    return re.search(r"\b(?:override|final)\b", item.text) is not None
+
+
+def hidden_and_renamed(texts):
+    """Members that hide a function of a base (6.4.2), and overrides that name a parameter otherwise than the base (13.3.3)."""
+    methods, bases, used = {}, {}, {}
+    for path, text in sorted(texts.items()):
+        scanner = Scanner(path, text)
+        for item in scanner.scan():
+            parts = item.name.split("::")
+            if item.parameters is not None and len(parts) > 1 and not re.match(r"~|operator", parts[-1]) and parts[-1] != parts[-2]:
+                name, _, qualifier = parts[-1].partition(" ")
+                methods.setdefault("::".join(parts[:-1]), {}).setdefault(name, []).append((item, (item.parameters, qualifier)))
+        for name, named, taken in bases_of(scanner.code):
+            bases.setdefault((path, name), set()).update(named)
+            used.setdefault((path, name), set()).update(taken)
+    for (path, name), named in bases.items():
+        for scope in [scope for scope in methods if scope.split("::")[-1] == name]:
+            own = {method: [one for one in items if one[0].path == path] for method, items in methods[scope].items()}
+            for method, others in inherited_by(scope, named, methods, bases):
+                virtual = {spelled for item, spelled in others if re.search(r"\bvirtual\b", item.text) or overriding(item)}
+                for item, spelled in own.get(method, []):
+                    if spelled not in virtual and not overriding(item) and method not in used[path, name]:
+                        yield Finding("6.4.2", item.path, item.line)
+                    for other, same in others:
+                        if same == spelled and any(one and two and one != two for one, two in zip(item.names, other.names)):
+                            yield Finding("13.3.3", item.path, item.line)
+
+
+def inherited_by(scope, named, methods, bases, seen=()):
+    """Names and declarations of the functions of the bases: those of the nearest scope with such a class."""
+    for base in named - set(seen):
+        around = scope.split("::")[:-1]
+        places = [place for place in methods if place.split("::")[-1] == base]
+        places.sort(key=lambda place: -len([1 for one, two in zip(place.split("::"), around) if one == two]))
+        for place in places[:1]:
+            yield from methods[place].items()
+        for (_, name), further in bases.items():
+            if name == base:
+                yield from inherited_by(scope, further, methods, bases, (*seen, base))

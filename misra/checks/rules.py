@@ -9,6 +9,7 @@ from typing import NamedTuple
 HERE = pathlib.Path(__file__).resolve().parent.parent
 HOME = HERE.parent  # canproof: the checkers, and the firmware that all devices share; tools run here
 ROOT = pathlib.Path(os.environ.get("CANPROOF_ROOT") or HOME).resolve()  # the project that is checked
+NO_GCC = "_without_gcc"  # ends the name of a copy with seeds that g++ refuses without exceptions and run-time types
 
 
 def records_of(name):
@@ -39,13 +40,14 @@ class Rules:
 
     def __init__(self):
         self.folders = {folder.name: folder for folder in sorted((HERE / "rules").iterdir()) if folder.is_dir()}
-        self.checks = {}  # pattern of a check's name → rules
+        self.checks = {}  # pattern of a check's name → rules, each with the text that a finding must hold
         self.patterns = []  # (rule, compiled, whether comments and literals count)
         self.matchers = ["set output diag", "set bind-root false"]
         self.scopes = set()  # rules whose matcher says what a person must review
         for rule, folder in self.folders.items():
-            for check in self._lines(folder / "rule.checks"):
-                self.checks.setdefault(check, set()).add(rule)
+            for line in self._lines(folder / "rule.checks"):
+                check, _, text = line.partition(" ")
+                self.checks.setdefault(check, {})[rule] = text
             for pattern in self._lines(folder / "rule.pattern"):
                 raw = pattern.startswith("raw ")
                 self.patterns.append((rule, re.compile(pattern.removeprefix("raw "), re.MULTILINE), raw))
@@ -58,11 +60,15 @@ class Rules:
     def _lines(path):
         return [line for line in path.read_text().splitlines() if line] if path.exists() else []
 
-    def of_check(self, name):
-        return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern) for rule in rules}
+    def of_check(self, name, text):
+        """The rules that a check reports for what it said."""
+        return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern)
+                for rule, part in rules.items() if part in text}
 
     def concerns(self, tool, path):
         """Whether checks of this tool look at a file: at an example only those of its own rule, for others may break it."""
+        if tool == "gcc-" and pathlib.Path(path).stem.endswith(NO_GCC):
+            return False
         folder = (HOME / path).parent
         if folder.parent != HERE / "rules":
             return True
@@ -80,10 +86,15 @@ class Faults(list):
             self.append(text)
 
 
+TOKENS = re.compile(
+    r"(?P<number>(?<![\w.])\.?\d(?:[eEpP][+-]|'?[\w.])*)|(?P<comment>//(?:\\\n|[^\n])*|/\*.*?\*/)|"
+    r"(?P<raw>(?<!\w)(?:u8|[uUL])?R\"(?P<mark>[^()\\\s\"]{0,16})\(.*?\)(?P=mark)\")|"
+    r"(?P<literal>\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)+')", re.DOTALL)
+
+
 def without_comments_and_literals(text):
     """Same length and lines, with comments and the insides of literals blank."""
-    whole = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\'', re.DOTALL)
-    return whole.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+    return TOKENS.sub(lambda token: token.group() if token["number"] else re.sub(r"[^\n]", " ", token.group()), text)
 
 
 def short_path(path, generated):

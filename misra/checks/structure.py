@@ -11,14 +11,13 @@ LAYERS = {
     "base": ("firmware/base/",),
     "canopen": ("firmware/base/", "firmware/canopen/", "generated/"),
     "blocks": ("firmware/base/", "firmware/blocks/", "generated/"),
-    "axiomatic": ("firmware/base/", "firmware/canopen/", "firmware/blocks/", "firmware/axiomatic/", "generated/"),
 }
 
 
 def may_include(path, name):
     """Whether a firmware file may include a header; both are named from the folder of sources.
 
-    The arrows: base <- canopen, blocks <- axiomatic <- the devices. A device knows no other device and nothing outside the
+    The arrows: base <- canopen, blocks <- the devices. A device knows no other device and nothing outside the
     firmware. Blocks know no object dictionary and no device. In a device's folder the files that carry the device's name
     are the device; every other file there is a block of it."""
     parts = path.split("/")

@@ -5,8 +5,9 @@ import pathlib
 import re
 
 from .cache import run_cached
-from .definitions import one_definition, same_aliases
+from .definitions import hidden_and_renamed, one_definition, same_aliases
 from .rules import HOME, ROOT, Finding, short_path, without_comments_and_literals
+from .scans import scan
 
 LANGUAGE = ["-std=c++17", "-Isrc"]
 CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic"]
@@ -28,7 +29,8 @@ def query(rules, files, generated, scratch, faults):
     status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *language(files), f"-I{generated}"],
                                 files, generated, script="\n".join(rules.matchers) + "\n", scratch=scratch)
     if status != 0:
-        faults.add("clang-query-19 failed:\n" + output[-2000:])
+        wrong = re.findall(r"^\d+:\d+: .*$", output, re.MULTILINE)  # in a matcher
+        faults.add("clang-query-19 failed:\n" + "\n".join(wrong or [output[-2000:]]))
     for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
         faults.add("under clang-query: " + error)
     for path, line, rule in re.findall(r'^([^\s:]+):(\d+):\d+: note: "([\d.]+)" binds here$', output, re.MULTILINE):
@@ -42,7 +44,7 @@ def named_findings(rules, output, prefix, generated, faults):
         if "clang-diagnostic-error" in names:
             faults.add(f"does not compile: {path}:{line}: {text}")
         for name in names.split(","):
-            for rule in rules.of_check(prefix + name):
+            for rule in rules.of_check(prefix + name, text):
                 yield Finding(rule, short_path(HOME / path, generated), int(line))
 
 
@@ -90,6 +92,7 @@ def search(rules, files, generated):
     for path in files:
         text = (HOME / path).read_text()
         code = without_comments_and_literals(text)
+        yield from scan(short_path(HOME / path, generated), text)
         header = str(path).endswith(".hpp")
         for rule, pattern, raw in rules.patterns:
             if "header" in pattern.groupindex and not header:
@@ -103,7 +106,7 @@ def find(rules, units, headers, generated, graphs, faults, progress=lambda done,
     """All findings in the units, in what they include, and (by text) in the headers."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
     texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
-    found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts)}
+    found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}
     work = [(tool, chunk) for chunk in chunks for tool in (query, tidy)]
     work += [(cppcheck, [path for path in chunk if rules.concerns("cppcheck-", path)]) for chunk in chunks]
     work += [(compile_with_gcc, [path for path in chunk if rules.concerns("gcc-", path)]) for chunk in chunks]

@@ -123,6 +123,11 @@ RC_GTEST_PROP(AcceptanceLaw, NodeHearsWhatItsDictionaryNamesAndNothingElse, ()) 
         twin.node.receive(parse_frame(any_setting(), "law"), Instant{1000});
         twin.collect();
     }
+    const auto entry = *rc::gen::element<std::string>("001401", "011401", "001801", "011801");
+    const auto rest = *rc::gen::element<std::string>("85010100", "85010000");
+    twin.node.receive(parse_frame("605#23" + entry + "850100A0", "law"), Instant{1000});  // not valid: it may change
+    twin.node.receive(parse_frame("605#23" + entry + rest.substr(0, 6) + "20", "law"), Instant{1000});
+    twin.collect();
     const std::set<Identifier> heard = heard_identifiers(*twin.node.device().objects());
     const auto check = [&](std::uint32_t id, bool extended) {
         Frame frame{};

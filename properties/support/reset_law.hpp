@@ -68,6 +68,15 @@ std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, c
 template <typename Traits>
 void restart_law(Reset reset) {
     ResetUnit<Traits> used;
+    Happening<Traits>::happen(used, some_events({EventKind::setting, EventKind::setting, EventKind::communication}));
+    for (const Write& write : Traits::lively()) {
+        if (*rc::gen::inRange(0, 8) != 0) {
+            used.write(write.index, write.sub, write.bytes, write.value);
+        }
+    }
+    if (*rc::gen::inRange(0, 3) != 0) {
+        used.write(0x1010, 1, 4, 0x65766173);  // "save": what is alive before the reset is alive after it
+    }
     Happening<Traits>::happen(used, some_events(every_kind));
     used.recover();
     const auto stimulus = some_events(every_kind);

@@ -34,8 +34,18 @@ struct InputChoice {
     std::vector<double> values;
 };
 
+/// One write of `bytes` bytes.
+struct Write {
+    std::uint16_t index;
+    unsigned sub;
+    unsigned bytes;
+    std::uint32_t value;
+};
+
 /// What holds of most devices.
 struct UsualTraits {
+    /// A configuration in which the device has something to remember.
+    static std::vector<Write> lively() { return {}; }
     /// Entries that take effect at the next power-on are not written.
     static bool may_write(unsigned) { return true; }
     /// Whether a reset of the node leaves outputs as they are.

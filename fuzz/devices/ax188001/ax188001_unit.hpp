@@ -40,7 +40,8 @@ struct Ax188001Unit {
             require(high <= shutdown - 100 && shutdown <= 17350);
             check_value(read(0x6100, sub), read(0x7130, sub));
             check_scaling(objects, Scaled{0x6100, 0x7130, 0x6126, 0x6127, sub, true});
-            require(status == 0 || read(0x1001, 0) == 1);
+            const bool tells = device.state() != NmtState::initialising;  // without a node-ID nothing is told
+            require(status == 0 || !tells || read(0x1001, 0) == 1);
         }
         check_value(read(0x2100, 0), read(0x2130, 0));
         check_scaling(objects, Scaled{0x2100, 0x2130, 0x2126, 0x2127, 0, true});

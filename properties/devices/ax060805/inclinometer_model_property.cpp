@@ -166,7 +166,8 @@ void set_function(TwoInclinometers& both) {
     const auto function = static_cast<unsigned>(between(0, 10));
     const auto at = static_cast<std::uint16_t>(0x3010 + 0x10U * function);
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        both.set({at, sub, 1, static_cast<double>(between(1, 29))});
+        const bool is_measured = between(0, 2) == 0;
+        both.set({at, sub, 1, static_cast<double>(is_measured ? between(1, 10) : between(1, 29))});
     }
     both.set({0x300A, static_cast<std::uint8_t>(function + 1U), 1, static_cast<double>(between(1, 21))});
 }
@@ -199,8 +200,19 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
+/// Angles and accelerations reversed here and there, and for functions a few that take them.
+void begin(TwoInclinometers& both, Topic topic) {
+    for (std::uint8_t sub = 1; sub <= 3; ++sub) {
+        both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});
+        both.set({0x2031, sub, 1, static_cast<double>(between(0, 2))});
+    }
+    for (int functions = topic == Topic::functions ? 4 : 1; functions > 0; --functions) {
+        set_function(both);
+    }
+}
+
 void take_step(TwoInclinometers& both, NaiveFelt& felt, Topic topic) {
-    switch (*rc::gen::weightedElement<int>({{6, 0}, {8, 1}, {2, 2}, {1, 3}, {1, 4}, {1, 5}, {3, 6}, {1, 7}})) {
+    switch (*rc::gen::weightedElement<int>({{6, 0}, {8, 1}, {2, 2}, {1, 3}, {1, 4}, {1, 5}, {3, 6}, {2, 7}, {1, 8}})) {
         case 0:
             felt = any_feeling(felt);
             both.feel(felt);
@@ -224,6 +236,9 @@ void take_step(TwoInclinometers& both, NaiveFelt& felt, Topic topic) {
         case 7:
             both.reset();
             break;
+        case 8:
+            both.store();
+            break;
         default:
             set_what_the_topic_needs(both, topic);
             break;
@@ -242,6 +257,7 @@ RC_GTEST_PROP(InclinometerModelLaw, DeviceShowsWhatTheNaiveOneShows, ()) {
         set_finest_digits(both);
     }
     const auto topic = *rc::gen::element(Topic::angles, Topic::angles, Topic::functions, Topic::others);
+    begin(both, topic);
     NaiveFelt felt;
     for (int steps = between(1, 60); steps > 0 && both.is_certain(); --steps) {
         take_step(both, felt, topic);

@@ -51,8 +51,8 @@ std::vector<Write> any_function(unsigned number) {
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        const int source = between(0, 20);
-        writes.push_back({at, sub, static_cast<std::uint32_t>(source < 10 ? source : source + 9), 1});
+        const int source = between(0, 19);  // no function: 0 to 9, 20 to 28
+        writes.push_back({at, sub, static_cast<std::uint32_t>(source < 10 ? source : source + 10), 1});
         writes.push_back({plus(1), sub, static_cast<std::uint32_t>(between(0, 2)), 1});
         writes.push_back({plus(2), sub, bits_of_any_real(), 4});
         writes.push_back({plus(3), sub, static_cast<std::uint32_t>(between(0, 4)), 1});

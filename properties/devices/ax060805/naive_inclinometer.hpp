@@ -27,10 +27,14 @@ struct NaiveUnit {
     int range{0};
 };
 
+/// Parameters by index and sub-index, as far as they were written.
+using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
+
 class NaiveInclinometer {
   public:
-    /// Switched on at 0, with its first sample.
-    NaiveInclinometer(const NaiveUnit& unit, const NaiveFelt& felt) : unit_{unit}, to_feel_{felt} {
+    /// Switched on at 0 with what was stored, and with its first sample.
+    NaiveInclinometer(const NaiveUnit& unit, const NaiveFelt& felt, const NaiveEntries& stored)
+        : unit_{unit}, to_feel_{felt}, entries_{stored} {
         sample();
         restart_filters();
         run_functions();
@@ -59,6 +63,14 @@ class NaiveInclinometer {
             restart_filters();
         }
         return true;
+    }
+    /// What 1010h stores: all but the values received.
+    NaiveEntries parameters() const {
+        NaiveEntries all = entries_;
+        for (unsigned sub = 1; sub <= 3; ++sub) {
+            all.erase({0x2500, sub});
+        }
+        return all;
     }
     /// From the next sample on.
     void feel(const NaiveFelt& felt) { to_feel_ = felt; }
@@ -332,7 +344,7 @@ class NaiveInclinometer {
     NaiveUnit unit_;
     NaiveFelt to_feel_;
     NaiveFelt felt_;
-    std::map<std::pair<unsigned, unsigned>, double> entries_;
+    NaiveEntries entries_;
     std::uint64_t now_{0};
     std::uint64_t next_average_{0};
     bool measures_{false};

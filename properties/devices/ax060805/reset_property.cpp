@@ -19,6 +19,11 @@ struct Ax060805Reset : UsualTraits {
     using FactoryData = ax060805::FactoryData;
     static constexpr std::size_t memory_size = 4096;
 
+    /// Function 1 counts up by way of function 2, function 3 adds 1 to what RPDO1 brought.
+    static std::vector<Write> lively() {
+        return {{0x300A, 1, 1, 1},  {0x3010, 1, 1, 11}, {0x3011, 1, 1, 1}, {0x3010, 2, 1, 26}, {0x300A, 2, 1, 1},
+                {0x3020, 1, 1, 10}, {0x3020, 2, 1, 25}, {0x300A, 3, 1, 1}, {0x3030, 1, 1, 20}, {0x3030, 2, 1, 26}};
+    }
     static const std::vector<Setting>& settings() {
         static const std::vector<Setting> all{
             {0x2000, 0, 1, {0, 1}},

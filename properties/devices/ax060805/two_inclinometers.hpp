@@ -60,7 +60,7 @@ class NaiveErrors {
 
 class TwoInclinometers {
   public:
-    explicit TwoInclinometers(const NaiveUnit& unit) : unit_{unit}, naive_{unit, NaiveFelt{}} {
+    explicit TwoInclinometers(const NaiveUnit& unit) : unit_{unit}, naive_{unit, NaiveFelt{}, {}} {
         ax060805::FactoryData factory;
         factory.calibration = {static_cast<float>(unit.calibration.pitch), static_cast<float>(unit.calibration.roll)};
         factory.range = static_cast<ax060805::AngleConfiguration>(unit.range);
@@ -144,14 +144,19 @@ class TwoInclinometers {
         go(command == 0x01);
         compare_frames();
     }
-    /// NMT: reset of the node. Nothing was stored, so that it begins with its defaults.
+    /// 1010h:1.
+    void store() {
+        stored_ = naive_.parameters();
+        set({0x1010, 1, 4, 1702257011.0});  // `save`
+    }
+    /// NMT: reset of the node, which begins with what was stored.
     void reset() {
         lose_frames(false);
         Frame frame = data_frame(0U, 2U);
         frame.data[0] = 0x81;
         hear(frame);
         begun_ = ms_;
-        naive_ = NaiveInclinometer{unit_, felt_};
+        naive_ = NaiveInclinometer{unit_, felt_, stored_};
         errors_ = NaiveErrors{};
         operational_ = false;
         watches_ = false;
@@ -338,6 +343,7 @@ class TwoInclinometers {
     std::unique_ptr<ax060805::Device> device_;
     NaiveUnit unit_;
     NaiveFelt felt_;
+    NaiveEntries stored_;
     NaiveInclinometer naive_;
     NaiveErrors errors_;
     std::uint64_t ms_{0};

@@ -86,7 +86,7 @@ inline void wire_extras(ModelPair& pair) {
     for (int n = 1; n <= 6; ++n) {
         pair.write(0x2502, n, n % 3);
         pair.write(0x2522, n, one_of({100, 100, 100, 200, 50 * n}));
-        pair.write(0x2520, n, one_of({0, 0, 0, 0, -40, 10}));
+        pair.write(0x2520, n, one_of({0, 0, 0, -40, -40, 10}));
     }
 }
 
@@ -180,6 +180,27 @@ inline void wire_logic_and_math(ModelPair& pair) {
     wire_math(pair, math % 4 + 1);
 }
 
+/// Each block of a chain reads one that is evaluated after it, so that a change takes a cycle for each: table 1 reads
+/// logic block 1, this one 2, this one 3, and that one extra values.
+inline void wire_against_the_order(ModelPair& pair) {
+    pair.write(0x3010, 0, 5);
+    pair.write(0x3011, 0, 1);
+    pair.write(0x3015, 1, 0);
+    for (int block = 1; block <= 3; ++block) {
+        const int base = 0x3300 + 0x100 * block;
+        pair.write(0x3300, block, 1);
+        pair.write(base + 1, 1, 2);
+        pair.write(base + 1, 2, 3);
+        pair.write(base + 2, 1, 1);
+        pair.write(base + 2, 2, 0);
+        pair.write(base + 0x11, 1, block == 3 ? 1 : 5);
+        pair.write(base + 0x11, 2, block == 3 ? 4 : block + 1);
+        pair.write(base + 0x11, 3, 1);
+        pair.write(base + 0x11, 4, one_of({5, 7, 8}));
+        pair.write(base + 0x11, 5, one_of({0, 2, 3, 4}));
+    }
+}
+
 inline void wire(ModelPair& pair, const Focus& focus) {
     wire_extras(pair);
     if (is_about(focus, Group::table)) {
@@ -187,6 +208,9 @@ inline void wire(ModelPair& pair, const Focus& focus) {
     }
     if (is_about(focus, Group::logic)) {
         wire_logic_and_math(pair);
+    }
+    if (is_about(focus, Group::logic) && one_of({0, 0, 1}) == 1) {
+        wire_against_the_order(pair);
     }
     if (is_about(focus, Group::output)) {
         wire_outputs(pair);
@@ -242,13 +266,14 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-/// Off or on: what a block kept from before must not show when it is on again.
+/// Off or on, over data or over time: what a block kept from before must not show when it is on again.
 inline void switch_a_block(ModelPair& pair, const Focus& focus) {
     if (is_about(focus, Group::math)) {
         const bool is_math = draw(rc::gen::inRange(0, 3)) != 0;
         const int block = draw(rc::gen::inRange(1, is_math ? 5 : 4));
-        const int index = is_math ? 0x4000 : 0x3300;
-        pair.write(index, block, 1 - *pair.model().entries().at({index, block}).value);
+        const Address table{naive_ax130751::table_index(block) + 5, 1};
+        const auto [index, sub] = one_of({0, 0, 1}) == 1 ? table : Address{is_math ? 0x4000 : 0x3300, block};
+        pair.write(index, sub, 1 - *pair.model().entries().at({index, sub}).value);
     } else {
         const int n = draw(rc::gen::inRange(1, 3));
         pair.write(0x6310, n, some_value(0x6310, n));
@@ -305,7 +330,7 @@ inline void live(ModelPair& pair, const Focus& focus) {
         do_something(pair, focus);
         const int event = draw(rc::gen::inRange(0, 40));
         if (event == 0) {
-            pair.command(one_of({128, 129, 130}));
+            pair.command(one_of({128, 129, 129, 130}));
         } else if (event == 1) {
             pair.store();
         }

@@ -196,7 +196,7 @@ class Device {
             blocks_.tables.at(n).cycle(table, sources.read(table.source), now, shown.tables.at(n));
         }
         for (std::size_t n = 0; n < 3; ++n) {
-            evaluate(parameters.logic.at(n), sources, shown.logic.at(n));
+            shown.logic.at(n) = evaluate(parameters.logic.at(n), sources);
         }
         for (std::size_t n = 0; n < 4; ++n) {
             shown.math.at(n) = blocks_.math.at(n).cycle(static_cast<int>(n + 1), parameters.math.at(n), sources);

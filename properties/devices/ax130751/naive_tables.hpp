@@ -80,11 +80,11 @@ class NaiveTable {
         double length = 0.0;
         bool counts = true;
         for (std::size_t point = 1; point < 11; ++point) {
-            xs.at(point) = xs.at(point - 1) + std::clamp(table.x.at(point), 1, 86'400'000);
+            xs.at(point) = xs.at(point - 1) + 1000.0 * std::clamp(table.x.at(point), 1, 86'400'000);
             counts = counts && table.response.at(point) != 0;
             length = counts ? xs.at(point) : length;
         }
-        double at = static_cast<double>(now - since_);
+        double at = 1000.0 * static_cast<double>(now - since_);  // us, as all times of the device
         while (table.repeat != 0 && length > 0.0 && at > length) {
             at -= length;
         }
@@ -110,11 +110,11 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// One logic block (1.6); nothing of it outlasts a cycle.
-inline void evaluate(const Logic& logic, const Sources& sources, Shown::OfLogic& shown) {
-    shown = Shown::OfLogic{};
+/// One logic block (1.6); nothing of it outlasts a cycle. `sources` have what it showed in the cycle before.
+inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
+    Shown::OfLogic shown;
     if (logic.enable == 0) {
-        return;
+        return shown;
     }
     std::array<naive_blocks::Function, 3> functions;
     for (std::size_t f = 0; f < 3; ++f) {
@@ -133,6 +133,7 @@ inline void evaluate(const Logic& logic, const Sources& sources, Shown::OfLogic&
         const double share = (table.value - table.lower) * 100.0 / (table.upper - table.lower);
         shown.output = to_integer(std::clamp(share, 0.0, 100.0), 1);
     }
+    return shown;
 }
 
 /// One math block (1.7).

@@ -21,6 +21,12 @@ struct Ax130751Reset : UsualTraits {
 
     /// They take effect at the next power-on, not with a reset of the node.
     static bool may_write(unsigned index) { return index != 0x5B50U && index != 0x5B51U; }
+    /// Runs by itself: a ramp, a latched and delayed relay, a table by time that the supply starts.
+    static std::vector<Write> lively() {
+        return {{0x5555, 0, 1, 1},   {0x2330, 1, 2, 700}, {0x2242, 1, 1, 3},   {0x22A0, 1, 1, 1},
+                {0x22A1, 1, 4, 25},  {0x3010, 0, 1, 8},   {0x3011, 0, 1, 1},   {0x3015, 1, 1, 1},
+                {0x3016, 2, 4, 500}, {0x3016, 3, 4, 900}, {0x3017, 2, 2, 300}, {0x3017, 3, 2, 600}};
+    }
     static const std::vector<Setting>& settings() {
         static const std::vector<Setting> all{
             {0x6310, 2, 2, {0, 10, 20, 40, 500, 1000, 1020}},

@@ -263,9 +263,9 @@ inline TcsAction action_of(const TcsSetup& setup, const std::array<unsigned, 4>&
             action = write_of(setup, numbers[2], numbers[1]);
             break;
         case 3: {
-            static constexpr std::array<int, 8> commands{0x01, 0x01, 0x01, 0x80, 0x02, 0x81, 0x82, 0x05};
+            static constexpr std::array<int, 10> commands{0x01, 0x01, 0x01, 0x80, 0x02, 0x81, 0x81, 0x82, 0x82, 0x05};
             action.kind = TcsAction::command;
-            action.value = commands[numbers[1] % 8];
+            action.value = commands[numbers[1] % 10];
             action.sub = numbers[2] % 5 == 0 ? 5 : static_cast<int>(numbers[2] % 2) * 127;
             break;
         }

@@ -155,7 +155,8 @@ inline Ao4Action ao4_write_of(unsigned which, unsigned number) {
             return ao4_write(0x1401, 2, 1, types[rest % 4]);
         }
         case 15:
-            return rest % 2 == 0 ? ao4_write(0x1F80, 0, 4, rest % 5 == 0 ? 4 : 8) : ao4_write(0x1F91, 1, 2, rest % 700);
+            return rest % 2 == 0 ? ao4_write(0x1F80, 0, 4, rest % 5 == 0 ? 4 : 8)
+                                 : ao4_write(0x1F91, 1, 2, 1 + rest % 700);
         case 16:
             return ao4_write(0x1003, 0, 1, rest % 4 == 0 ? 1 : 0);
         default:
@@ -166,7 +167,7 @@ inline Ao4Action ao4_write_of(unsigned which, unsigned number) {
 inline Ao4Action ao4_action_of(const Ao4Numbers& numbers) {
     const unsigned number = numbers[1];
     Ao4Action action;
-    switch (numbers[0] % 20) {
+    switch (numbers[0] % 22) {
         case 0:
         case 1:
         case 2:
@@ -183,8 +184,9 @@ inline Ao4Action ao4_action_of(const Ao4Numbers& numbers) {
             action = ao4_frame(0x300, true, data);
             break;
         }
-        case 7: {
-            constexpr std::array<unsigned, 8> commands{0x01, 0x01, 0x01, 0x02, 0x80, 0x81, 0x82, 0x05};
+        case 7:
+        case 20: {
+            constexpr std::array<unsigned, 8> commands{0x01, 0x01, 0x81, 0x02, 0x80, 0x81, 0x82, 0x05};
             constexpr std::array<unsigned, 3> other{5, 6, 7};
             action = ao4_frame(0, false, {commands[number % 8], 0});
             if (numbers[2] % 6 == 0) {

@@ -210,10 +210,6 @@ void Device::boot() {
     watch_internal();
     if (settings_.start == 8 && !(communication_failed_ && settings_.behaviour != 1)) {
         start_at_ = now_ + settings_.start_ms;
-        if (settings_.start_ms == 0) {
-            start_at_.reset();
-            enter(State::operational);
-        }
     }
 }
 

@@ -49,7 +49,10 @@ class PdoMapping {
 
     /// Whether each mapped value is within its limits and its owner takes it. `frame` is at least length() bytes long.
     bool accepts(const Frame& frame, const ObjectDictionary& objects, ObjectAccess& access) const noexcept {
-        return all_free_ || is_acceptable(packed_values(frame), objects, access);
+        if (all_free_) {
+            return true;
+        }
+        return is_acceptable(packed_values(frame), objects, access);
     }
     /// Writes the mapped values, which are accepted.
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;

@@ -69,6 +69,16 @@ TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
+TEST_F(Ax130751LookupMinimum, TheLastPointOfAnotherTableCounts) {
+    verifies<req::AOR_LT_018>();
+    choose(5, lookup_source, 10);
+    set16(0x3107, 11, -90);
+    EXPECT_EQ(x(5, 1), -90);
+    set16(0x3107, 11, 100);
+    set16(0x3107, 2, -30);
+    EXPECT_EQ(x(5, 1), -30);
+}
+
 TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     verifies<req::AOR_LT_018>();
     // 7320h in thousandths of a volt

@@ -153,6 +153,28 @@ TEST_F(Edges, ARangeEndsTenMicrovoltsBeyondItsFigure) {
     }
 }
 
+/// The cold junction adds any voltage to a reading: 0.05 uV on either side of the margin.
+TEST_F(Edges, TheMarginOfARangeToHalfAPercent) {
+    verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN>();
+    const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
+    EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
+    EXPECT_EQ(write(0x2000, 1, 1, 1), 0U);
+    show_high_limit(17250);
+    const double measured = 2.0 * finest_step_uv * 16650.0;  // 19848 uV at gain 64
+    for (const double beyond : {9.95, 10.05}) {
+        double low = 20.0;
+        double high = 35.0;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = (low + high) / 2.0;
+            const double uv = measured + static_cast<double>(type.mv(static_cast<long double>(middle))) * 1000.0;
+            (uv < 20872.0 + beyond ? low : high) = middle;
+        }
+        inputs.cold_junction = static_cast<float>(low);
+        show(measured);
+        EXPECT_EQ(status(1), beyond > 10.0 ? 3 : 0) << beyond;
+    }
+}
+
 TEST_F(Edges, TheColdJunctionIsReadFromMinus40To110Degrees) {
     verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{

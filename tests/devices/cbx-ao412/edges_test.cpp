@@ -1,5 +1,8 @@
 // Constants of the CAN-CBX-AO412 at their edges, on both sides and much nearer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

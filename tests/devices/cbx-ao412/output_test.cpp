@@ -268,4 +268,41 @@ TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
     expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
 }
 
+TEST_F(Output, AResetDuringAFailurePutsTheStoredCalibrationInForce) {
+    verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
+    set(1, "0020");                 // 2000h = 8192: 1024 steps
+    write("603#2F43640102000000");  // as it is
+    write("603#2310100173617665");  // with an offset of 0
+    write("603#2B04240108000000");  // 8 * 312.5 uV = 2.5 mV, one step
+    expect_steps(1, 1025);
+    inputs.hardware_fault = true;
+    set_inputs();
+    expect_steps(1, 1025);
+    send("000#8103");
+    expect_steps(1, 1024);
+}
+
+TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
+    verifies<req::AO4_AOUT_010>();
+    set(2, "0020");                 // 2000h = 8192: 1024 steps
+    write("603#2310100173617665");  // with 6443h = 1 and 6444h = 0
+    inputs.hardware_fault = true;
+    set_inputs();
+    send("000#8103");
+    expect_steps(2, 0);
+}
+
+TEST_F(OutputInError, AnInternalFailureOutlastsACommunicationError) {
+    verifies<req::AO4_AOUT_006>();
+    write("603#23161001C8003100");
+    inputs.internal_fault = true;
+    set_inputs();
+    send("731#05");
+    pass(300);  // the producer is silent
+    send("731#05");
+    write("603#2B11640100100000");
+    write("603#2B11640300100000");
+    expect_error_outputs();
+}
+
 }  // namespace canproof::test

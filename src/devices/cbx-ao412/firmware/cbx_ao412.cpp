@@ -221,7 +221,7 @@ void Device::apply_error_mode(const std::uint8_t number) noexcept {
         const auto bits = static_cast<std::uint32_t>(objects_.get(field::o6444_analogue_output_error_value[number]));
         command_output(number, static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> 16U)));
     } else {
-        // keep
+        drive_output(number);  // keep; a reset may have loaded another calibration
     }
 }
 
@@ -236,6 +236,8 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
     drive_output(number);
 }
 
+/// The voltage is kept in outputs_; it depends on driven_, 2404h and 2405h alone. Whatever changes one of them, the
+/// loading of a stored set among it, calls this.
 static_assert(implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];

@@ -58,6 +58,21 @@ std::string killer(TestServer& server, std::size_t mutant, const std::vector<Sta
 
 }  // namespace
 
+std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    const fs::path told = folder / "told.tsv";
+    const fs::path running = folder / "told.running";
+    if (fs::exists(told) && fs::exists(program) && fs::last_write_time(told) > fs::last_write_time(program)) {
+        return told;
+    }
+    fs::create_directories(folder);
+    if (!run_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()})) {
+        throw InputError{fmt::format("{} fails without any mutant; fix that first", program.string())};
+    }
+    fs::rename(running, told);
+    return told;
+}
+
 std::vector<ToldTest> read_told(const std::filesystem::path& file) {
     std::ifstream in{file};
     if (!in) {
@@ -126,12 +141,7 @@ std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std:
 
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress) {
-    std::filesystem::create_directories(setup.folder);
-    const auto told = setup.folder / "told.tsv";
-    if (!run_unaltered(setup.program, setup.folder / "verdicts.xml", {"CANPROOF_TOLD=" + told.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; fix that first", setup.program.string())};
-    }
-    auto tests = read_told(told);
+    auto tests = read_told(told_by(setup.program, setup.folder));
     const std::vector<bool> starting = told_at_startup(tests, count);
     std::map<std::string, double> seconds;
     std::map<std::string, std::string> files;

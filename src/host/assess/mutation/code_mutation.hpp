@@ -21,6 +21,10 @@ struct ToldTest {
     std::string file{};  ///< source of the test
 };
 
+/// Runs the program unmutated, and returns the file in `folder` that its tests leave for read_told(). What a run left
+/// that is newer than the program serves again. Throws InputError when a test fails.
+std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder);
+
 /// Lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 

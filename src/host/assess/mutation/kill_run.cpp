@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -12,20 +11,19 @@
 #include <thread>
 
 #include "host/assess/mutation/code_mutation.hpp"
-#include "host/assess/mutation/function_lines.hpp"
+#include "host/assess/mutation/implementing_mutants.hpp"
 #include "host/assess/mutation/test_server.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
-#include "host/base/reading.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-/// Mutants of one item that a test is tried with, of each kind.
-constexpr std::size_t most_tries = 48;
+/// Mutants of one item, spread over all, that a test is tried with before the others.
+constexpr std::size_t first_tries = 24;
 /// Of processor time, for one test and one item.
-constexpr double most_seconds = 20.0;
+constexpr double most_seconds = 3.0;
 
 using Numbers = std::vector<std::size_t>;
 
@@ -43,69 +41,16 @@ struct Task {
     std::set<std::string> claims;
 };
 
-std::vector<std::string> lines_of(const std::filesystem::path& file) {
-    std::ifstream in{file};
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    check_read(in, file.string());
-    return lines;
-}
-
-/// The mutants of code in the functions that implement each item.
-std::map<std::string, Numbers> code_by_item(const std::filesystem::path& root, const Evidence& evidence,
-                                            const std::vector<AlteredCell>& mutants) {
-    std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> by_file;  // line, number
-    for (const AlteredCell& mutant : mutants) {
-        const auto at = mutant.cell.rfind(", line ");
-        by_file[mutant.item].push_back({std::stoul(mutant.cell.substr(at + 7)), mutant.number});
-    }
-    std::map<std::string, std::vector<std::string>> sources;
-    std::map<std::string, Numbers> code;
-    for (const auto& [id, places] : evidence.implemented) {
-        std::set<std::size_t> numbers;
-        for (const auto& place : places) {
-            const std::string file = place.substr(0, place.rfind(':'));
-            if (by_file.count(file) == 0) {
-                continue;
-            }
-            if (sources.count(file) == 0) {
-                sources[file] = lines_of(root / file);
-            }
-            const auto [first, last] = function_below(sources[file], std::stoul(place.substr(place.rfind(':') + 1)));
-            for (const auto& [line, number] : by_file[file]) {
-                if (line >= first && line <= last) {
-                    numbers.insert(number);
-                }
-            }
-        }
-        code[id].assign(numbers.begin(), numbers.end());
-    }
-    return code;
-}
-
-/// What the shared requirement that does an item for a device is shown by, shows the item as well.
-void follow_delegation(const Register& content, std::map<std::string, Numbers>& code) {
-    for (const auto& part : content.parts) {
-        for (const auto& requirement : part.requirements) {
-            if (!requirement.by.empty() && code[requirement.id].empty()) {
-                code[requirement.id] = code[requirement.by];
-            }
+/// All of them, first some that are spread over all.
+Numbers spread(const Numbers& all) {
+    Numbers ordered;
+    const std::size_t step = 1 + all.size() / first_tries;
+    for (std::size_t first = 0; first < step; ++first) {
+        for (std::size_t at = first; at < all.size(); at += step) {
+            ordered.push_back(all[at]);
         }
     }
-}
-
-/// At most `most` of them, spread over all.
-Numbers spread(const Numbers& all, std::size_t most) {
-    if (all.size() <= most) {
-        return all;
-    }
-    Numbers some;
-    for (std::size_t i = 0; i < most; ++i) {
-        some.push_back(all[i * all.size() / most]);
-    }
-    return some;
+    return ordered;
 }
 
 std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& evidence, KillRecord& known) {
@@ -115,6 +60,9 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
         files[run.name] = run.file;
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
+        if (id.find('-') == std::string::npos) {
+            continue;  // a rule that no item states
+        }
         for (const Verdict& verdict : verdicts) {
             Task& task = tasks[verdict.test];
             task.test = verdict.test;
@@ -184,7 +132,7 @@ class Judge {
 
     bool notices_cell(const Task& task, const Numbers& cells) {
         double left = most_seconds;
-        for (const std::size_t number : spread(cells, most_tries)) {
+        for (const std::size_t number : spread(cells)) {
             if (left <= 0.0) {
                 break;
             }
@@ -205,7 +153,7 @@ class Judge {
         std::set_intersection(code.begin(), code.end(), found->second.mutants.begin(), found->second.mutants.end(),
                               std::back_inserter(reached));
         double left = most_seconds;
-        for (const std::size_t number : spread(reached, most_tries)) {
+        for (const std::size_t number : spread(reached)) {
             auto known = noticed_.find(number);
             if (known == noticed_.end()) {
                 if (left <= 0.0) {
@@ -229,7 +177,7 @@ class Judge {
     std::map<std::size_t, bool> noticed_;  ///< by mutant of code: whether the test at hand notices it
 };
 
-/// Runs the three programs without any mutant, and reads what they left.
+/// Runs the programs with cells unaltered, and reads what they left.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);
@@ -237,11 +185,6 @@ Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
         if (!run_unaltered(setup.programs / name, verdicts / fmt::format("{}.xml", name))) {
             throw InputError{fmt::format("{} fails without any alteration; fix that first", name)};
         }
-    }
-    const auto told = (setup.programs / "verdicts" / "told.tsv").string();
-    if (!run_unaltered(setup.programs / "code_mutants", setup.programs / "verdicts" / "code.xml",
-                       {"CANPROOF_TOLD=" + told})) {
-        throw InputError{"code_mutants fails without any mutant; fix that first"};
     }
     return collect_evidence(setup.root, verdicts, content);
 }
@@ -255,10 +198,10 @@ KillRecord record_kills(const KillSetup& setup, const Register& content, KillRec
     for (const AlteredCell& cell : read_cells(setup.programs / "canproof_tests")) {
         mutants.cells[cell.item].push_back(cell.number);
     }
-    mutants.code = code_by_item(setup.root, evidence, read_cells(setup.programs / "code_mutants"));
-    follow_delegation(content, mutants.code);
+    mutants.code = implementing_mutants(setup.root, content, evidence, read_cells(setup.programs / "code_mutants"));
     std::map<std::string, ToldTest> told;
-    for (ToldTest& test : read_told(setup.programs / "verdicts" / "told.tsv")) {
+    for (ToldTest& test :
+         read_told(told_by(setup.programs / "code_mutants", setup.programs / "verdicts" / "code_mutants"))) {
         told[test.name] = std::move(test);
     }
     const std::vector<Task> tasks = tasks_of(setup.root, evidence, known);

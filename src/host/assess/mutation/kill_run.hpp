@@ -18,8 +18,8 @@ struct KillSetup {
 };
 
 /// Judges the tests that `known` does not hold as they are, and forgets those that are gone. A mutant of an item is an
-/// altered cell of it, or a mutant of a function that implements it. `progress` is told how many of how many are
-/// judged, and what is known by then. Throws InputError when a test fails without any mutant.
+/// altered cell of it, or a mutant of a function that implements it (implementing_mutants.hpp). `progress` is told how
+/// many of how many are judged, and what is known by then. Throws InputError when a test fails without any mutant.
 KillRecord record_kills(const KillSetup& setup, const Register& content, KillRecord known,
                         const std::function<void(std::size_t, std::size_t, const KillRecord&)>& progress);
 

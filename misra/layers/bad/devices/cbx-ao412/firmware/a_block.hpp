@@ -4,7 +4,6 @@
 #include "devices/ax130751/firmware/relay.hpp"  // flagged
 #include "devices/cbx-ao412/firmware/another_block.hpp"
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"  // flagged
-#include "firmware/axiomatic/axiomatic.hpp"          // flagged
 #include "firmware/base/result.hpp"
 #include "firmware/blocks/bounds.hpp"
 #include "firmware/canopen/frame.hpp"        // flagged

@@ -6,7 +6,6 @@
 #include "devices/cbx-ao412/firmware/a_block.hpp"
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
 #include "devices/cbx-ao412/simulation/model.hpp"  // flagged
-#include "firmware/axiomatic/axiomatic.hpp"
 #include "firmware/blocks/bounds.hpp"
 #include "firmware/canopen/node.hpp"
 #include "generated/ax130751/constants.hpp"  // flagged

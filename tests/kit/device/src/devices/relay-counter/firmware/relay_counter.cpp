@@ -15,7 +15,7 @@ namespace {
 namespace own = generated::relay_counter;
 namespace field = generated::relay_counter::field;
 
-constexpr std::uint8_t relay_count = 2U;
+constexpr std::uint32_t relay_count = 2U;
 
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
@@ -62,7 +62,6 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 
 void Device::advance(const Instant now) noexcept {
     node_.advance(now);
-    show_state();
 }
 
 Instant Device::next_deadline() const noexcept {
@@ -77,15 +76,12 @@ AbortCode Device::before_write(const EntryRef&, const ByteView) {
     return AbortCode::none;
 }
 
-void Device::after_write(const EntryRef&, const Instant) {
-    show_state();
-}
+void Device::after_write(const EntryRef&, const Instant) {}
 
 void Device::put_factory_values(const ParameterGroup) {}
 
 void Device::restart(const Instant) {
-    counter_.restart(inputs_.count_input);
-    show_count();
+    counter_.restart(inputs_.count_input);  // 2010h has its default, 0
 }
 
 void Device::booted(const Instant now) {

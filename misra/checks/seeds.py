@@ -1,0 +1,104 @@
+"""Proof of the checkers on seeds: violations in the shape of firmware code, put into copies of firmware files.
+
+misra/seeds/*.toml holds them. A seed is a marked line of some code; the other lines of that code comply with its rule. All code
+for one firmware file stands in one copy of it, each piece in a namespace of its own: `bare` pieces in none, `header` pieces in a header that the copy
+includes, `text` pieces where only patterns look, for what no compiler takes."""
+import pathlib
+import re
+import tempfile
+import tomllib
+from typing import NamedTuple
+
+from .rules import HERE, HOME, NO_GCC
+from .tools import find
+
+MARK = "// flagged"
+UNSEEN = "// unseen"  # a violation that no checker sees; the plan says so
+OTHER = "// its other line"  # where a tool may tell of the same violation too
+KEYS = {"rule", "code", "bare", "header", "text"}
+
+
+class Piece(NamedTuple):
+    """Code of one rule, with the lines that must be flagged, counted from 0."""
+    rule: str
+    lines: list
+    marked: list
+    unseen: list
+    others: list
+    bare: bool
+    header: bool
+    text: bool
+
+
+def read_pieces(faults):
+    """By firmware file and ending of the copy's name, what is put into its copy: lines for its start, and the pieces."""
+    hosts = {}
+    for path in sorted((HERE / "seeds").glob("*.toml")):
+        table = tomllib.loads(path.read_text())
+        starts, pieces = hosts.setdefault((table["file"], "" if table.get("gcc", True) else NO_GCC), ([], []))
+        starts += [f"#include <{name}>" for name in table.get("includes", []) if f"#include <{name}>" not in starts]
+        for entry in table["code"]:
+            if not {"rule", "code"} <= entry.keys() <= KEYS:
+                faults.add(f"{path.name}: code for rule {entry.get('rule')} has keys {sorted(entry)}")
+                continue
+            lines = entry["code"].strip("\n").split("\n")
+            marks = [[at for at, line in enumerate(lines) if mark in line] for mark in (MARK, UNSEEN, OTHER)]
+            pieces.append(Piece(entry["rule"], lines, *marks, *(entry.get(key, False) for key in ("bare", "header", "text"))))
+    return hosts
+
+
+def namespace_of(piece, number):
+    return f"canproof::seed_{number}_for_{re.sub(r'[^0-9]', '_', piece.rule)}"
+
+
+def write_copies(hosts, folder):
+    """Copies of the firmware files with their pieces, and a header beside each for the pieces that belong in one.
+    Returns the units, the headers and, for each piece, its file and the line before its first."""
+    units, headers, places = [], [], []
+    for (file, ending), (starts, pieces) in sorted(hosts.items()):
+        unit = folder / file.replace("/", "_").replace(".cpp", f"{ending}.cpp")
+        header, text_only = unit.with_suffix(".hpp"), unit.with_suffix(".text.hpp")
+        texts = {text_only: [], header: ["#pragma once", "", "#include <array>", "#include <cstdint>"],
+                 unit: [*starts, *(HOME / file).read_text().splitlines(), f'#include "{header.name}"']}
+        for number, piece in sorted(enumerate(pieces), key=lambda one: one[1].bare):
+            path = text_only if piece.text else header if piece.header else unit
+            text = texts[path]
+            if not piece.bare:
+                text.append(f"namespace {namespace_of(piece, number)} {{")
+            places.append((piece, str(path), len(text)))
+            text += [re.sub(rf"\s*(?:{MARK}|{UNSEEN}|{OTHER})$", "", line) for line in piece.lines]
+            if not piece.bare:
+                text.append("}")
+        for path, text in texts.items():
+            path.write_text("\n".join(text) + "\n")
+        units.append(str(unit))
+        headers += [str(header), str(text_only)]
+    return units, headers, places
+
+
+def judge(places, found, faults):
+    """Each mark flagged under its rule, and no other line of its code. Returns the numbers of seeds and of those unseen."""
+    lines_of = {}
+    for finding in found:
+        lines_of.setdefault((finding.rule, finding.path), set()).add(finding.line)
+    for piece, path, before in places:
+        flagged = {line - before - 1 for line in lines_of.get((piece.rule, path), ())}
+        inside = {at for at in flagged if 0 <= at < len(piece.lines)}
+        for at in sorted(set(piece.marked) - inside):
+            faults.add(f"a seeded violation of rule {piece.rule} goes unseen: {piece.lines[at].strip()}")
+        for at in sorted(inside - {*piece.marked, *piece.others}):
+            what = "is seen now: mark it as flagged" if at in piece.unseen else "is flagged, and complies"
+            faults.add(f"a seeded line for rule {piece.rule} {what} (line {at + 1}): {piece.lines[at].strip()}")
+    return sum(len(piece.marked) for piece, *_ in places), sum(len(piece.unseen) for piece, *_ in places)
+
+
+def prove_on_firmware(rules, generated, faults):
+    """Puts the seeds into the copies and runs all checkers over them. Returns the numbers of seeds and of those unseen."""
+    hosts = read_pieces(faults)
+    with tempfile.TemporaryDirectory() as scratch:
+        units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())
+        found = find(rules, units, headers, generated, scratch, faults)
+    seeds, unseen = judge(places, found, faults)
+    if unseen * 50 > seeds + unseen:
+        faults.add(f"{unseen} of {seeds + unseen} seeds go unseen: more than 2 %")
+    return seeds, unseen

@@ -1,0 +1,149 @@
+#include "host/assess/mutation/implementing_mutants.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "host/assess/mutation/function_lines.hpp"
+#include "host/base/reading.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A mutant of a source: where it is, and the name of its function without that of the class.
+struct Place {
+    std::size_t line{0};
+    std::size_t number{0};
+    std::string function;
+};
+
+using Words = std::set<std::string>;
+
+Place place_of(const AlteredCell& mutant) {
+    const auto comma = mutant.cell.rfind(", line ");
+    const std::string function = mutant.cell.substr(0, comma);
+    const auto colons = function.rfind("::");
+    return {std::stoul(mutant.cell.substr(comma + 7)), mutant.number,
+            colons == std::string::npos ? function : function.substr(colons + 2)};
+}
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The names in front of a parenthesis.
+void add_calls(const std::string& line, Words& words) {
+    const std::string code = line.substr(0, line.find("//"));
+    for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
+        std::size_t first = at;
+        while (first > 0 && is_word(code[first - 1])) {
+            --first;
+        }
+        if (first < at) {
+            words.insert(code.substr(first, at - first));
+        }
+    }
+}
+
+class Sources {
+  public:
+    Sources(std::filesystem::path root, const std::vector<AlteredCell>& mutants) : root_{std::move(root)} {
+        for (const AlteredCell& mutant : mutants) {
+            places_[mutant.item].push_back(place_of(mutant));
+        }
+    }
+
+    /// The mutants of the function below a link, and of what it calls.
+    void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
+        const auto [first, last] = function_below(lines(file), link);
+        Words called;
+        for (std::size_t at = first; at != 0 && at <= last; ++at) {
+            add_calls(lines(file)[at - 1], called);
+        }
+        for (const Place& place : places_[file]) {
+            if (place.line >= first && place.line <= last) {
+                numbers.insert(place.number);
+            }
+        }
+        for (const auto& other : units_of(file)) {
+            add_named(other, add_named(other, called, numbers), numbers);
+        }
+    }
+
+  private:
+    const std::vector<std::string>& lines(const std::string& file) {
+        auto& all = lines_[file];
+        if (all.empty()) {
+            std::ifstream in{root_ / file};
+            for (std::string line; std::getline(in, line);) {
+                all.push_back(line);
+            }
+            check_read(in, file);
+        }
+        return all;
+    }
+
+    /// Adds the mutants of functions with these names; the names that they call.
+    Words add_named(const std::string& file, const Words& names, std::set<std::size_t>& numbers) {
+        Words called;
+        const auto found = places_.find(file);
+        if (found == places_.end()) {
+            return called;
+        }
+        for (const Place& place : found->second) {
+            if (names.count(place.function) != 0) {
+                numbers.insert(place.number);
+                add_calls(lines(file)[place.line - 1], called);
+            }
+        }
+        return called;
+    }
+
+    /// The file itself and those that it includes, with their sources.
+    std::set<std::string> units_of(const std::string& file) {
+        static const std::string include = "#include \"";
+        std::set<std::string> files{file};
+        for (const auto& line : lines(file)) {
+            if (line.rfind(include, 0) == 0) {
+                const std::string header = "src/" + line.substr(include.size(), line.rfind('"') - include.size());
+                files.insert(header);
+                files.insert(header.substr(0, header.rfind('.')) + ".cpp");
+            }
+        }
+        return files;
+    }
+
+    std::filesystem::path root_;
+    std::map<std::string, std::vector<Place>> places_;
+    std::map<std::string, std::vector<std::string>> lines_;
+};
+
+}  // namespace
+
+std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::filesystem::path& root,
+                                                                     const Register& content, const Evidence& evidence,
+                                                                     const std::vector<AlteredCell>& mutants) {
+    Sources sources{root, mutants};
+    std::map<std::string, std::vector<std::size_t>> code;
+    for (const auto& [id, places] : evidence.implemented) {
+        std::set<std::size_t> numbers;
+        for (const auto& place : places) {
+            const auto colon = place.rfind(':');
+            sources.add_function(place.substr(0, colon), std::stoul(place.substr(colon + 1)), numbers);
+        }
+        code[id].assign(numbers.begin(), numbers.end());
+    }
+    for (const auto& part : content.parts) {
+        for (const auto& requirement : part.requirements) {
+            if (!requirement.by.empty() && code[requirement.id].empty()) {
+                code[requirement.id] = code[requirement.by];
+            }
+        }
+    }
+    return code;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,44 @@
+// Which mutants of code lie in the functions that implement an item.
+#include "host/assess/mutation/implementing_mutants.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace canproof::host::test {
+
+TEST(ImplementingMutants, LieBelowTheLinkAndInWhatIsCalled) {
+    const auto root = std::filesystem::temp_directory_path() / ("canproof-implementing-" + std::to_string(getpid()));
+    std::filesystem::create_directories(root / "src" / "one");
+    std::ofstream{root / "src" / "one" / "relay.cpp"} << "#include \"one/filter.hpp\"\n"
+                                                         "static_assert(implements<req::A>);\n"
+                                                         "void Relay::close() {\n"
+                                                         "    state_ = smooth(1);\n"
+                                                         "}\n"
+                                                         "void Relay::open() { state_ = 0; }\n";
+    std::ofstream{root / "src" / "one" / "filter.cpp"} << "int smooth(int a) { return half(a); }\n"
+                                                          "int half(int a) { return a / 2; }\n"
+                                                          "int twice(int a) { return a * 2; }\n";
+    const std::vector<AlteredCell> mutants{{0, "src/one/relay.cpp", "Relay::close, line 4", "x"},
+                                           {1, "src/one/relay.cpp", "Relay::open, line 6", "x"},
+                                           {2, "src/one/filter.cpp", "smooth, line 1", "x"},
+                                           {3, "src/one/filter.cpp", "half, line 2", "x"},
+                                           {4, "src/one/filter.cpp", "twice, line 3", "x"}};
+    Evidence evidence;
+    evidence.implemented["A"] = {"src/one/relay.cpp:2"};
+    evidence.implemented["B"] = {"src/none.cpp:1"};
+    Register content;
+    content.parts.resize(1);
+    content.parts[0].requirements.resize(1);
+    content.parts[0].requirements[0].id = "D";
+    content.parts[0].requirements[0].by = "A";
+    auto found = implementing_mutants(root, content, evidence, mutants);
+    std::filesystem::remove_all(root);
+    EXPECT_EQ(found["A"], (std::vector<std::size_t>{0, 2, 3}));
+    EXPECT_TRUE(found["B"].empty());
+    EXPECT_EQ(found["D"], found["A"]);
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,50 @@
+// What falls on one time is played in the order of a run: what is due, then stimuli, then frames.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "devices/catalogue.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/replay/replay.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string replayed(const std::string& log, const std::string& stimuli) {
+    const auto device = make_device("cbx-ao412");
+    std::istringstream log_in{log};
+    std::istringstream stimuli_in{stimuli};
+    ReplayInput input;
+    input.frames = read_candump_log(log_in, "log");
+    input.stimuli = read_stimuli(stimuli_in, "stimuli");
+    std::ostringstream frames;
+    replay(*device, input, frames, nullptr);
+    return frames.str();
+}
+
+}  // namespace
+
+TEST(ReplayOrder, StimulusComesBeforeTheFrameOfTheSameTime) {
+    EXPECT_EQ(replayed("(0.020000) can0 603#4001100000000000\n", "0.020000,internal_fault,1\n"),
+              "(0.000000) can0 703#00\n(0.020000) can0 083#1061010100000000\n"
+              "(0.020000) can0 583#4F01100001000000\n");
+}
+
+TEST(ReplayOrder, WhatIsDueComesBeforeTheStimulusOfTheSameTime) {
+    // a heartbeat each 100 ms, from its write at 0.05 s on
+    EXPECT_EQ(replayed("(0.050000) can0 603#2B17100064000000\n(0.160000) can0 080#\n", "0.150000,internal_fault,1\n"),
+              "(0.000000) can0 703#00\n(0.050000) can0 583#6017100000000000\n(0.150000) can0 703#7F\n"
+              "(0.150000) can0 083#1061010100000000\n");
+}
+
+TEST(ReplayOrder, HeldFrameIsWrittenWhereTheLogShowsIt_WhicheverCameFirst) {
+    // Both answers are given at once; the log shows the second one before the first.
+    const std::string log =
+        "(0.010000) can0 603#4000100000000000 R\n(0.010000) can0 603#4001100000000000 R\n"
+        "(0.011000) can0 583#4F01100000000000 T\n(0.012000) can0 583#4300100091010800 T\n";
+    EXPECT_EQ(replayed(log, ""),
+              "(0.011000) can0 583#4F01100000000000\n(0.012000) can0 583#4300100091010800\n(0.000000) can0 703#00\n");
+}
+
+}  // namespace canproof::host
