@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/altered_slave.hpp"
@@ -15,18 +16,21 @@ namespace {
 /// A device that lends memory for a DOMAIN but does not say what to do with it, and stores nothing.
 class PlainApplication final : public Application {
   public:
-    AbortCode check_access(const EntryRef&) override { return access; }
-    AbortCode before_write(const EntryRef&, ByteView) override { return last_word; }
+    AbortCode check_access(const EntryRef& entry) override {
+        return access.has_value() ? *access : Application::check_access(entry);
+    }
+    AbortCode before_write(const EntryRef& entry, ByteView value) override {
+        return last_word.has_value() ? *last_word : Application::before_write(entry, value);
+    }
     void after_write(const EntryRef&, Instant) override {}
     void put_factory_values(ParameterGroup) override {}
     void restart(Instant) override {}
     void booted(Instant) override {}
-    void communication_failed(bool, Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// What it answers when it is asked.
-    AbortCode access{AbortCode::none};
-    AbortCode last_word{AbortCode::none};
+    /// What it answers when it is asked; nothing of its own where empty.
+    std::optional<AbortCode> access{};
+    std::optional<AbortCode> last_word{};
 
   private:
     std::array<std::uint8_t, 4> memory_{};
@@ -95,7 +99,7 @@ TEST_F(Plain, TheDeviceIsAskedForAccessToEntriesOfAProgramAlone) {
     device->give(0x2207, Service::program);
     EXPECT_EQ(send("605#2307220005060708"), Frames{"585#8007220022000008"});
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#8007220022000008"});
-    device->application().access = AbortCode::none;
+    device->application().access.reset();
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
 }
 
@@ -106,6 +110,9 @@ TEST_F(Plain, OnEntriesOfAProgramTheDeviceHasTheLastWord) {
     device->give(0x2207, Service::program);
     EXPECT_EQ(send("605#2307220005060708"), Frames{"585#8007220022000008"});
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+    device->application().last_word.reset();
+    EXPECT_EQ(send("605#2307220005060708"), Frames{"585#6007220000000000"});
+    EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220005060708"});
 }
 
 TEST_F(Plain, WithoutAStoreLssAnswersThatItCannot) {

@@ -41,10 +41,19 @@ class Application : public LssApplication {
     Application(Application&&) = delete;
     Application& operator=(Application&&) = delete;
 
-    /// Whether an entry of Service::program can be read or written at all in the present state of the device.
-    virtual AbortCode check_access(const EntryRef& entry) = 0;
-    /// The last word on a write to an entry of Service::device or Service::program.
-    virtual AbortCode before_write(const EntryRef& entry, ByteView value) = 0;
+    /// Whether an entry of Service::program can be read or written at all in the present state of the device. Always,
+    /// where the device does not say.
+    virtual AbortCode check_access(const EntryRef& entry) {
+        static_cast<void>(entry);
+        return AbortCode::none;
+    }
+    /// The last word on a write to an entry of Service::device or Service::program. None, where the device does not
+    /// say.
+    virtual AbortCode before_write(const EntryRef& entry, const ByteView value) {
+        static_cast<void>(entry);
+        static_cast<void>(value);
+        return AbortCode::none;
+    }
     /// Any entry outside the communication area, or of Service::program, has a new value.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
     /// 1010h, whose sub-index `entry` is, has stored its groups: what the device keeps elsewhere is stored now. Its
@@ -82,7 +91,10 @@ class Application : public LssApplication {
         return AbortCode::unsupported_access;
     }
     /// A communication error of 1029h:1 (heartbeat, guarding, bus-off) began or ended.
-    virtual void communication_failed(bool failed, Instant now) = 0;
+    virtual void communication_failed(const bool failed, const Instant now) {
+        static_cast<void>(failed);
+        static_cast<void>(now);
+    }
 
   protected:
     Application() = default;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "firmware/base/bytes.hpp"
@@ -112,6 +113,13 @@ class ObjectDictionary {
     template <typename T>
     void set(const Field<T> field, const T value) noexcept {
         image_.put_le<sizeof(T)>(field.offset, to_bits(value));
+    }
+    /// Leaves the value as it is where none is given.
+    template <typename T>
+    void set_given(const Field<T> field, const std::optional<T>& value) noexcept {
+        if (value.has_value()) {
+            set(field, *value);
+        }
     }
 
     const DictionaryTables& tables() const noexcept { return tables_; }

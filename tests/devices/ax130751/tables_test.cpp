@@ -36,12 +36,12 @@ TEST(Ax130751Tables, T01DigitalOutputPolarity) {
 }
 
 TEST(Ax130751Tables, T02AndT09FaultModes) {
-    verifies<req::AOR_T02, req::AOR_T09>();
-    EXPECT_EQ(own::digital_error_response::find(0)->action, own::digital_error_response::Action::keep);
-    EXPECT_EQ(own::digital_error_response::find(1)->action, own::digital_error_response::Action::fault_state);
+    verifies<req::AOR_T02, req::AOR_T09, req::AOR_E_FAULT_ACTION>();
+    EXPECT_EQ(own::digital_error_response::find(0)->action, own::FaultAction::keep);
+    EXPECT_EQ(own::digital_error_response::find(1)->action, own::FaultAction::fault_value);
     EXPECT_EQ(own::digital_error_response::rows.size(), 2U);
-    EXPECT_EQ(own::analogue_error_response::find(0)->action, own::analogue_error_response::Action::keep);
-    EXPECT_EQ(own::analogue_error_response::find(1)->action, own::analogue_error_response::Action::fault_value);
+    EXPECT_EQ(own::analogue_error_response::find(0)->action, own::FaultAction::keep);
+    EXPECT_EQ(own::analogue_error_response::find(1)->action, own::FaultAction::fault_value);
     EXPECT_EQ(own::analogue_error_response::rows.size(), 2U);
 }
 
@@ -177,8 +177,8 @@ TEST(Ax130751Tables, T06ControlResponse) {
 }
 
 TEST(Ax130751Tables, T07EnableResponse) {
-    verifies<req::AOR_T07>();
-    using A = own::enable_response::Action;
+    verifies<req::AOR_T07, req::AOR_E_ENABLE_ACTION>();
+    using A = own::EnableAction;
     struct Row {
         A on;
         A off;
@@ -231,10 +231,14 @@ TEST(Ax130751Tables, T10RelayPolarity) {
 }
 
 TEST(Ax130751Tables, T11RelayEnableResponse) {
-    verifies<req::AOR_T11>();
-    using A = own::relay_enable_response::Action;
-    const std::array<std::pair<A, A>, 6> on_and_off{
-        {{A::run, A::off}, {A::off, A::run}, {A::off, A::run}, {A::run, A::off}, {A::run, A::keep}, {A::keep, A::run}}};
+    verifies<req::AOR_T11, req::AOR_E_ENABLE_ACTION>();
+    using A = own::EnableAction;
+    const std::array<std::pair<A, A>, 6> on_and_off{{{A::run, A::shut_off},
+                                                     {A::shut_off, A::run},
+                                                     {A::shut_off, A::run},
+                                                     {A::run, A::shut_off},
+                                                     {A::run, A::keep},
+                                                     {A::keep, A::run}}};
     for (std::uint8_t response = 0; response < 6; ++response) {
         EXPECT_EQ(own::relay_enable_response::find(response, true)->action, on_and_off[response].first)
             << int{response};

@@ -86,22 +86,13 @@ Instant Device::next_deadline() const noexcept {
     return earliest(node_.next_deadline(), earliest(next_sample_, next_filter_));
 }
 
-AbortCode Device::check_access(const EntryRef&) {
-    return AbortCode::none;  // no entry depends on the state of the device
-}
-
 static_assert(implements<req::INC_ID_001> && implements<req::INC_ID_002>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
-        const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
-            if (value.has_value()) {
-                objects_.set(entry, *value);
-            }
-        };
-        put(field::o1018_3_revision_number, factory_.revision);
-        put(field::o1018_4_serial_number, factory_.serial_number);
-        put(field::o1020_verify_configuration[1U], factory_.made_on);
-        put(field::o1020_verify_configuration[2U], factory_.made_at);
+        objects_.set_given(field::o1018_3_revision_number, factory_.revision);
+        objects_.set_given(field::o1018_4_serial_number, factory_.serial_number);
+        objects_.set_given(field::o1020_verify_configuration[1U], factory_.made_on);
+        objects_.set_given(field::o1020_verify_configuration[2U], factory_.made_at);
     } else if (group == ParameterGroup::manufacturer) {
         objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));
         objects_.set(field::o2400_calibrated_pitch_angle_data, factory_.calibration.pitch);
@@ -142,10 +133,6 @@ void Device::booted(const Instant now) {
         node_.start_at(now);
     }
     tell_errors(now);
-}
-
-void Device::communication_failed(const bool, const Instant) {
-    // nothing here depends on it: RPDOs that are late are asked for in forget_overdue()
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {

@@ -177,10 +177,6 @@ void Device::wake(const Instant now) noexcept {
     was_quiet_ = false;
 }
 
-AbortCode Device::check_access(const EntryRef&) {
-    return AbortCode::none;  // no entry depends on the state of the device
-}
-
 /// 5B50h and 5B51h lie where LSS stores, with the other manufacturer objects in time only.
 static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::save(const EntryRef& entry) {
@@ -202,15 +198,10 @@ AbortCode Device::save(const EntryRef& entry) {
 static_assert(implements<req::AOR_ID_002>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
-        const auto put = [this](const Field<std::uint32_t> entry, const std::optional<std::uint32_t>& value) {
-            if (value.has_value()) {
-                objects_.set(entry, *value);
-            }
-        };
-        put(field::o1018_3_revision_number, factory_.revision);
-        put(field::o1018_4_serial_number, factory_.serial_number);
-        put(field::o1020_verify_configuration[1U], factory_.made_on);
-        put(field::o1020_verify_configuration[2U], factory_.made_at);
+        objects_.set_given(field::o1018_3_revision_number, factory_.revision);
+        objects_.set_given(field::o1018_4_serial_number, factory_.serial_number);
+        objects_.set_given(field::o1020_verify_configuration[1U], factory_.made_on);
+        objects_.set_given(field::o1020_verify_configuration[2U], factory_.made_at);
     }
 }
 
@@ -247,10 +238,6 @@ void Device::booted(const Instant now) {
         node_.start_at(now);
     }
     tell_errors(now);
-}
-
-void Device::communication_failed(const bool, const Instant) {
-    // which of the messages fail, and when, is seen in watch_network()
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace own = generated::ax130751;
 
-static_assert(implements<req::AOR_T07>);
+static_assert(implements<req::AOR_T07> && implements<req::AOR_E_ENABLE_ACTION>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
     namespace table = own::enable_response;
     return cell_or(table::find(response, on), &table::Row::action, EnableAction::shut_off);
@@ -84,19 +84,16 @@ UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
     return signals;
 }
 
-static_assert(implements<req::AOR_T02> && implements<req::AOR_T09>);
+static_assert(implements<req::AOR_T02> && implements<req::AOR_T09> && implements<req::AOR_E_FAULT_ACTION>);
 FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
-    bool keeps{false};
     if (digital) {
         namespace table = own::digital_error_response;
         const std::uint8_t mode = objects_.get(field::o6250_do_fault_mode_1_output_line[number_]);
-        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_state) == table::Action::keep;
-    } else {
-        namespace table = own::analogue_error_response;
-        const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
-        keeps = cell_or(table::find(mode), &table::Row::action, table::Action::fault_value) == table::Action::keep;
+        return cell_or(table::find(mode), &table::Row::action, FaultAction::fault_value);
     }
-    return keeps ? FaultAction::keep : FaultAction::fault_value;
+    namespace table = own::analogue_error_response;
+    const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
+    return cell_or(table::find(mode), &table::Row::action, FaultAction::fault_value);
 }
 
 static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029>);

@@ -11,8 +11,9 @@ namespace {
 
 namespace index = generated::ax130751::index;
 
-constexpr std::uint32_t point_response_offset = 5U;
-constexpr std::uint32_t point_x_offset = 6U;
+// From 3yz0h of a table to its responses and to the X of its points.
+constexpr std::uint32_t point_response_offset = index::lt1_point_response - index::lt1_input_x_axis_source;
+constexpr std::uint32_t point_x_offset = index::lt1_point_x_axis_pv - index::lt1_input_x_axis_source;
 
 bool is_field_value(const std::uint16_t index) noexcept {
     return (index == index::ao_override_field_value) || (index == index::ao_output_scaling_1_fv) ||

@@ -41,19 +41,10 @@ UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
     return cell_or(table::find(value, false, false), &table::Row::unlatch, UnlatchEffect::ignored);
 }
 
-static_assert(implements<req::AOR_T11>);
+static_assert(implements<req::AOR_T11> && implements<req::AOR_E_ENABLE_ACTION>);
 EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
-    using Action = own::relay_enable_response::Action;
-    switch (cell_or(own::relay_enable_response::find(response, on), &own::relay_enable_response::Row::action,
-                    Action::off)) {
-        case Action::run:
-            return EnableAction::run;
-        case Action::keep:
-            return EnableAction::keep;
-        case Action::off:
-        default:
-            return EnableAction::shut_off;
-    }
+    namespace table = own::relay_enable_response;
+    return cell_or(table::find(response, on), &table::Row::action, EnableAction::shut_off);
 }
 
 static_assert(implements<req::AOR_T12>);

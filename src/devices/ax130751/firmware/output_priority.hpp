@@ -3,15 +3,15 @@
 
 #include <cstdint>
 
-#include "generated/ax130751/tables.hpp"
+#include "generated/ax130751/enumerations.hpp"
 
 namespace canproof::ax130751 {
 
 /// What the enable input asks for (Tables 7 and 11).
-using EnableAction = generated::ax130751::enable_response::Action;
+using EnableAction = generated::ax130751::EnableAction;
 
 /// What an output does while an input is in error (Tables 2 and 9).
-using FaultAction = generated::ax130751::analogue_error_response::Action;
+using FaultAction = generated::ax130751::FaultAction;
 
 struct OutputConditions {
     bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off

@@ -175,14 +175,6 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
     }
 }
 
-AbortCode Device::check_access(const EntryRef&) {
-    return AbortCode::none;
-}
-
-AbortCode Device::before_write(const EntryRef&, const ByteView) {
-    return AbortCode::none;
-}
-
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
@@ -250,8 +242,6 @@ void Device::start_others_when_due(const Instant now) noexcept {
         static_cast<void>(queue_.push(command));
     }
 }
-
-void Device::communication_failed(const bool, const Instant) {}
 
 static_assert(implements<req::TCS_LSS_004>);
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {

@@ -43,13 +43,10 @@ class Device final : private Application {
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 
   private:
-    AbortCode check_access(const EntryRef& entry) override;
-    AbortCode before_write(const EntryRef& entry, ByteView value) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;
     void booted(Instant now) override;
-    void communication_failed(bool failed, Instant now) override;
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 

@@ -125,10 +125,6 @@ AbortCode Device::check_access(const EntryRef& entry) {
     return (entry.index == index::program_data) ? AbortCode::device_state : AbortCode::none;
 }
 
-AbortCode Device::before_write(const EntryRef&, const ByteView) {
-    return AbortCode::none;
-}
-
 static_assert(implements<req::AO4_AOUT_005>);
 void Device::after_write(const EntryRef& entry, const Instant) {
     using own::Parameter;

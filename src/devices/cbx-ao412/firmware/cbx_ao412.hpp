@@ -60,7 +60,6 @@ class Device final : private Application {
     };
 
     AbortCode check_access(const EntryRef& entry) override;
-    AbortCode before_write(const EntryRef& entry, ByteView value) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;

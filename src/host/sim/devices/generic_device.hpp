@@ -68,8 +68,6 @@ class GenericDevice final : private Application {
     int communication_errors() const { return communication_errors_; }
 
   private:
-    AbortCode check_access(const EntryRef&) override { return AbortCode::none; }
-    AbortCode before_write(const EntryRef&, ByteView) override { return AbortCode::none; }
     void after_write(const EntryRef&, Instant) override {}
     void put_factory_values(ParameterGroup) override {}
     void restart(Instant) override {}
