@@ -366,4 +366,17 @@ TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
+// The boot-up message is lost, what the boot reported of errors is not.
+TEST_F(Ax060805Errors, ADamagedSetFoundAtPowerOnInBusOffIsReportedAfterIt) {
+    verifies<req::INC_ERR_012, req::CO_EMCY_017>();
+    write(0x1010, 1, 0x65766173, 4);
+    memory.bytes()[200] ^= 0x01;
+    inputs.can_state = 3;
+    EXPECT_EQ(power_on(), Frames{});
+    EXPECT_EQ(pass(500), Frames{});
+    inputs.can_state = 0;
+    const Frames sent_after = set_inputs();
+    EXPECT_EQ(sent_after.at(0), "0FF#0063010000000000");
+}
+
 }  // namespace canproof::test

@@ -1,6 +1,7 @@
 // Errors of the AX130751 on the bus: 1001h, 1003h, 1029h, emergency messages on 0FFh, heartbeat and guarding (manual
 // 3.2.2 to 3.2.13). Node 127.
 #include "generated/ax130751/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -239,6 +240,18 @@ TEST_F(Ax130751Errors, ADamagedStoredSetIsToldAndDefaultsHold) {
     EXPECT_EQ(read(0x5032, 0), 85U);
     EXPECT_EQ(read(0x1003, 1), 0x00006300U);
     EXPECT_EQ(read(0x1001, 0), 1U);
+}
+
+// The boot-up message is lost, what the boot reported of errors is not.
+TEST_F(Ax130751Errors, ADamagedSetFoundAtPowerOnInBusOffIsReportedAfterIt) {
+    verifies<req::AOR_ERR_009, req::CO_EMCY_017>();
+    store();
+    memory.bytes()[100] ^= 0x01;
+    inputs.can_state = 3;
+    EXPECT_EQ(power_on(), Frames{});
+    EXPECT_EQ(pass(500), Frames{});
+    inputs.can_state = 0;
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0063010000000000"}));
 }
 
 }  // namespace canproof::test
