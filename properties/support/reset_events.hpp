@@ -251,7 +251,8 @@ class Happening {
             case 2:
                 return unit.send(lss_request, {0x13, 0, event.sub % 9U, 0, 0, 0, 0, 0});
             case 3:
-                unit.silent_until = unit.now + milliseconds(2U * delay);
+                unit.silent_until = std::max(unit.silent_until, unit.now + milliseconds(2U * delay),
+                                             [](Instant one, Instant other) { return one < other; });
                 return unit.send(lss_request, {0x15, delay, 0, 0, 0, 0, 0, 0});
             case 4:
                 return unit.send(lss_request, {0x17, 0, 0, 0, 0, 0, 0, 0});

@@ -115,11 +115,18 @@ class ResetUnit {
         take();
         return found;
     }
+    /// Of each delay of activate bit timing.
+    static constexpr Duration longest_silence = milliseconds(20);
     /// The CAN controller works as it should, and LSS has ended what it does to the bit rate.
     void recover() {
         set_input("can_state", 0.0);
         set_input("can_overrun", 0.0);
-        pass_until(silent_until);
+        const Instant end = silent_until;
+        silent_until = Instant{};
+        if (end != Instant{}) {  // a driver that came late has moved the second delay
+            pass(longest_silence);
+            pass_until(end);
+        }
     }
 
     void pass(Duration time) { pass_until(now + time); }
