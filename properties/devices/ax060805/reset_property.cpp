@@ -80,7 +80,7 @@ RC_GTEST_PROP(Ax060805Reset, PowerOnForgetsTheLifeBefore, ()) {
 }
 
 RC_GTEST_PROP(Ax060805Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
-    verifies<req::CO_NMT_006>("property");
+    verifies<req::CO_NMT_006, req::CO_EMCY_018>("property");
     communication_law<Ax060805Reset>();
 }
 

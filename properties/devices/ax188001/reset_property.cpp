@@ -70,7 +70,7 @@ RC_GTEST_PROP(Ax188001Reset, PowerOnForgetsTheLifeBefore, ()) {
 }
 
 RC_GTEST_PROP(Ax188001Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
-    verifies<req::CO_NMT_006>("property");
+    verifies<req::CO_NMT_006, req::CO_EMCY_018>("property");
     communication_law<Ax188001Reset>();
 }
 
