@@ -18,6 +18,7 @@ constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no
 }  // namespace
 
 void Emcy::reset() noexcept {
+    enabled_ = false;
     active_ = 0U;
     pending_count_ = 0U;
     may_send_at_ = Instant{};
@@ -35,6 +36,7 @@ void Emcy::show_register() noexcept {
 
 static_assert(implements<req::CO_EMCY_011> && implements<req::CO_EMCY_018>);
 void Emcy::refresh() noexcept {
+    enabled_ = false;
     may_send_at_ = Instant{};
     forget_when_switched_off();
     show_register();

@@ -31,10 +31,11 @@ class Emcy {
 
     /// The node boots with this node-ID: where there is no 1014h it decides the identifier.
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
-    /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node.
+    /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node. Messages wait for
+    /// enable(), since the boot-up message empties the queue.
     void reset() noexcept;
     /// A reset of the communication area set 1001h and 1014h to their defaults: what is active shows again. A list of
-    /// active errors stays as it is; a history begins anew.
+    /// active errors stays as it is; a history begins anew. Messages wait for enable() here as well.
     void refresh() noexcept;
     /// A lasting error begins or ends. Telling the same twice does nothing. `channel` is added to the detail of the row
     /// when the error begins: the node-ID of a lost heartbeat.

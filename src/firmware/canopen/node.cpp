@@ -63,7 +63,6 @@ void Node::reset_node(const Instant now) noexcept {
     if (store_.is_damaged()) {
         load_all();  // a value could not be read: nothing of that set is used
     }
-    emcy_.enable(false, now);
     emcy_.reset();
     faults_ = CommunicationFaults{};
     communication_failed_ = false;
@@ -80,7 +79,6 @@ void Node::reset_communication(const Instant now) noexcept {
     if (store_.is_damaged()) {
         load_group(ParameterGroup::communication);
     }
-    emcy_.enable(false, now);  // an EMCY that is queued before the boot-up would be dropped with the queue
     emcy_.refresh();
     tell_damage(now);
     boot_up(now);
@@ -99,7 +97,6 @@ void Node::boot_up(const Instant now) noexcept {
     rpdos_.reset();
     tpdos_.reset();
     if (node_id_ == unconfigured_node_id) {
-        emcy_.enable(false, now);
         return;
     }
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);  // initialising told of none
