@@ -166,6 +166,7 @@ void Device::obey(unsigned specifier) {
         case 0x82:
             take_communication(settings_, stored_);
             list_.clear();
+            may_send_at_ = 0;
             return boot();
         default:
             return;
