@@ -258,4 +258,35 @@ TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
     EXPECT_EQ(output(1), 3000);
 }
 
+TEST_F(Ax130751Math, ADisabledBlockForgetsItsSum) {
+    verifies<req::AOR_MATH_008, req::AOR_MATH_009>();
+    make(1, 3);
+    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4101, 1, 1);
+    set8(0x4100, 1, math_source);
+    set8(0x4102, 1, 1);
+    values({0, 1, 50});  // 1 % a cycle
+    pass(60);
+    EXPECT_EQ(output(1), 10000);
+    set16(0x2500, 2, 0);
+    pass(5);
+    EXPECT_EQ(output(1), 10000) << "the sum stays";
+    set8(0x4000, 1, 0);
+    pass(2);
+    set8(0x4000, 1, 1);
+    pass(5);
+    EXPECT_EQ(output(1), 0) << "the sum begins at 0";
+}
+
+TEST_F(Ax130751Math, AGainOfZeroCountsAfterAnother) {
+    verifies<req::AOR_K_GAIN_ONE>();
+    make(1, 2);
+    set8(0x4140, 1, 50);
+    values({20, 35});
+    EXPECT_EQ(output(1), 4500);  // 20 * 0.5 + 35
+    set8(0x4140, 1, 0);
+    pass(1);
+    EXPECT_EQ(output(1), 3500);
+}
+
 }  // namespace canproof::test
