@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <sstream>
 #include <tuple>
 
 #include "host/register/read_item.hpp"
@@ -250,20 +251,42 @@ StandardObject read_standard_object(TomlItem& item) {
     return object;
 }
 
+/// `ITEM CODE TESTS`: what was read, as marks; `-` or nothing where there was no code or no test.
+Review read_marks(const std::string& marks) {
+    std::istringstream words{marks};
+    Review review;
+    words >> review.fingerprint >> review.code >> review.tests;
+    for (std::string* mark : {&review.code, &review.tests}) {
+        if (*mark == "-") {
+            mark->clear();
+        }
+    }
+    return review;
+}
+
 /// One [[review]]: who read which items when.
 void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
     const std::string date = item.text("date");
     const std::string by = item.text("by");
+    const std::string role = item.text_or("role", "");
+    if (!role.empty() && role != "author" && role != "independent") {
+        item.fault(fmt::format("role is `{}`", role), "write `author` (of the change) or `independent`");
+    }
     if (auto items = item.item("items")) {
         for (const auto& [key, print] : items->table()) {
             const std::string id{key.str()};
             const Place place = items->place(id);
-            if (!reviews.emplace(id, Review{to_text(literal(print)), date, by, place}).second) {
+            Review review = read_marks(to_text(literal(print)));
+            review.date = date;
+            review.by = by;
+            review.role = role;
+            review.place = place;
+            if (!reviews.emplace(id, review).second) {
                 item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
             }
         }
     } else {
-        item.fault("review without items", "write [review.items] with `ID = \"fingerprint\"` lines");
+        item.fault("review without items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
     }
     item.finish();
 }

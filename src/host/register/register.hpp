@@ -206,8 +206,11 @@ struct Decision : Item {
 /// Someone has read an item together with its code and tests.
 struct Review {
     std::string fingerprint;  ///< of the item as it was then
+    std::string code;         ///< mark of the functions that implemented it; empty: there were none
+    std::string tests;        ///< mark of the tests that claimed it; empty: there were none
     std::string date;         ///< 2026-11-21
     std::string by;
+    std::string role;  ///< author or independent; empty: nobody said
     Place place;
 };
 

@@ -74,6 +74,11 @@ class SpecCommands : Command {
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
         review->add_option("--by", review_.by, "who has read them")->required();
+        review->add_option("--role", review_.role, "author of the change, or independent of it")
+            ->required()
+            ->check(CLI::IsMember({"author", "independent"}));
+        review->add_option("--verdicts", review_.verdicts,
+                           "folder of test results; the newest of build/*/verdicts without it");
         review->add_option("--date", review_.date, "YYYY-MM-DD; today without it");
         review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });

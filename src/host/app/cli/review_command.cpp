@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "host/app/cli/sound_register.hpp"
+#include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/review.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
@@ -35,8 +36,9 @@ void check(const ReviewOptions& options) {
 }
 
 /// Those of the part that the user has named; each name that is found is struck from `names`.
-std::set<std::string> chosen_of(const Part& part, const ReviewOptions& options, std::set<std::string>& names) {
-    const std::set<std::string> waiting = unreviewed(part);
+std::set<std::string> chosen_of(const Part& part, const WorkByItem& work, const ReviewOptions& options,
+                                std::set<std::string>& names) {
+    const std::set<std::string> waiting = unreviewed(part, work);
     if (options.all || names.erase(part.name) != 0) {
         return waiting;
     }
@@ -54,19 +56,22 @@ std::set<std::string> chosen_of(const Part& part, const ReviewOptions& options, 
 int review_spec(const ReviewOptions& options) {
     check(options);
     const Register content = sound_register(options.spec);
+    const auto root = (std::filesystem::absolute(options.spec) / ".").lexically_normal().parent_path().parent_path();
+    const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
+    const WorkByItem work = collect_evidence(root, verdicts, content).work;
+    const ReviewSession session{options.date.empty() ? today() : options.date, options.by, options.role};
     std::set<std::string> names{options.subjects.begin(), options.subjects.end()};
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;
     for (const auto& part : content.parts) {
-        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(part, options, names);
+        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(part, work, options, names);
         if (chosen.empty()) {
             continue;
         }
         count += chosen.size();
         const auto folder =
             std::filesystem::path{options.spec} / (part.is_device() ? "devices/" + part.name : part.name);
-        files.emplace_back(folder / "reviews.toml",
-                           write_reviews(part, chosen, options.date.empty() ? today() : options.date, options.by));
+        files.emplace_back(folder / "reviews.toml", write_reviews(part, chosen, session, work));
     }
     if (!names.empty()) {
         throw InputError{fmt::format("`{}` is neither a device nor an id in force", *names.begin())};
@@ -74,7 +79,8 @@ int review_spec(const ReviewOptions& options) {
     for (const auto& [file, text] : files) {
         write_file(file, text);
     }
-    fmt::print("{} item(s) reviewed by {}\n", count, options.by);
+    fmt::print("{} item(s) reviewed by {}, {}\n", count, options.by,
+               options.role == "author" ? "author of the change" : "not the author of the change");
     return 0;
 }
 

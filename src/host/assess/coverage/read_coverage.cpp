@@ -15,7 +15,7 @@
 #include "host/assess/coverage/coverage.hpp"
 #include "host/assess/firmware_scope.hpp"
 #include "host/base/input_error.hpp"
-#include "host/base/reading.hpp"
+#include "host/base/lines.hpp"
 
 namespace canproof::host {
 
@@ -46,20 +46,14 @@ Region region_of(const Json& values) {
 
 /// The lines of a source that has not changed since `measured` was written.
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured) {
-    std::ifstream in{file};
-    if (!in) {
+    if (!std::filesystem::exists(file)) {
         throw InputError{fmt::format("{} was measured but is not there; measure again", file.string())};
     }
     if (std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
         throw InputError{
             fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
     }
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    check_read(in, file.string());
-    return lines;
+    return read_lines(file);
 }
 
 std::string trimmed(const std::string& text) {

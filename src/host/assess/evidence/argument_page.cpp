@@ -43,7 +43,7 @@ std::string claim_markup(const Claim& claim, const Argument& argument, const Exh
         text += "</ul>\n";
     }
     if (!claim.limits.empty()) {
-        text += fmt::format("<p class=quiet>Not shown by this: {}</p>\n", escaped(claim.limits));
+        text += fmt::format("<p class=quiet>Limits: {}</p>\n", escaped(claim.limits));
     }
     for (const auto& other : argument.claims) {
         if (other.parent == claim.id) {

@@ -10,6 +10,7 @@
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/evidence.hpp"
+#include "host/assess/trace/review.hpp"
 
 namespace canproof::host {
 
@@ -54,11 +55,19 @@ Exhibit audit_exhibit(const PackInput& input) {
 
 Exhibit suspects_exhibit(const PackInput& input) {
     std::size_t suspects = 0;
+    ReviewCounts read;
     for (const auto& audit : input.audits) {
         suspects += audit.suspects.size();
+        const ReviewCounts here = count_reviews(*audit.part, input.evidence.work);
+        read.author += here.author;
+        read.independent += here.independent;
+        read.unsaid += here.unsaid;
     }
     return exhibit("suspects", "Suspects", suspects == 0,
-                   fmt::format("{} items have changed since someone read them with their code and tests", suspects),
+                   fmt::format("{} items have changed, in text, code or tests, since someone read them. Readers of the "
+                               "other items and decisions: the author of the change {}, someone else {}{}",
+                               suspects, read.author, read.independent,
+                               read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid)),
                    suspects == 0 ? "" : "audit.html?q=suspect");
 }
 

@@ -1,13 +1,13 @@
 #include "host/assess/mutation/implementing_mutants.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <fstream>
 #include <set>
 #include <utility>
 
-#include "host/assess/mutation/function_lines.hpp"
-#include "host/base/reading.hpp"
+#include "host/assess/source/cpp_text.hpp"
+#include "host/assess/source/linked_function.hpp"
+#include "host/base/lines.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
 
@@ -30,13 +30,8 @@ Place place_of(const AlteredCell& mutant) {
             colons == std::string::npos ? function : function.substr(colons + 2)};
 }
 
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// The names in front of a parenthesis.
-void add_calls(const std::string& line, Words& words) {
-    const std::string code = line.substr(0, line.find("//"));
+void add_calls(const std::string& code, Words& words) {
     for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
         std::size_t first = at;
         while (first > 0 && is_word(code[first - 1])) {
@@ -74,14 +69,11 @@ class Sources {
     }
 
   private:
+    /// Without comments and the contents of literals; none of a file that is not there.
     const std::vector<std::string>& lines(const std::string& file) {
         auto& all = lines_[file];
-        if (all.empty()) {
-            std::ifstream in{root_ / file};
-            for (std::string line; std::getline(in, line);) {
-                all.push_back(line);
-            }
-            check_read(in, file);
+        if (all.empty() && std::filesystem::is_regular_file(root_ / file)) {
+            all = split_lines(code_only(read_file(root_ / file)));
         }
         return all;
     }
@@ -106,7 +98,8 @@ class Sources {
     std::set<std::string> units_of(const std::string& file) {
         static const std::string include = "#include \"";
         std::set<std::string> files{file};
-        for (const auto& line : lines(file)) {
+        const bool is_there = std::filesystem::is_regular_file(root_ / file);
+        for (const auto& line : is_there ? read_lines(root_ / file) : std::vector<std::string>{}) {
             if (line.rfind(include, 0) == 0) {
                 const std::string header = "src/" + line.substr(include.size(), line.rfind('"') - include.size());
                 files.insert(header);

@@ -13,6 +13,7 @@
 #include "host/assess/mutation/code_mutation.hpp"
 #include "host/assess/mutation/implementing_mutants.hpp"
 #include "host/assess/mutation/test_server.hpp"
+#include "host/assess/source/test_bodies.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
 

@@ -22,6 +22,16 @@ std::string brief(const std::string& text) {
     return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " …";
 }
 
+std::string review_line(const Review& review) {
+    const std::string role = review.role == "author"        ? ", author of the change"
+                             : review.role == "independent" ? ", not the author of the change"
+                                                            : ", role not stated";
+    std::string read = "item";
+    read += review.code.empty() ? "" : ", code";
+    read += review.tests.empty() ? "" : ", tests";
+    return fmt::format("{} by {}{}; read: {}", review.date, review.by, role, read);
+}
+
 }  // namespace
 
 std::string item_line(const AuditedItem& audited) {
@@ -112,8 +122,7 @@ Story StoryTeller::item(const AuditedItem& audited) const {
                                        count.justified == 0 ? "" : fmt::format(", {} with a reason", count.justified)));
     }
     const auto reviewed = part.reviews.find(one.id);
-    story.text += line(
-        "review", !audited.suspect.empty() ? audited.suspect : reviewed->second.date + " by " + reviewed->second.by);
+    story.text += line("review", !audited.suspect.empty() ? audited.suspect : review_line(reviewed->second));
     story.text += line("verdict", audited.status());
     return story;
 }

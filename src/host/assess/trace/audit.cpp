@@ -153,13 +153,13 @@ std::string AuditedItem::status() const {
 }
 
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence) {
-    return PartAuditor{content, part, evidence, decisions_by_item(content), ReviewState{content}}.run(
+    return PartAuditor{content, part, evidence, decisions_by_item(content), ReviewState{content, evidence.work}}.run(
         SectionIndex{content});
 }
 
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence) {
     const DecisionsByItem decisions = decisions_by_item(content);
-    const ReviewState reviews{content};
+    const ReviewState reviews{content, evidence.work};
     const SectionIndex sections{content};
     std::vector<PartAudit> all;
     for (const auto& part : content.parts) {

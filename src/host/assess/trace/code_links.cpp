@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <deque>
-#include <fstream>
 #include <set>
 
 #include "host/assess/firmware_scope.hpp"
-#include "host/base/reading.hpp"
+#include "host/assess/source/cpp_text.hpp"
+#include "host/base/lines.hpp"
+#include "host/base/read_file.hpp"
 
 namespace canproof::host {
 
@@ -40,8 +40,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
     static const std::string written = "#include \\\"";  // by the compiler of the register, as a string
     std::vector<std::string> all;
-    std::ifstream in{file};
-    for (std::string line; std::getline(in, line);) {
+    for (const auto& line : read_lines(file)) {
         if (line.rfind(word, 0) == 0) {
             all.push_back(line.substr(word.size(), line.rfind('"') - word.size()));
         }
@@ -50,7 +49,6 @@ std::vector<std::string> includes_of(const fs::path& file) {
             all.push_back(line.substr(at, line.find('\\', at) - at));
         }
     }
-    check_read(in, file.string());
     return all;
 }
 
@@ -78,21 +76,17 @@ Names generated_names(const Part& part) {
     return names;
 }
 
-bool is_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Calls visit(name) for each identifier of a line before its comment.
 template <typename Visit>
 void for_each_name(const std::string& line, const Visit& visit) {
     const std::size_t end = std::min(line.find("//"), line.size());
     for (std::size_t at = 0; at < end;) {
-        if (!is_name(line[at])) {
+        if (!is_word(line[at])) {
             ++at;
             continue;
         }
         std::size_t last = at;
-        while (last < end && is_name(line[last])) {
+        while (last < end && is_word(line[last])) {
             ++last;
         }
         visit(line.substr(at, last - at));
@@ -166,14 +160,8 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
         const std::string name = file.lexically_relative(root).generic_string();
         std::string path_word = name;  // src/devices/cbx-ao412/… is code of cbx_ao412
         std::replace(path_word.begin(), path_word.end(), '-', '_');
-        std::ifstream in{file};
-        std::vector<std::string> lines;
-        std::string all;
-        for (std::string line; std::getline(in, line);) {
-            all += line + "\n";
-            lines.push_back(line);
-        }
-        check_read(in, file.string());
+        const std::string all = read_file(file);
+        const std::vector<std::string> lines = split_lines(all);
         for (const auto& part : content.parts) {
             // Only code that names the part can mean its names.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <pugixml.hpp>
 
 #include "host/assess/trace/code_links.hpp"
 #include "host/assess/trace/link_places.hpp"
 #include "host/base/input_error.hpp"
-#include "host/base/reading.hpp"
+#include "host/base/lines.hpp"
 
 namespace canproof::host {
 
@@ -72,13 +71,12 @@ void scan_line(const std::string& line, const std::string& place, Evidence& evid
 }
 
 void scan_source(const std::filesystem::path& root, const std::filesystem::path& file, Evidence& evidence) {
-    std::ifstream in{file};
-    std::string line;
     const std::string name = file.lexically_relative(root).generic_string();
-    for (int number = 1; std::getline(in, line); ++number) {
+    int number = 0;
+    for (const auto& line : read_lines(file)) {
+        ++number;
         scan_line(line, fmt::format("{}:{}", name, number), evidence);
     }
-    check_read(in, name);
 }
 
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder,
@@ -93,6 +91,43 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     }
     std::sort(all.begin(), all.end());
     return all;
+}
+
+/// Marks the code and the tests of each item of the register. Shared code stands for an item that says `by`.
+WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence) {
+    WorkMarks marks{root};
+    std::map<std::string, std::string> by;
+    for (const auto& part : content.parts) {
+        for (const auto& requirement : part.requirements) {
+            by[requirement.id] = requirement.by;
+        }
+    }
+    WorkByItem work;
+    const auto mark = [&](const Item& item, const char*) {
+        const std::string& other = by[item.id];
+        const auto code = evidence.implemented.find(other.empty() ? item.id : other);
+        const auto claims = evidence.verdicts.find(item.id);
+        ItemWork now;
+        if (code != evidence.implemented.end()) {
+            now.code = marks.of_code(code->second);
+        }
+        if (claims != evidence.verdicts.end()) {
+            std::vector<std::pair<std::string, std::string>> tests;
+            for (const auto& verdict : claims->second) {
+                tests.emplace_back(verdict.file, verdict.test);
+            }
+            now.tests = marks.of_tests(tests);
+        }
+        if (!now.code.empty() || !now.tests.empty()) {
+            work[item.id] = now;
+        }
+    };
+    for (const auto& part : content.parts) {
+        if (!part.inherited) {
+            content.for_each_item(part, mark);
+        }
+    }
+    return work;
 }
 
 }  // namespace
@@ -129,6 +164,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
     }
+    evidence.work = work_of_items(root, content, evidence);
     evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);
     evidence.misplaced = misplaced_links(root);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/assess/source/item_work.hpp"
 #include "host/register/register.hpp"
 
 namespace canproof::host {
@@ -39,6 +40,7 @@ struct Evidence {
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/…:line`
     std::map<std::string, std::vector<std::string>> used;  ///< by id: where code names what was generated from it
+    WorkByItem work;                                       ///< what a review of each item is about
     std::vector<TestRun> runs;
     std::vector<std::string> untraced;   ///< files of the firmware that serve no requirement, directly or by inclusion
     std::vector<std::string> misplaced;  ///< links that stand where they say little, each a sentence

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "host/assess/source/test_bodies.hpp"
+
 namespace canproof::host {
 
 namespace {

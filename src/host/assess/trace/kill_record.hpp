@@ -23,21 +23,4 @@ KillRecord read_kill_record(const std::filesystem::path& file);
 /// One line a test, sorted: `test,body,kills,without mutants`; items stand with spaces between them.
 std::string write_kill_record(const KillRecord& record);
 
-/// The bodies of tests in the sources of a project. Reads each source once.
-class TestBodies {
-  public:
-    explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
-
-    /// Sixteen digits that change with the words of the test's body, and not with its comments, spaces and line breaks.
-    /// Empty when the source does not define such a test. `file` is named from the project's folder.
-    std::string hash(const std::string& file, const std::string& test);
-
-  private:
-    std::filesystem::path root_;
-    std::map<std::string, std::string> sources_;  ///< by file, without comments and spaces
-};
-
-/// A source without comments and without spaces outside literals.
-std::string without_layout(const std::string& source);
-
 }  // namespace canproof::host

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
-#include "host/base/reading.hpp"
+#include "host/base/lines.hpp"
 
 namespace canproof::host {
 
@@ -86,13 +85,7 @@ std::vector<std::string> misplaced_links(const std::filesystem::path& root) {
     std::sort(files.begin(), files.end());
     std::vector<std::string> all;
     for (const auto& file : files) {
-        std::ifstream in{file};
-        std::vector<std::string> lines;
-        for (std::string line; std::getline(in, line);) {
-            lines.push_back(line);
-        }
-        check_read(in, file.string());
-        const auto found = misplaced_in(file.lexically_relative(root).generic_string(), lines);
+        const auto found = misplaced_in(file.lexically_relative(root).generic_string(), read_lines(file));
         all.insert(all.end(), found.begin(), found.end());
     }
     return all;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
 #include <utility>
 
 #include "host/register/fingerprint.hpp"
@@ -10,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The fingerprints of what is in force.
+/// Returns the fingerprints of what is in force.
 std::map<std::string, std::string> prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {
@@ -29,9 +30,26 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
+ItemWork work_of(const std::string& id, const WorkByItem& work) {
+    const auto found = work.find(id);
+    return found == work.end() ? ItemWork{} : found->second;
+}
+
+/// `ITEM CODE TESTS` with `-` for nothing; the item alone when it has neither.
+std::string marks_of(const std::string& item, const std::string& code, const std::string& tests) {
+    if (code.empty() && tests.empty()) {
+        return item;
+    }
+    return fmt::format("{} {} {}", item, code.empty() ? "-" : code, tests.empty() ? "-" : tests);
+}
+
+bool is_of_today(const Review& review, const std::string& print, const ItemWork& now) {
+    return review.fingerprint == print && review.code == now.code && review.tests == now.tests;
+}
+
 }  // namespace
 
-ReviewState::ReviewState(const Register& content) {
+ReviewState::ReviewState(const Register& content, const WorkByItem& work) : work_{work} {
     for (const auto& part : content.parts) {
         now_.merge(prints_in_force(part));
         reviewed_.insert(part.reviews.begin(), part.reviews.end());
@@ -47,9 +65,30 @@ std::string ReviewState::change_of(const std::string& id) const {
     return then == reviewed_.end() ? "never reviewed" : "changed since its review of " + then->second.date;
 }
 
+std::string ReviewState::change_of_work(const std::string& id) const {
+    const auto then = reviewed_.find(id);
+    if (then == reviewed_.end()) {
+        return "";
+    }
+    const ItemWork now = work_of(id, work_);
+    const bool code = then->second.code != now.code;
+    const bool tests = then->second.tests != now.tests;
+    if (!code && !tests) {
+        return "";
+    }
+    return fmt::format("its {} changed since its review of {}",
+                       code && tests ? "code and its tests have"
+                       : code        ? "code has"
+                                     : "tests have",
+                       then->second.date);
+}
+
 std::string ReviewState::suspicion(const std::string& id, const std::vector<std::string>& decisions) const {
     if (const std::string own = change_of(id); !own.empty()) {
         return own;
+    }
+    if (const std::string work = change_of_work(id); !work.empty()) {
+        return work;
     }
     for (const auto& decision : decisions) {
         if (const std::string change = change_of(decision); !change.empty()) {
@@ -59,22 +98,29 @@ std::string ReviewState::suspicion(const std::string& id, const std::vector<std:
     return "";
 }
 
-std::string write_reviews(const Part& part, const std::set<std::string>& ids, const std::string& date,
-                          const std::string& by) {
-    std::map<std::pair<std::string, std::string>, std::map<std::string, std::string>> blocks;
+std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
+                          const WorkByItem& work) {
+    using Head = std::tuple<std::string, std::string, std::string>;
+    std::map<Head, std::map<std::string, std::string>> blocks;
     for (const auto& [id, print] : prints_in_force(part)) {
         if (ids.count(id) != 0) {
-            blocks[{date, by}][id] = print;
+            const ItemWork now = work_of(id, work);
+            blocks[{session.date, session.by, session.role}][id] = marks_of(print, now.code, now.tests);
         } else if (const auto old = part.reviews.find(id); old != part.reviews.end()) {
-            blocks[{old->second.date, old->second.by}][id] = old->second.fingerprint;
+            const Review& kept = old->second;
+            blocks[{kept.date, kept.by, kept.role}][id] = marks_of(kept.fingerprint, kept.code, kept.tests);
         }
     }
-    std::string text = "# Written by `canproof spec review`: who read which items, as they were then, when.\n";
-    for (const auto& [session, prints] : blocks) {
-        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n[review.items]\n", quoted(session.first),
-                            quoted(session.second));
-        for (const auto& [id, print] : prints) {
-            text += fmt::format("{} = \"{}\"\n", id, print);
+    std::string text =
+        "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
+        "when.\n";
+    for (const auto& [head, marks] : blocks) {
+        const auto& [date, by, role] = head;
+        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", quoted(date), quoted(by));
+        text += role.empty() ? "" : fmt::format("role = {}\n", quoted(role));
+        text += "[review.items]\n";
+        for (const auto& [id, mark] : marks) {
+            text += fmt::format("{} = \"{}\"\n", id, mark);
         }
     }
     return text;
@@ -88,15 +134,28 @@ std::set<std::string> reviewable(const Part& part) {
     return ids;
 }
 
-std::set<std::string> unreviewed(const Part& part) {
+std::set<std::string> unreviewed(const Part& part, const WorkByItem& work) {
     std::set<std::string> ids;
     for (const auto& [id, print] : prints_in_force(part)) {
         const auto found = part.reviews.find(id);
-        if (found == part.reviews.end() || found->second.fingerprint != print) {
+        if (found == part.reviews.end() || !is_of_today(found->second, print, work_of(id, work))) {
             ids.insert(id);
         }
     }
     return ids;
+}
+
+ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
+    ReviewCounts counts;
+    for (const auto& [id, print] : prints_in_force(part)) {
+        const auto found = part.reviews.find(id);
+        if (found == part.reviews.end() || !is_of_today(found->second, print, work_of(id, work))) {
+            continue;
+        }
+        const std::string& role = found->second.role;
+        ++(role == "author" ? counts.author : role == "independent" ? counts.independent : counts.unsaid);
+    }
+    return counts;
 }
 
 }  // namespace canproof::host

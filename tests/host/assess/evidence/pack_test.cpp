@@ -61,7 +61,7 @@ class Pack : public ::testing::Test {
         input_.argument.claims = {{"C", "", "All is well.", {}, ""},
                                   {"C1", "C", "Tests pass.", {"tests", "audit"}, "Not on silicon."}};
         for (const auto& [id, print] : fingerprints(content_.parts[0])) {
-            content_.parts[0].reviews[id] = {print, "2026-01-02", "someone", {}};
+            content_.parts[0].reviews[id] = {print, "", "", "2026-01-02", "someone", "author", {}};
         }
         input_.provenance.commit = "abc";
         input_.provenance.packages = {{"libx", "1.2-3"}};
@@ -193,7 +193,8 @@ TEST_F(Pack, TheSameInputGivesTheSameBytesAndTheManifestTheirSums) {
 TEST_F(Pack, AnItemThatChangedSinceItsReviewIsToldAsSuspect) {
     content_.parts[0].requirements[1].text = "edited";
     const PackFiles files = make();
-    EXPECT_THAT(files.at("index.html"), HasSubstr("1 items have changed since someone read them"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("1 items have changed, in text, code or tests, since someone read them. Readers of the "
+                          "other items and decisions: the author of the change 2, someone else 0");
     EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
     EXPECT_THAT(files.at("audit.html"), HasSubstr("◐ suspect"));
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));

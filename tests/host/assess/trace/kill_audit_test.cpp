@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "host/assess/mutation/function_lines.hpp"
+#include "host/assess/source/test_bodies.hpp"
 #include "host/assess/trace/kill_record.hpp"
 #include "host/base/input_error.hpp"
 
@@ -149,22 +149,6 @@ TEST_F(Kills, TheRecordIsReadBack) {
     EXPECT_TRUE(read_kill_record(root_ / "none.csv").empty());
     std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants\nRelay.Closes\n";
     EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
-}
-
-TEST(FunctionBelowALink, EndsWithItsBlock) {
-    const std::vector<std::string> lines{"static_assert(implements<req::A> &&",
-                                         "              implements<req::B>);",
-                                         "static_assert(implements<req::C>);",
-                                         "int f() noexcept {  // {",
-                                         "    if (g()) {",
-                                         "    }",
-                                         "}",
-                                         "int h() {}"};
-    const std::pair<std::size_t, std::size_t> f{4, 7};
-    EXPECT_EQ(function_below(lines, 1), f);
-    EXPECT_EQ(function_below(lines, 2), f);
-    EXPECT_EQ(function_below(lines, 3), f);
-    EXPECT_EQ(function_below({"static_assert(implements<req::A>);"}, 1), (std::pair<std::size_t, std::size_t>{0, 0}));
 }
 
 }  // namespace canproof::host::test

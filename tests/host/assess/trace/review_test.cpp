@@ -16,6 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+const WorkByItem no_work;
 const std::string reviews_file = "spec/devices/box/reviews.toml";
 
 std::string items(const std::string& first, const std::string& second) {
@@ -37,32 +38,32 @@ Register read(const std::string& first, const std::string& second, const std::st
 }
 
 std::string reviewed(const Register& content, const std::set<std::string>& ids, const char* date, const char* by) {
-    return write_reviews(*content.part("box"), ids, date, by);
+    return write_reviews(*content.part("box"), ids, {date, by, "author"}, {});
 }
 
 }  // namespace
 
 TEST(Review, EverythingIsUnreviewedAtFirst) {
-    EXPECT_THAT(unreviewed(*read("a", "b", "").part("box")), ElementsAre("AO4-R-1", "AO4-R-2"));
+    EXPECT_THAT(unreviewed(*read("a", "b", "").part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
 }
 
 TEST(Review, IsReadBackAsItWasWritten) {
     const std::string text = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "A \"B\"");
     const Register content = read("a", "b", text);
-    EXPECT_THAT(unreviewed(*content.part("box")), IsEmpty());
+    EXPECT_THAT(unreviewed(*content.part("box"), {}), IsEmpty());
     EXPECT_EQ(content.part("box")->reviews.at("AO4-R-1").by, "A \"B\"");
-    EXPECT_EQ(ReviewState{content}.suspicion("AO4-R-1", {}), "");
+    EXPECT_EQ((ReviewState{content, no_work}.suspicion("AO4-R-1", {})), "");
 }
 
 TEST(Review, RenewsWhatIsNamedAndKeepsTheRest) {
     const std::string first = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "one");
     const Register edited = read("a, but other", "b, but other", first);
-    EXPECT_THAT(unreviewed(*edited.part("box")), ElementsAre("AO4-R-1", "AO4-R-2"));
+    EXPECT_THAT(unreviewed(*edited.part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
     const Register again = read("a, but other", "b, but other", reviewed(edited, {"AO4-R-2"}, "2026-03-04", "two"));
-    EXPECT_THAT(unreviewed(*again.part("box")), ElementsAre("AO4-R-1"));
+    EXPECT_THAT(unreviewed(*again.part("box"), {}), ElementsAre("AO4-R-1"));
     EXPECT_EQ(again.part("box")->reviews.at("AO4-R-1").date, "2026-01-02");
     EXPECT_EQ(again.part("box")->reviews.at("AO4-R-2").date, "2026-03-04");
-    EXPECT_EQ(ReviewState{again}.suspicion("AO4-R-1", {}), "changed since its review of 2026-01-02");
+    EXPECT_EQ((ReviewState{again, no_work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
 }
 
 TEST(Review, OfTheSameItemTwiceIsAFault) {
@@ -71,6 +72,61 @@ TEST(Review, OfTheSameItemTwiceIsAFault) {
     files[reviews_file] = block + block;
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("spec/devices/box/reviews.toml:10: AO4-R-1 is reviewed twice; keep the later one"));
+}
+
+TEST(Review, ExpiresWithTheCodeAndTheTestsOfAnItem) {
+    const Register fresh = read("a", "b", "");
+    const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
+    const std::string text =
+        write_reviews(*fresh.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, then);
+    EXPECT_THAT(text, HasSubstr(" 11111111 22222222\"\n"));
+    const Register content = read("a", "b", text);
+    EXPECT_THAT(unreviewed(*content.part("box"), then), IsEmpty());
+    const std::vector<std::pair<ItemWork, std::string>> cases{
+        {{"11111111", "22222222"}, ""},
+        {{"99999999", "22222222"}, "its code has changed since its review of 2026-01-02"},
+        {{"11111111", "99999999"}, "its tests have changed since its review of 2026-01-02"},
+        {{"", ""}, "its code and its tests have changed since its review of 2026-01-02"}};
+    for (const auto& [work, sentence] : cases) {
+        const WorkByItem now{{"AO4-R-1", work}};
+        EXPECT_EQ((ReviewState{content, now}.suspicion("AO4-R-1", {})), sentence);
+        EXPECT_EQ(unreviewed(*content.part("box"), now).count("AO4-R-1"), sentence.empty() ? 0U : 1U);
+    }
+    const WorkByItem later{{"AO4-R-1", then.at("AO4-R-1")}, {"AO4-R-2", {"", "33333333"}}};
+    EXPECT_THAT((ReviewState{content, later}.suspicion("AO4-R-2", {})), HasSubstr("its tests have changed"));
+}
+
+TEST(Review, KeepsTheMarksOfReviewsThatAreNotRenewed) {
+    const WorkByItem work{{"AO4-R-1", {"11111111", ""}}};
+    const Register first = read("a", "b", "");
+    const std::string old = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, work);
+    const Register second = read("a", "b", old);
+    const Register third =
+        read("a", "b", write_reviews(*second.part("box"), {"AO4-R-2"}, {"2026-03-04", "y", "author"}, {}));
+    const Review& kept = third.part("box")->reviews.at("AO4-R-1");
+    EXPECT_EQ(kept.code, "11111111");
+    EXPECT_EQ(kept.tests, "");
+    EXPECT_EQ(kept.role, "independent");
+}
+
+TEST(Review, CountsWhoHasReadTodaysState) {
+    const Register first = read("a", "b", "");
+    const std::string one = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
+    const Register second = read("a", "b", one);
+    const std::string both = write_reviews(*second.part("box"), {"AO4-R-2"}, {"2026-01-02", "y", "author"}, {});
+    const ReviewCounts counts = count_reviews(*read("a", "b", both).part("box"), {});
+    EXPECT_EQ(counts.independent, 1U);
+    EXPECT_EQ(counts.author, 1U);
+    EXPECT_EQ(counts.unsaid, 0U);
+    EXPECT_EQ(count_reviews(*read("a, but other", "b", both).part("box"), {}).independent, 0U);
+}
+
+TEST(Review, RefusesARoleThatIsNeither) {
+    SpecFiles files = with(items_file, items("a", "b"));
+    files[reviews_file] =
+        "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"0\"\n";
+    EXPECT_THAT(all_faults(load_register(files)),
+                HasSubstr("role is `friend`; write `author` (of the change) or `independent`"));
 }
 
 }  // namespace canproof::host::test

@@ -1,4 +1,4 @@
-#include "host/assess/mutation/function_lines.hpp"
+#include "host/assess/source/linked_function.hpp"
 
 #include <algorithm>
 
@@ -6,11 +6,10 @@ namespace canproof::host {
 
 namespace {
 
-/// Braces that open less those that close, comments apart.
+/// Braces that open less those that close.
 int depth_of(const std::string& line) {
-    const std::string code = line.substr(0, line.find("//"));
-    return static_cast<int>(std::count(code.begin(), code.end(), '{')) -
-           static_cast<int>(std::count(code.begin(), code.end(), '}'));
+    return static_cast<int>(std::count(line.begin(), line.end(), '{')) -
+           static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
 /// The line behind a static_assert that begins at `at`; `at` when none does.
@@ -43,7 +42,7 @@ std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string
     bool opened = false;
     for (std::size_t at = first; at < lines.size(); ++at) {
         depth += depth_of(lines[at]);
-        opened = opened || lines[at].substr(0, lines[at].find("//")).find('{') != std::string::npos;
+        opened = opened || lines[at].find('{') != std::string::npos;
         if (opened && depth <= 0) {
             return {first + 1, at + 1};
         }

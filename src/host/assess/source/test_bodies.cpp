@@ -1,0 +1,50 @@
+#include "host/assess/source/test_bodies.hpp"
+
+#include "host/assess/source/cpp_text.hpp"
+#include "host/base/read_file.hpp"
+#include "host/base/sha256.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::size_t hash_digits = 16;
+
+/// `Suite,Name` for Suite.Name and for One/Suite.Name/3, an instance of a test with parameters.
+std::string defined_as(const std::string& test) {
+    const auto dot = test.find('.');
+    const std::string suite = test.substr(0, dot);
+    const std::string name = dot == std::string::npos ? "" : test.substr(dot + 1);
+    const auto slash = suite.find('/');
+    return (slash == std::string::npos ? suite : suite.substr(slash + 1)) + "," + name.substr(0, name.find('/'));
+}
+
+}  // namespace
+
+const std::string& TestBodies::hash(const std::string& file, const std::string& test) {
+    const std::string definition = defined_as(test);
+    const auto [found, is_new] = hashes_.emplace(file + ":" + definition, "");
+    if (is_new) {
+        found->second = hash_of(file, definition);
+    }
+    return found->second;
+}
+
+std::string TestBodies::hash_of(const std::string& file, const std::string& definition) {
+    auto found = sources_.find(file);
+    if (found == sources_.end()) {
+        const auto path = root_ / file;
+        const bool is_there = !file.empty() && std::filesystem::is_regular_file(path);
+        found = sources_.emplace(file, is_there ? without_layout(read_file(path)) : "").first;
+    }
+    const std::string& text = found->second;
+    for (const char* end : {")", ","}) {  // RC_GTEST_PROP(Suite, Name, (parameters))
+        const auto at = text.find("(" + definition + end);
+        if (at != std::string::npos) {
+            return sha256(text.substr(at, block_end(text, at) - at)).substr(0, hash_digits);
+        }
+    }
+    return "";
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,27 @@
+// The bodies of tests in the sources of a project, as marks that change with them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace canproof::host {
+
+/// Reads each source once.
+class TestBodies {
+  public:
+    explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
+
+    /// Sixteen digits that change with the words of the test's body, and not with its comments, spaces and line breaks.
+    /// Empty when the source does not define such a test. `file` is named from the project's folder.
+    const std::string& hash(const std::string& file, const std::string& test);
+
+  private:
+    std::string hash_of(const std::string& file, const std::string& definition);
+
+    std::filesystem::path root_;
+    std::map<std::string, std::string> sources_;  ///< by file, without comments and spaces
+    std::map<std::string, std::string> hashes_;   ///< by file and definition
+};
+
+}  // namespace canproof::host
