@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/program/readme_devices.py PROGRAM: each table of README whose first column is headed "device" or "image" has one row
+"""tests/program/readme_devices.py PROGRAM: each table of README and src/target/README.md whose first column is headed "device" or "image" has one row
 for every device of `canproof devices`, by its name, or by the title or first part number in its register, and no other row."""
 import pathlib
 import re
@@ -8,6 +8,7 @@ import sys
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = ("README.md", "src/target/README.md")
 LEAST_TABLES = 3  # which devices there are, what their images take, how much work they do
 
 
@@ -30,14 +31,14 @@ def device_tables(text):
 
 def main():
     known = devices(sys.argv[1])
-    tables = list(device_tables((ROOT / "README.md").read_text()))
-    faults = [] if len(tables) >= LEAST_TABLES else [f"README.md: {len(tables)} tables of devices, there should be {LEAST_TABLES}"]
-    for line, rows in tables:
+    tables = [(page, *table) for page in PAGES for table in device_tables((ROOT / page).read_text())]
+    faults = [] if len(tables) >= LEAST_TABLES else [f"{' and '.join(PAGES)}: {len(tables)} tables of devices, there should be {LEAST_TABLES}"]
+    for page, line, rows in tables:
         for name, words in known.items():
             count = sum(row in words for row in rows)
-            faults += [f"README.md:{line}: {count} rows for {name}, there should be one"] if count != 1 else []
+            faults += [f"{page}:{line}: {count} rows for {name}, there should be one"] if count != 1 else []
         every_word = set().union(*known.values())
-        faults += [f"README.md:{line}: no device is called {row}" for row in rows if row not in every_word]
+        faults += [f"{page}:{line}: no device is called {row}" for row in rows if row not in every_word]
     for fault in faults:
         print(fault)
     print(f"{len(tables)} tables, {len(known)} devices, {len(faults)} fault(s)")

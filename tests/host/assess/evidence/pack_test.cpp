@@ -193,8 +193,9 @@ TEST_F(Pack, TheSameInputGivesTheSameBytesAndTheManifestTheirSums) {
 TEST_F(Pack, AnItemThatChangedSinceItsReviewIsToldAsSuspect) {
     content_.parts[0].requirements[1].text = "edited";
     const PackFiles files = make();
-    EXPECT_THAT(files.at("index.html"), HasSubstr("1 items have changed, in text, code or tests, since someone read them. Readers of the "
-                          "other items and decisions: the author of the change 2, someone else 0");
+    EXPECT_THAT(files.at("index.html"),
+                HasSubstr("1 items have changed, in text, code or tests, since someone read them. Readers of the "
+                          "other items and decisions: the author of the change 2, someone else 0"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
     EXPECT_THAT(files.at("audit.html"), HasSubstr("◐ suspect"));
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));
