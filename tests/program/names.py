@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """names.py PROGRAM: what run, panel and replay make of node-IDs and factory data, as a shell sees it."""
 import os
+import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -79,10 +81,18 @@ def part_numbers():
         assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
 
 
+def version():
+    """The version stands in one place, the project() of CMakeLists.txt."""
+    cmake = pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt"
+    wanted = re.search(r"project\(canproof VERSION (\S+)", cmake.read_text())[1]
+    assert call("--version") == (0, f"canproof {wanted}\n", ""), call("--version")
+
+
+version()
 refused()
 part_numbers()
 factory()
 named()
 shared()
 switches()
-print("node-IDs: refused, named, shared, switches; part numbers, factory data")
+print("version; node-IDs: refused, named, shared, switches; part numbers, factory data")

@@ -119,7 +119,7 @@ int audit(const AuditOptions& options) {
     }
     audits = parts_for(std::move(audits), options.subject);
     if (!options.filter.empty()) {
-        return list_items(audits, options.filter);
+        return list_items(audits, resolved(options.filter, content, audits));
     }
     std::size_t gaps = 0;
     std::size_t suspects = 0;

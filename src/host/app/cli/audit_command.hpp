@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/audit_filter.hpp"
 
 namespace canproof::host {
 

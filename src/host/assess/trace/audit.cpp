@@ -194,24 +194,4 @@ std::vector<std::string> code_of(const std::string& id, const Evidence& evidence
     return code;
 }
 
-bool passes(const AuditedItem& item, const AuditFilter& filter) {
-    const auto from_section = [&](const std::string& source) {
-        const std::string& wanted = filter.section;
-        const auto colon = source.find(':');
-        // One source may name several places: "AX130751:1.3 Table 7".
-        for (auto at = colon; at != std::string::npos; at = source.find(' ', at + 1)) {
-            const std::string place = source.substr(0, colon + 1) + source.substr(at + 1);
-            const char next = place.size() > wanted.size() ? place[wanted.size()] : ' ';
-            if (place.rfind(wanted, 0) == 0 && (next == ' ' || next == '.' || wanted.back() == ':')) {
-                return true;
-            }
-        }
-        return false;
-    };
-    const auto& sources = item.item->sources;
-    return (filter.section.empty() || std::any_of(sources.begin(), sources.end(), from_section)) &&
-           (filter.kind.empty() || filter.kind == item.kind || filter.kind == item.word) &&
-           (filter.status.empty() || filter.status == item.status());
-}
-
 }  // namespace canproof::host

@@ -54,13 +54,4 @@ std::vector<std::string> orphans(const Evidence& evidence);
 /// Where code implements an item or names what was generated from it.
 std::vector<std::string> code_of(const std::string& id, const Evidence& evidence);
 
-/// Which items an audit lists; an empty field takes all.
-struct AuditFilter {
-    std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" takes 1.3 as well
-    std::string kind;     ///< of a requirement, or the word of another item
-    std::string status;   ///< failed, open, suspect or shown
-    bool empty() const { return section.empty() && kind.empty() && status.empty(); }
-};
-bool passes(const AuditedItem& item, const AuditFilter& filter);
-
 }  // namespace canproof::host

@@ -7,6 +7,8 @@
 #include <ctime>
 
 #include "host/assess/story/story.hpp"
+#include "host/assess/trace/audit_filter.hpp"
+#include "host/base/input_error.hpp"
 #include "host/register/fingerprint.hpp"
 
 namespace canproof::host {
@@ -201,6 +203,29 @@ TEST_F(AuditOfASmallRegister, FiltersTakeASectionAndWhatLiesBelowIt) {
     EXPECT_TRUE(takes({"", "requirement", ""}));
     EXPECT_FALSE(takes({"", "timing", ""}));
     EXPECT_FALSE(takes({"", "", "open"}));
+}
+
+TEST_F(AuditOfASmallRegister, FiltersFindTheManualOfASection) {
+    const std::vector<PartAudit> all{audit()};
+    EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
+    EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");
+    EXPECT_EQ(resolved({"M:Table 7", "requirement", ""}, content, all).section, "M:Table 7");
+}
+
+TEST_F(AuditOfASmallRegister, FiltersRefuseWhatNothingIs) {
+    const std::vector<PartAudit> all{audit()};
+    const auto refusal = [&](const AuditFilter& filter) -> std::string {
+        try {
+            resolved(filter, content, all);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "taken";
+    };
+    EXPECT_EQ(refusal({"9.9", "", ""}), "no manual has a section 9.9");
+    EXPECT_EQ(refusal({"M:9.9", "", ""}), "M has no section 9.9");
+    EXPECT_EQ(refusal({"X:1", "", ""}), "no manual has the key X; there are M");
+    EXPECT_THAT(refusal({"", "timings", ""}), HasSubstr("no item is of the kind `timings`; there are functional, "));
 }
 
 TEST_F(AuditOfASmallRegister, AnItemsStoryGoesFromTheSectionToTheAlterations) {

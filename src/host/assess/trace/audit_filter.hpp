@@ -1,0 +1,25 @@
+// Which items an audit lists.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/assess/trace/audit.hpp"
+
+namespace canproof::host {
+
+/// An empty field takes all.
+struct AuditFilter {
+    std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" takes 1.3 as well
+    std::string kind;     ///< of a requirement, or the word of another item
+    std::string status;   ///< failed, open, suspect or shown
+    bool empty() const { return section.empty() && kind.empty() && status.empty(); }
+};
+
+bool passes(const AuditedItem& item, const AuditFilter& filter);
+
+/// Returns the filter with the manual's key in front of a section that only one manual of these audits has.
+/// Throws InputError for a section that no manual has, or several have without a key, and for a kind that no item has.
+AuditFilter resolved(AuditFilter filter, const Register& content, const std::vector<PartAudit>& audits);
+
+}  // namespace canproof::host
