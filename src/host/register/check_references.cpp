@@ -66,6 +66,9 @@ class ReferenceCheck {
             for (const auto& decision : part.decisions) {
                 take_id(part, decision.id, decision.id_place);
             }
+            for (const auto& hazard : part.hazards) {
+                take_id(part, hazard.id, hazard.id_place);
+            }
         }
         for (const auto& part : content_.parts) {
             for (const auto& requirement : part.requirements) {

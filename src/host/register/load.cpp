@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "host/register/check_hazards.hpp"
 #include "host/register/check_literals.hpp"
 #include "host/register/check_names.hpp"
 #include "host/register/check_objects.hpp"
@@ -22,6 +23,7 @@ LoadResult load_register(const SpecFiles& files) {
     result.content = read_register(files, result.faults);
     check_references(result.content, result.faults);
     check_topics(result.content, result.faults);
+    check_hazards(result.content, result.faults);
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);

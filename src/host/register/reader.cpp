@@ -5,11 +5,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 
+#include "host/register/read_hazard.hpp"
 #include "host/register/read_item.hpp"
 #include "host/register/read_object.hpp"
+#include "host/register/read_review.hpp"
 #include "host/register/read_table.hpp"
 #include "host/register/spec_files.hpp"
 #include "host/register/toml_depth.hpp"
@@ -251,46 +252,6 @@ StandardObject read_standard_object(TomlItem& item) {
     return object;
 }
 
-/// `ITEM CODE TESTS`: what was read, as marks; `-` or nothing where there was no code or no test.
-Review read_marks(const std::string& marks) {
-    std::istringstream words{marks};
-    Review review;
-    words >> review.fingerprint >> review.code >> review.tests;
-    for (std::string* mark : {&review.code, &review.tests}) {
-        if (*mark == "-") {
-            mark->clear();
-        }
-    }
-    return review;
-}
-
-/// One [[review]]: who read which items when.
-void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
-    const std::string date = item.text("date");
-    const std::string by = item.text("by");
-    const std::string role = item.text_or("role", "");
-    if (!role.empty() && role != "author" && role != "independent") {
-        item.fault(fmt::format("role is `{}`", role), "write `author` (of the change) or `independent`");
-    }
-    if (auto items = item.item("items")) {
-        for (const auto& [key, print] : items->table()) {
-            const std::string id{key.str()};
-            const Place place = items->place(id);
-            Review review = read_marks(to_text(literal(print)));
-            review.date = date;
-            review.by = by;
-            review.role = role;
-            review.place = place;
-            if (!reviews.emplace(id, review).second) {
-                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
-            }
-        }
-    } else {
-        item.fault("review without items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
-    }
-    item.finish();
-}
-
 void read_items(TomlItem& file, Part& part) {
     for (TomlItem& item : file.items("requirement"))
         part.requirements.push_back(read_requirement(item));
@@ -308,6 +269,8 @@ void read_items(TomlItem& file, Part& part) {
         part.signals.push_back(read_signal(item));
     for (TomlItem& item : file.items("decision"))
         part.decisions.push_back(read_decision(item));
+    for (TomlItem& item : file.items("hazard"))
+        part.hazards.push_back(read_hazard(item));
     for (TomlItem& item : file.items("standard_object"))
         part.standard_objects.push_back(read_standard_object(item));
     for (TomlItem& item : file.items("review"))

@@ -203,6 +203,22 @@ struct Decision : Item {
     Answer answer;
 };
 
+/// A way in which what a device puts out can harm, and what prevents it.
+struct Hazard : Item {
+    struct Failure {
+        std::string text;
+        std::vector<std::string> prevented_by;  ///< requirements
+        std::string reason;                     ///< why nothing prevents it; empty where something does
+        Place place;
+    };
+    std::vector<std::string> at;  ///< signals and objects: outputs and messages
+    Place at_place;
+    std::string safe_state;
+    std::vector<Failure> failures;
+    std::vector<std::string> decisions;  ///< that chose the safer failure
+    Place decisions_place;
+};
+
 /// Someone has read an item together with its code and tests.
 struct Review {
     std::string fingerprint;  ///< of the item as it was then
@@ -262,6 +278,7 @@ struct Part {
     std::vector<Constant> constants;
     std::vector<Signal> signals;
     std::vector<Decision> decisions;
+    std::vector<Hazard> hazards;
     std::vector<StandardObject> standard_objects;  ///< as spec/ lists them
     std::map<std::string, Review> reviews;         ///< by id
     std::vector<std::string> files;

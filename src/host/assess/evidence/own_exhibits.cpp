@@ -7,6 +7,7 @@
 #include "host/assess/coverage/coverage.hpp"
 #include "host/assess/coverage/coverage_records.hpp"
 #include "host/assess/evidence/exhibit.hpp"
+#include "host/assess/evidence/hazards_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/evidence.hpp"
@@ -93,6 +94,16 @@ Exhibit decisions_exhibit(const PackInput& input) {
     return exhibit("decisions", "Decisions", true,
                    fmt::format("{} contradictions and gaps of the manuals, each decided with its reason", decisions),
                    "decisions.html");
+}
+
+Exhibit hazards_exhibit(const PackInput& input) {
+    const FailureCounts counts = count_failures(input);
+    return exhibit(
+        "hazards", "Hazards", counts.open == 0,
+        fmt::format("{} hazards with {} failures; {} of them have a requirement that is not shown, {} are not "
+                    "prevented by the device, with the reason",
+                    counts.hazards, counts.failures, counts.open, counts.unprevented),
+        "hazards.html");
 }
 
 Exhibit orphans_exhibit(const std::vector<std::string>& orphans) {
@@ -182,6 +193,7 @@ Exhibits exhibits_of(const PackInput& input) {
     add(suspects_exhibit(input), "");
     add(sections_exhibit(input), "");
     add(decisions_exhibit(input), "");
+    add(hazards_exhibit(input), "");
     add(tests_exhibit(input), "tests");
     add(runs_exhibit(input, "properties", "property", "Properties"), "tests");
     add(runs_exhibit(input, "corpora", "fuzz", "Corpora of the fuzz targets, replayed"), "tests");

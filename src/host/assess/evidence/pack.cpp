@@ -9,6 +9,7 @@
 #include "host/assess/evidence/coverage_page.hpp"
 #include "host/assess/evidence/csv.hpp"
 #include "host/assess/evidence/exhibit_page.hpp"
+#include "host/assess/evidence/hazards_page.hpp"
 #include "host/assess/evidence/junit.hpp"
 #include "host/assess/evidence/mutation_page.hpp"
 #include "host/assess/evidence/overview_page.hpp"
@@ -29,7 +30,8 @@ namespace {
 std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibits& exhibits) {
     std::vector<NavigationEntry> entries{{"index.html", "canproof"},      {"argument.html", "Argument"},
                                          {"audit.html", "Audit"},         {"sections.html", "Sections"},
-                                         {"decisions.html", "Decisions"}, {"tests.html", "Tests"}};
+                                         {"decisions.html", "Decisions"}, {"hazards.html", "Hazards"},
+                                         {"tests.html", "Tests"}};
     if (input.coverage.has_value()) {
         entries.push_back({"coverage.html", "Coverage"});
     }
@@ -76,6 +78,7 @@ PackFiles make_pack(const PackInput& input) {
     page("audit.html", "Audit", audit_page(input));
     page("sections.html", "Sections of the manuals", sections_page(input));
     page("decisions.html", "Decisions", decisions_page(input));
+    page("hazards.html", "Hazards", hazards_page(input));
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
     if (input.coverage.has_value()) {

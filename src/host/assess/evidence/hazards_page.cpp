@@ -1,0 +1,99 @@
+#include "host/assess/evidence/hazards_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "host/assess/trace/audit.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using StatusById = std::map<std::string, std::string>;
+
+StatusById status_of_items(const PackInput& input) {
+    StatusById all;
+    for (const auto& audit : input.audits) {
+        for (const auto& item : audit.items) {
+            all[item.item->id] = item.status();
+        }
+    }
+    return all;
+}
+
+/// Whether a requirement that prevents the failure is not shown in this build.
+bool is_open(const Hazard::Failure& failure, const StatusById& status) {
+    return std::any_of(failure.prevented_by.begin(), failure.prevented_by.end(), [&](const std::string& id) {
+        const auto found = status.find(id);
+        return found != status.end() && found->second != "shown";
+    });
+}
+
+std::string links(const std::vector<std::string>& ids, const char* page) {
+    std::string text;
+    for (const auto& id : ids) {
+        text += fmt::format("<a href=\"{0}#{1}\">{1}</a> ", page, id);
+    }
+    return text;
+}
+
+std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status) {
+    const bool none = failure.prevented_by.empty();
+    return {fmt::format("<code>{}</code><br>{}", hazard.id, escaped(hazard.text)),
+            escaped(hazard.safe_state),
+            escaped(failure.text),
+            none ? escaped(failure.reason) : links(failure.prevented_by, "audit.html"),
+            links(hazard.decisions, "decisions.html"),
+            none ? "not prevented" : html_state(is_open(failure, status) ? "open" : "shown")};
+}
+
+}  // namespace
+
+FailureCounts count_failures(const PackInput& input) {
+    const StatusById status = status_of_items(input);
+    FailureCounts counts;
+    for (const auto& audit : input.audits) {
+        for (const auto& hazard : audit.part->hazards) {
+            ++counts.hazards;
+            for (const auto& failure : hazard.failures) {
+                ++counts.failures;
+                counts.unprevented += failure.prevented_by.empty() ? 1U : 0U;
+                counts.open += is_open(failure, status) ? 1U : 0U;
+            }
+        }
+    }
+    return counts;
+}
+
+std::string hazards_page(const PackInput& input) {
+    const StatusById status = status_of_items(input);
+    std::string text =
+        "<p>What can be wrong about each output and each message, the state that is safe by itself, the failures that "
+        "can violate it, and the requirements that prevent them. A failure that nothing in the device prevents has its "
+        "reason: whoever builds the device into a plant must look at it.</p>\n";
+    for (const auto& audit : input.audits) {
+        std::vector<std::vector<std::string>> rows;
+        for (const auto& hazard : audit.part->hazards) {
+            for (const auto& failure : hazard.failures) {
+                rows.push_back(failure_row(hazard, failure, status));
+            }
+        }
+        if (!rows.empty()) {
+            text += fmt::format("<h2>{}</h2>\n", escaped(audit.part->info.title)) +
+                    html_table({{"Hazard", 22},
+                                {"Safe state", 16},
+                                {"Failure", 22},
+                                {"Prevented by, or why not", 22},
+                                {"Decisions", 10},
+                                {"State", 8}},
+                               rows, Search::yes);
+        }
+    }
+    return text;
+}
+
+}  // namespace canproof::host

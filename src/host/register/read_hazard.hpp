@@ -1,0 +1,11 @@
+// Hazards as the register holds them.
+#pragma once
+
+#include "host/register/register.hpp"
+#include "host/register/toml_item.hpp"
+
+namespace canproof::host {
+
+Hazard read_hazard(TomlItem& item);
+
+}  // namespace canproof::host

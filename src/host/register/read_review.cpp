@@ -1,0 +1,53 @@
+#include "host/register/read_review.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <sstream>
+
+namespace canproof::host {
+
+namespace {
+
+/// `ITEM CODE TESTS`: what was read, as marks; `-` or nothing where there was no code or no test.
+Review read_marks(const std::string& marks) {
+    std::istringstream words{marks};
+    Review review;
+    words >> review.fingerprint >> review.code >> review.tests;
+    for (std::string* mark : {&review.code, &review.tests}) {
+        if (*mark == "-") {
+            mark->clear();
+        }
+    }
+    return review;
+}
+
+}  // namespace
+
+void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
+    const std::string date = item.text("date");
+    const std::string by = item.text("by");
+    const std::string role = item.text_or("role", "");
+    if (!role.empty() && role != "author" && role != "independent") {
+        item.fault(fmt::format("role is `{}`", role), "write `author` (of the change) or `independent`");
+    }
+    if (auto items = item.item("items")) {
+        for (const auto& [key, print] : items->table()) {
+            const std::string id{key.str()};
+            const Place place = items->place(id);
+            Review review = read_marks(to_text(literal(print)));
+            review.date = date;
+            review.by = by;
+            review.role = role;
+            review.place = place;
+            if (!reviews.emplace(id, review).second) {
+                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
+            }
+        }
+    } else {
+        item.fault("review without items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
+    }
+    item.finish();
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,70 @@
+// The page of hazards: each failure with what prevents it, and whether that is shown in this build.
+#include "host/assess/evidence/hazards_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class HazardsPage : public testing::Test {
+  protected:
+    HazardsPage() {
+        requirement_.id = "D-R-1";
+        Hazard hazard;
+        hazard.id = "D-H-1";
+        hazard.text = "The output is on.";
+        hazard.safe_state = "OFF";
+        hazard.decisions = {"D-D-1"};
+        hazard.failures = {{"The bus is lost.", {"D-R-1"}, "", {}}, {"The <driver> fails.", {}, "Not measured.", {}}};
+        part_.name = "device";
+        part_.info.title = "Device 1";
+        part_.hazards = {hazard};
+        AuditedItem item;
+        item.item = &requirement_;
+        PartAudit audit;
+        audit.part = &part_;
+        audit.items = {item};
+        input_.audits = {audit};
+    }
+
+    Requirement requirement_;
+    Part part_;
+    PackInput input_;
+};
+
+}  // namespace
+
+TEST_F(HazardsPage, NamesWhatPreventsEachFailure) {
+    const std::string page = hazards_page(input_);
+    EXPECT_THAT(page, HasSubstr("<h2>Device 1</h2>"));
+    EXPECT_THAT(page, HasSubstr("<code>D-H-1</code><br>The output is on."));
+    EXPECT_THAT(page, HasSubstr("<a href=\"audit.html#D-R-1\">D-R-1</a>"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"decisions.html#D-D-1\">D-D-1</a>"));
+    EXPECT_THAT(page, HasSubstr("The &lt;driver&gt; fails."));
+    EXPECT_THAT(page, HasSubstr("Not measured."));
+    EXPECT_THAT(page, HasSubstr("not prevented"));
+}
+
+TEST_F(HazardsPage, CountsFailuresByTheStateOfTheirRequirements) {
+    FailureCounts counts = count_failures(input_);
+    EXPECT_EQ(counts.hazards, 1U);
+    EXPECT_EQ(counts.failures, 2U);
+    EXPECT_EQ(counts.unprevented, 1U);
+    EXPECT_EQ(counts.open, 0U);
+    input_.audits[0].items[0].failed = true;
+    counts = count_failures(input_);
+    EXPECT_EQ(counts.open, 1U);
+    EXPECT_THAT(hazards_page(input_), HasSubstr("open"));
+}
+
+TEST_F(HazardsPage, LeavesOutADeviceWithoutHazards) {
+    part_.hazards.clear();
+    EXPECT_THAT(hazards_page(input_), Not(HasSubstr("Device 1")));
+}
+
+}  // namespace canproof::host::test
