@@ -19,6 +19,7 @@ from .examples import prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
 from .reports import Outcome, lead, write_all
 from .rules import HOME, ROOT, Faults, Rules, firmware_files, named, short_path
+from .served import check_served
 from .seeds import prove_on_firmware
 from .structure import archives, check_layers, check_symbols
 from .tools import TOOLS, compile_each, find
@@ -59,7 +60,8 @@ def check(build, output):
         if ROOT != HOME:  # a device's stack is that of what it calls as well
             shared = sorted((HOME / "src" / "firmware").rglob("*.cpp"))
             compile_each([named(path) for path in shared], generated, graphs, faults)
-        figures = check_call_graph(graphs, generated, faults)
+        graph, figures = check_call_graph(graphs, generated, faults)
+        figures.update(check_served(graph, generated, faults))
     check_layers(faults)
     check_symbols(build, faults)
 

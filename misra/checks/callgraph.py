@@ -28,12 +28,13 @@ def called_through(place):
 
 class CallGraph:
     def __init__(self, folder):
-        self.stack, self.names, self.calls, self.indirect = {}, {}, {}, []
+        self.stack, self.names, self.places, self.calls, self.indirect = {}, {}, {}, {}, []
         for path in sorted(pathlib.Path(folder).glob("*.ci")):
             text = path.read_text()
-            for title, name, _, size, kind in NODE.findall(text):
+            for title, name, place, size, kind in NODE.findall(text):
                 self.stack[title] = int(size)
                 self.names[title] = name
+                self.places[title] = place
                 if kind not in ("static", "dynamic,bounded"):
                     self.stack[title] = 1 << 30  # unbounded
             for caller, callee, place in EDGE.findall(text):
@@ -103,7 +104,7 @@ def device_bounds():
 
 
 def check_call_graph(graphs, generated, faults):
-    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs."""
+    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs. Gives the graph, and figures for the report."""
     seeded = []
     with tempfile.TemporaryDirectory() as scratch:
         class Collected(list):
@@ -116,4 +117,5 @@ def check_call_graph(graphs, generated, faults):
         if not any(word in text for text in seeded):
             faults.add(f"the call graph's check misses what misra/callgraph/bad.cpp holds: {word} in {seeded}")
     listed = [one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])]
-    return check(CallGraph(graphs), listed, list(device_bounds()), faults)
+    graph = CallGraph(graphs)
+    return graph, check(graph, listed, list(device_bounds()), faults)

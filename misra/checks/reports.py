@@ -106,7 +106,8 @@ def lead(outcome):
     return (f"{counts['enforced']} guidelines enforced by tested checkers, {counts['review']} reviewed, {counts['not applicable']} not applicable, "
             f"of {len(outcome.plan)}; {len(outcome.open)} open finding(s), {len(outcome.deviated)} under {len(outcome.records)} deviation(s), "
             f"{len(outcome.reviews)} review(s), {len(outcome.faults)} fault(s). Call graph of {figures['functions']} functions: no recursion, "
-            f"{figures['indirect_calls']} indirect calls, all listed.")
+            f"{figures['indirect_calls']} indirect calls, all listed. Of {figures['all_functions']} functions by name {figures['unserved']} serve no "
+            f"item, each with a reason.")
 
 
 def write_markdown(folder, outcome):
