@@ -156,4 +156,45 @@ TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
+TEST_F(ActiveList, AnErrorWithTheBitsOfAnotherChangesNoRegister) {
+    verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
+    emcy.set(channel_1, true, Instant{});
+    emcy.take_register_change();
+    emcy.set(channel_2, true, Instant{});  // 81h, as the first
+    EXPECT_FALSE(emcy.take_register_change());
+    emcy.set(channel_1, false, Instant{});
+    EXPECT_FALSE(emcy.take_register_change());
+    emcy.enable(false, Instant{});
+    emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 91h
+    emcy.set(channel_1, true, Instant{});
+    EXPECT_TRUE(emcy.take_register_change());  // whether messages go out or not
+}
+
+TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
+    verifies<req::CO_EMCY_012>();
+    emcy.set(channel_1, true, Instant{});
+    sent();
+    emcy.reset();
+    EXPECT_EQ(objects.read(0x1001, 0), 0U);
+    EXPECT_TRUE(emcy.take_register_change());
+    emcy.enable(true, Instant{});
+    emcy.report(channel_2, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#11F0000210000000"});
+}
+
+/// 1014h as a stored set may bring it back: messages are switched off.
+TEST_F(ActiveList, WhatWaitsWhenAResetSwitchesMessagesOffIsNeverSent) {
+    verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
+    emcy.enable(false, Instant{});
+    emcy.set(channel_1, true, Instant{});
+    objects.write(0x1014, 0, 0x80000085);
+    emcy.refresh();
+    emcy.enable(true, Instant{});
+    EXPECT_EQ(sent(), Frames{});
+    objects.write(0x1014, 0, 0x85);
+    emcy.after_write(objects.lookup(0x1014, 0));
+    emcy.advance(Instant{1000000});
+    EXPECT_EQ(sent(), Frames{});
+}
+
 }  // namespace canproof::test

@@ -127,6 +127,67 @@ TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
 }
 
+namespace {
+
+constexpr std::size_t room_size = 18;  // 8 bytes of a view, and 10 behind it
+using Room = std::array<std::uint8_t, room_size>;
+
+constexpr Room numbered() {
+    return {{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18}};
+}
+
+/// Byte by byte, what `value` leaves in the first `size` bytes.
+Room written(std::size_t size, std::size_t at, std::size_t count, std::uint64_t value) {
+    Room room = numbered();
+    for (std::size_t i = 0; i < count && at + i < size; ++i) {
+        room.at(at + i) = static_cast<std::uint8_t>(value >> (8 * i));
+    }
+    return room;
+}
+std::uint64_t number(std::size_t size, std::size_t at, std::size_t count) {
+    const Room room = numbered();
+    std::uint64_t value{0};
+    for (std::size_t i = 0; i < count && at + i < size; ++i) {
+        value |= std::uint64_t{room.at(at + i)} << (8 * i);
+    }
+    return value;
+}
+
+/// Reads and writes `count` bytes at `at` of a view of `size` bytes.
+template <std::size_t N>
+void expect_bytes(std::size_t size, std::size_t at, std::uint64_t value) {
+    Room room = numbered();
+    MutableBytes view{room.data(), size};
+    EXPECT_EQ(read_le(view.view(), at, N), number(size, at, N)) << size << ' ' << at << ' ' << N;
+    view.set_le(at, N, value);
+    EXPECT_EQ(room, written(size, at, N, value)) << size << ' ' << at << ' ' << N << ' ' << value;
+    if constexpr (N > 0) {
+        room = numbered();
+        EXPECT_EQ(get_le<N>(view.view(), at), number(size, at, N)) << size << ' ' << at << ' ' << N;
+        view.put_le<N>(at, value);
+        EXPECT_EQ(room, written(size, at, N, value)) << size << ' ' << at << ' ' << N << ' ' << value;
+    }
+}
+
+}  // namespace
+
+TEST(Bytes, EveryNumberAtEveryPlaceIsAsByteByByte) {
+    shows_rule("views of bytes cannot overrun");
+    for (std::size_t size = 0; size <= 8; ++size) {
+        for (std::size_t at = 0; at <= size + 1; ++at) {
+            for (const std::uint64_t value : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xFFEEDDCCBBAA9988}}) {
+                expect_bytes<0>(size, at, value);
+                expect_bytes<1>(size, at, value);
+                expect_bytes<2>(size, at, value);
+                expect_bytes<3>(size, at, value);
+                expect_bytes<4>(size, at, value);
+                expect_bytes<7>(size, at, value);
+                expect_bytes<8>(size, at, value);
+            }
+        }
+    }
+}
+
 TEST(Slots, PartsEndWithTheirWhole) {
     shows_rule("views of bytes cannot overrun");
     std::array<PdoLine, 6> room{};

@@ -38,6 +38,11 @@ TEST(DictionaryCheck, TakesASoundDictionary) {
     Dictionary neighbours;
     neighbours.objects[1].index = 0x1001U;
     EXPECT_TRUE(neighbours.sound());
+    Dictionary two_first;  // the second object's first entry has another number than the object
+    two_first.objects = {{{0x1000U, 0U, 2U, ObjectKind::array}, {0x2001U, 2U, 1U, ObjectKind::var}}};
+    two_first.entries[1].subindex = 1U;
+    two_first.entries[2].subindex = 0U;
+    EXPECT_TRUE(two_first.sound());
 }
 
 TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
@@ -100,6 +105,14 @@ TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
     Dictionary behind_a_gap;  // where the search has ended
     behind_a_gap.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_FALSE(behind_a_gap.sound());
+    Dictionary apart;  // a search that begins at the slot of another object ends at the gap
+    apart.objects[1].index = 0x2002U;
+    apart.slots = {{0U, no_object, 1U, no_object}};
+    EXPECT_TRUE(apart.sound());
+    Dictionary onwards;  // both belong to slot 1: the second goes on at slot 2, not at slot 0
+    onwards.objects[0].index = 0x1001U;
+    onwards.slots = {{no_object, 0U, 1U, no_object}};
+    EXPECT_TRUE(onwards.sound());
     Dictionary round;  // both belong to slot 3: the second goes on at slot 0
     round.objects[0].index = 0x1003U;
     round.objects[1].index = 0x2003U;

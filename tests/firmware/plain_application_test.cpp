@@ -44,7 +44,7 @@ class PlainNode {
           objects_{tables_, MutableBytes{image_.data(), image_.size()}, LimitAbort::high_low},
           node_{objects_, memory, queue, application_, errors_, description_.profile, pdos_.memory()} {}
 
-    void power_on(std::uint8_t node_id, Instant now) { node_.power_on(LssConfiguration{node_id, 125000}, now); }
+    void power_on(std::uint8_t node_id, Instant now) { node_.power_on({node_id, 125000}, 0, false, now); }
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
     Instant next_deadline() const { return node_.next_deadline(); }

@@ -18,7 +18,7 @@ class LssBench : public SlaveBench {
         host::GenericDescription description = slave();
         description.profile.lss = resets_itself ? LssProfile{ax_bit_rates, true} : host::standard_lss();
         device = std::make_unique<host::GenericDevice>(description, memory, queue);
-        return switch_on([this, &stored] { device->power_on(stored, now); });
+        return switch_on([this, &stored] { device->power_on(stored, now, can_state, overrun); });
     }
 
     NmtState state() { return device->node().state(); }

@@ -19,10 +19,13 @@ class SlaveBench : public FrameBench<host::GenericDevice> {
         queue = TransmitQueue{};
         device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
         device->lend(program_index, 0, program_size);
-        return switch_on([this] { device->power_on(node_id, now); });
+        return switch_on([this] { device->power_on(LssConfiguration{node_id}, now, can_state, overrun); });
     }
 
     std::uint8_t node_id{5};
+    // The controller at power-on.
+    std::uint8_t can_state{0};
+    bool overrun{false};
 };
 
 }  // namespace canproof::test

@@ -106,9 +106,6 @@ static_assert(implements<req::CO_EMCY_008> && implements<req::CO_EMCY_013>);
 void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
     const std::uint32_t capacity = list_capacity();
-    if (capacity == 0U) {
-        return;
-    }
     const std::uint32_t count = objects_.read(index::error_list, 0U);
     const std::uint32_t kept = (count < capacity) ? count : (capacity - 1U);
     for (std::uint32_t sub = kept; sub > 0U; --sub) {
@@ -138,7 +135,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{0U};
+    std::uint8_t capacity{1U};  // without a list as well: what is written there goes nowhere
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
@@ -159,11 +156,13 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     if (!cob_id::is_valid(cob_id_entry())) {
         return;
     }
-    const Pending told{static_cast<std::uint8_t>(error), cured};
-    const std::size_t last = find_last(error);
+    std::size_t last{0U};  // the newest of those of this error that wait
     std::size_t waiting{0U};
     for (std::size_t i = 0U; i < pending_count_; ++i) {
-        waiting += (std::uint32_t{pending_[i].error} == told.error) ? 1U : 0U;
+        if (pending_[i].error == error) {
+            last = i;
+            ++waiting;
+        }
     }
     const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
     if (repeats) {
@@ -171,7 +170,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     } else if (waiting > 1U) {
         forget(last);
     } else {
-        pending_[pending_count_] = told;
+        pending_[pending_count_] = Pending{static_cast<std::uint8_t>(error), cured};
         ++pending_count_;
     }
     advance(now);
@@ -181,15 +180,6 @@ static_assert(implements<req::CO_EMCY_009> && implements<req::CO_K_EMCY_ID>);
 std::uint32_t Emcy::cob_id_entry() const noexcept {
     return objects_.has(index::emcy_cob_id, 0U) ? objects_.read(index::emcy_cob_id, 0U)
                                                 : (generated::canopen::emcy_cob_id_base + node_id_);
-}
-
-/// Position of the newest waiting message of that error; pending_count_ when none waits.
-std::size_t Emcy::find_last(const std::size_t error) const noexcept {
-    std::size_t found = pending_count_;
-    for (std::size_t i = 0U; i < pending_count_; ++i) {
-        found = (pending_[i].error == error) ? i : found;
-    }
-    return found;
 }
 
 void Emcy::forget(const std::size_t position) noexcept {
@@ -202,12 +192,12 @@ void Emcy::forget(const std::size_t position) noexcept {
 static_assert(implements<req::CO_EMCY_001> && implements<req::CO_EMCY_010>);
 Frame Emcy::message(const Pending& told) const noexcept {
     Frame frame = data_frame(cob_id::identifier(cob_id_entry()), max_frame_length);
-    write_le(MutableBytes{frame.data}, 0U, 2U, told.cured ? error_cured_code : errors_[told.error].code);
+    set_field_le<0U, 2U>(frame.data, told.cured ? error_cured_code : errors_[told.error].code);
     frame.data[2] = shown_register_;
     if (content_ == EmcyContent::listed_errors) {
         frame.data[3] = static_cast<std::uint8_t>(objects_.read(index::error_list, 0U));
     } else if (!told.cured) {
-        write_le(MutableBytes{frame.data}, 3U, 2U, list_entry(told.error) >> 16U);
+        set_field_le<3U, 2U>(frame.data, list_entry(told.error) >> 16U);
     } else {
         // the end of an error: zeros
     }

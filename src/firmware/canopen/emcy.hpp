@@ -81,7 +81,6 @@ class Emcy {
     void send_pending(Instant now) noexcept;
     void announce(std::size_t error, bool cured, Instant now) noexcept;
     std::uint32_t cob_id_entry() const noexcept;
-    std::size_t find_last(std::size_t error) const noexcept;
     void forget(std::size_t position) noexcept;
     Frame message(const Pending& told) const noexcept;
     void enter_into_list(std::uint32_t entry) noexcept;

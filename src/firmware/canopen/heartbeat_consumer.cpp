@@ -41,10 +41,7 @@ void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
     if (is_active(watched)) {
         watches_[slot].identifier = generated::canopen::guarding_cob_id_base + node_id_of(watched);
         watches_[slot].time = milliseconds(watched & time_mask);
-    }
-    any_ = false;
-    for (const Watch& watch : watches_) {
-        any_ = any_ || (watch.identifier != 0U);
+        any_ = true;
     }
     schedule();
 }
@@ -61,7 +58,7 @@ static_assert(implements<req::CO_HB_002>);
 void HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) noexcept {
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         Watch& watch = watches_[slot];
-        if ((watch.identifier != 0U) && (identifier == watch.identifier)) {
+        if (identifier == watch.identifier) {
             failed_ &= ~slot_bit(slot);
             watch.deadline = now + watch.time;
         }

@@ -41,7 +41,7 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
-        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0: nobody is watched
+        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0, which is NMT's and never comes here: nobody
         Duration time{};
         Instant deadline{never};
     };
@@ -56,7 +56,7 @@ class HeartbeatConsumer {
     ObjectDictionary& objects_;
     std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
-    bool any_{false};  ///< somebody is watched
+    bool any_{false};  ///< somebody is watched, or was
     Instant next_{never};
 };
 

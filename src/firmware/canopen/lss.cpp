@@ -87,7 +87,6 @@ void Lss::power_on(const LssConfiguration& stored) noexcept {
     stored_ = stored;
     active_ = stored;
     switching_ = Switching::none;
-    due_ = never;
 }
 
 // The stored bit rate as well: reset node is to a device what power-on is (CO-D-LSS-008).

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t slot_magic = 0x31534C43U;  // "CLS1" in memory, the marker of a committed slot at its end
 constexpr std::uint8_t committed_marker = 0x31U;
+constexpr std::size_t magic_at = 0U;
 constexpr std::size_t sequence_at = 4U;
 constexpr std::size_t bit_rate_at = 8U;
 constexpr std::size_t node_id_at = 12U;
@@ -36,11 +37,12 @@ LssStore::Slot LssStore::read(const std::size_t slot) const noexcept {
     const bool is_readable = memory_.read(address(slot), MutableBytes{bytes});
     const BankState state = state_by_marker(is_readable, ByteView{bytes}, committed_marker);
     bytes[commit_marker_at] = committed_marker;
-    const ByteView view{bytes};
-    const bool is_sound = (state != BankState::unused) && is_readable && (read_u32(view, 0U) == slot_magic) &&
-                          (read_u32(view, crc_at) == crc_of(bytes));
-    return Slot{is_sound ? BankState::sound : state, read_u32(view, sequence_at),
-                LssConfiguration{view[node_id_at], read_u32(view, bit_rate_at)}};
+    const bool is_sound = (state != BankState::unused) && is_readable &&
+                          (field_le<magic_at, 4U>(bytes) == slot_magic) &&
+                          (field_le<crc_at, 4U>(bytes) == crc_of(bytes));
+    const auto sequence = static_cast<std::uint32_t>(field_le<sequence_at, 4U>(bytes));
+    const auto bit_rate = static_cast<std::uint32_t>(field_le<bit_rate_at, 4U>(bytes));
+    return Slot{is_sound ? BankState::sound : state, sequence, LssConfiguration{bytes[node_id_at], bit_rate}};
 }
 
 bool LssStore::write_marker(const std::size_t slot, const std::uint8_t marker) noexcept {
@@ -50,13 +52,12 @@ bool LssStore::write_marker(const std::size_t slot, const std::uint8_t marker) n
 /// Whole, or not at all.
 bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     SlotBytes bytes{};
-    MutableBytes view{bytes};
-    write_le(view, 0U, 4U, slot_magic);
-    write_le(view, sequence_at, 4U, content.sequence);
-    write_le(view, bit_rate_at, 4U, content.configuration.bit_rate);
-    view.set(node_id_at, content.configuration.node_id);
-    write_le(view, crc_at, 4U, crc_of(bytes));
-    view.set(commit_marker_at, void_marker);
+    set_field_le<magic_at, 4U>(bytes, slot_magic);
+    set_field_le<sequence_at, 4U>(bytes, content.sequence);
+    set_field_le<bit_rate_at, 4U>(bytes, content.configuration.bit_rate);
+    bytes[node_id_at] = content.configuration.node_id;
+    set_field_le<crc_at, 4U>(bytes, crc_of(bytes));
+    bytes[commit_marker_at] = void_marker;
     bool done = write_marker(slot, void_marker);
     if (done) {
         done = memory_.write(address(slot), ByteView{bytes});

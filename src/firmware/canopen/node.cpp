@@ -30,7 +30,7 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       tpdos_{pdos.sent, pdos.sent_lines, objects, queue, profile.tpdo_trigger},
       lss_{profile.lss, objects, queue, application} {}
 
-void Node::power_on(const LssConfiguration& stored, const Instant now) noexcept {
+void Node::switch_on(const LssConfiguration& stored, const Instant now) noexcept {
     lss_.power_on(stored);
     follow_switching(now);
     reset_node(now);

@@ -107,12 +107,14 @@ class Node final : private ObjectAccess {
     Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
          const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept;
 
-    /// Power-on with the node-ID (1…127) that switches gave. Ends with boot-up, in pre-operational.
-    void power_on(const std::uint8_t node_id, const Instant now) noexcept {
-        power_on(LssConfiguration{node_id, 0U}, now);
+    /// Power-on with what LSS stored or with the node-ID (1…127) that switches gave, and with the CAN controller as
+    /// set_controller() takes it: while that is bus-off, what the boot reports waits. Ends with boot-up, in
+    /// pre-operational. Without a node-ID the node stays in initialising until LSS gives it one.
+    void power_on(const LssConfiguration& stored, const std::uint8_t can_state, const bool overrun,
+                  const Instant now) noexcept {
+        set_controller(can_state, overrun, now);
+        switch_on(stored, now);
     }
-    /// Power-on with what LSS stored. Without a node-ID the node stays in initialising until LSS gives it one.
-    void power_on(const LssConfiguration& stored, Instant now) noexcept;
     /// One frame from the bus. Frames that mean nothing to this node are passed over.
     void receive(const Frame& frame, Instant now) noexcept;
     /// Does what is due at `now`.
@@ -126,7 +128,7 @@ class Node final : private ObjectAccess {
     Instant next_deadline() const noexcept { return earliest(next_without_tpdos(), tpdos_.next_deadline()); }
 
     void set_can_state(CanState state, Instant now) noexcept;
-    /// The CAN controller as a physical input tells of it: `state` numbers CanState, whatever is beyond is bus-off.
+    /// The CAN controller as a physical input reports it: `state` numbers CanState, whatever is beyond is bus-off.
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
     /// A frame was lost because the controller or a queue could not take it; false when that has ended.
     void set_overrun(bool lost, Instant now) noexcept;
@@ -202,6 +204,7 @@ class Node final : private ObjectAccess {
     }
     void switch_bit_rate(Instant now) noexcept;
     bool may_send() const noexcept;
+    void switch_on(const LssConfiguration& stored, Instant now) noexcept;
     void reset_node(Instant now) noexcept;
     void reset_communication(Instant now) noexcept;
     void load_group(ParameterGroup group) noexcept;

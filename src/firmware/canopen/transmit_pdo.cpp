@@ -24,7 +24,6 @@ void TransmitPdos::reset() noexcept {
     for (std::size_t number = 0U; number < tpdos_.size(); ++number) {
         refresh(number);
     }
-    watch();
     schedule();
 }
 
@@ -42,14 +41,12 @@ void TransmitPdos::start(const Instant now) noexcept {
     for (std::size_t number = 0U; number < tpdos_.size(); ++number) {
         begin(tpdos_[number], now);
     }
-    watch();
     schedule();
 }
 
 static_assert(implements<req::CO_PDO_027>);
 void TransmitPdos::stop() noexcept {
     running_ = false;
-    watch();
     schedule();
 }
 
@@ -174,17 +171,13 @@ void TransmitPdos::push(const TransmitPdo& tpdo) noexcept {
     static_cast<void>(queue_.push(tpdo.mapping.pack(objects_, tpdo.parameters.identifier)));
 }
 
-void TransmitPdos::watch() noexcept {
+/// Which values each TPDO waits for and when it is due.
+void TransmitPdos::schedule() noexcept {
     watched_ = 0U;
+    next_ = never;
     for (TransmitPdo& tpdo : tpdos_) {
         tpdo.watched = (running_ && waits_for_changes(tpdo)) ? tpdo.mapping.watch_marks() : 0U;
         watched_ |= tpdo.watched;
-    }
-}
-
-void TransmitPdos::schedule() noexcept {
-    next_ = never;
-    for (TransmitPdo& tpdo : tpdos_) {
         tpdo.due = never;
         if (running_ && tpdo.event_driven) {
             plan(tpdo, tpdo.pending ? Instant{} : tpdo.timer_expires);
@@ -210,7 +203,6 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     } else {
         // the cycle goes on
     }
-    watch();
     schedule();
 }
 

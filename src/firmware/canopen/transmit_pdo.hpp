@@ -78,7 +78,6 @@ class TransmitPdos {
     void send_due(Instant now) noexcept;
     void send_event(TransmitPdo& tpdo, Instant now) noexcept;
     void push(const TransmitPdo& tpdo) noexcept;
-    void watch() noexcept;
     void plan(TransmitPdo& tpdo, Instant event) noexcept;
     void schedule() noexcept;
 

@@ -323,7 +323,7 @@ TEST_F(Ax188001Errors, AreToldBeforeTheReadingOfALateCallThatEndsThem) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
-/// The boot-up message is lost, what the boot told of errors is not: 60 V is beyond the 50 V of 5041h:2.
+/// The boot-up message is lost, what the boot reported of errors is not: 60 V is beyond the 50 V of 5041h:2.
 TEST(TcsStartup, AFaultFoundAtPowerOnInBusOffIsToldAfterIt) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;

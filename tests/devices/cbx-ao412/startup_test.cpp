@@ -169,7 +169,7 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
     }
 }
 
-/// The boot-up message is lost, what the boot told of errors is not: passive, failed software, then the recovery.
+/// The boot-up message is lost, what the boot reported of errors is not: passive, failed software, then the recovery.
 TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;

@@ -20,6 +20,7 @@ unsigned of_a_template(unsigned a) noexcept;
 unsigned of_a_constant() noexcept;
 unsigned in_order(unsigned a, unsigned b) noexcept;
 unsigned set(unsigned a) noexcept;
+unsigned apart(unsigned a, unsigned b) noexcept;
 unsigned element(unsigned a) noexcept;
 bool of_a_device(unsigned a, unsigned b) noexcept;
 }  // namespace canproof
@@ -112,6 +113,15 @@ const std::vector<Expected> expected{
     {"kept = a -> dropped", [](unsigned a, unsigned) { return set(a); }, [](unsigned, unsigned) { return 7U; }},
     {"a -> variable kept", [](unsigned a, unsigned) { return set(a); }, [](unsigned, unsigned) { return 7U; }},
     {"kept -> variable a", [](unsigned a, unsigned) { return set(a); }, [](unsigned a, unsigned) { return a; }},
+    {"logs.kept.shift(a) -> swapped with logs.kept.shift(b)", apart, [](unsigned a, unsigned b) { return b * 10U + a; }},
+    {"logs.kept.shift(a) -> deleted", apart, [](unsigned, unsigned b) { return b; }},
+    {"a -> variable b", apart, [](unsigned, unsigned b) { return b * 11U; }},
+    {"logs.kept.shift(b) -> deleted", apart, [](unsigned a, unsigned) { return a; }},
+    {"b -> variable a", apart, [](unsigned a, unsigned) { return a * 11U; }},
+    // Nothing is swapped with this one: it is about another object.
+    {"logs.other.shift(a) -> deleted", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
+    {"a -> variable b", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
+    {"logs.kept.first -> variable logs.kept.second", apart, [](unsigned, unsigned) { return 0U; }},
     {"list[a] -> [0]", [](unsigned a, unsigned) { return element(a); }, [](unsigned, unsigned) { return 10U; }},
     {"a != b -> true", of(of_a_device), [](unsigned, unsigned) { return 1U; }},
     {"a != b -> false", of(of_a_device), [](unsigned, unsigned) { return 0U; }},

@@ -1,10 +1,12 @@
 """Mutants of statements, variables, indices and literals: what an author forgets or mixes up.
 
-A call or `break` that stands alone is deleted, an assignment dropped; calls that follow each other swap places; a variable becomes
-another one of its type (a parameter or local variable, or a member of the same class); an index becomes 0; a literal one more and one less."""
+A call or `break` that stands alone is deleted, an assignment dropped; calls that follow each other swap places where that
+can make a difference (independence.py); a variable becomes another one of its type (a parameter or local variable, or a
+member of the same class); an index becomes 0; a literal one more and one less."""
 import re
 
 from clang.cindex import CursorKind as K
+from independence import are_independent
 
 LITERAL = re.compile(r"(?:0[xX][0-9a-fA-F']+|0[bB][01']+|[0-9][0-9']*)[uUlL]*")
 NULL = re.compile(r"(?:0[xXbB])?0+[uUlL]*")
@@ -78,15 +80,16 @@ class Statements:
     def block(self, cursor):
         calls = []
         for child in [*cursor.get_children(), None]:
-            if child is not None and self.call_of(child) is not None:
+            call = self.call_of(child) if child is not None else None
+            if call is not None and calls and not are_independent(self.call_of(calls[-1]), call):
                 calls.append(child)
                 continue
             if len(calls) > 1:
                 self.swapped(calls)
             elif calls:
                 self.statement(calls[0])
-            calls = []
-            if child is not None:
+            calls = [child] if call is not None else []
+            if child is not None and call is None:
                 self.statement(child)
 
     # Names.

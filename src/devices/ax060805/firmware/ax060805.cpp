@@ -62,8 +62,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     static_assert(implements<req::INC_K_NODE_ID> && implements<req::INC_K_BIT_RATE>);
     const LssConfiguration stored = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     use_bit_rate(stored.bit_rate);
-    node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot reports waits for a bus
-    node_.power_on(stored, now);
+    node_.power_on(stored, inputs.can_state, inputs.can_overrun, now);
     set_inputs(inputs, now);
 }
 

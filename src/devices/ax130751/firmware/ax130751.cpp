@@ -67,8 +67,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     lss_stored_ = kept_;
     bit_rate_ = kept_.bit_rate;
-    node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot reports waits for a bus
-    node_.power_on(kept_, now);
+    node_.power_on(kept_, inputs.can_state, inputs.can_overrun, now);
     set_inputs(inputs, now);
 }
 

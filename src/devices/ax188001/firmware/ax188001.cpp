@@ -84,8 +84,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     const LssConfiguration stored = lss_store_.load(shipped);
     bit_rate_ = stored.bit_rate;
-    node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
-    node_.power_on(stored, now);
+    node_.power_on(stored, inputs.can_state, inputs.can_overrun, now);
     set_inputs(inputs, now);
 }
 

@@ -82,8 +82,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     static_assert(implements<req::AO4_SW_002>);
     runs_ = (node_id_ != 0U) && (node_id_ <= max_node_id);
     if (runs_) {
-        node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot tells waits for a bus
-        node_.power_on(node_id_, now);
+        node_.power_on(LssConfiguration{node_id_}, inputs.can_state, inputs.can_overrun, now);
     }
     set_inputs(inputs, now);
 }

@@ -135,10 +135,10 @@ AbortCode GenericDevice::commit(const EntryRef& entry, std::size_t length, Insta
     return AbortCode::none;
 }
 
-void GenericDevice::power_on(const LssConfiguration& stored, Instant now) {
+void GenericDevice::power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state, bool overrun) {
     stored_ = stored;
     bit_rate_ = stored.bit_rate;
-    node_.power_on(stored, now);
+    node_.power_on(stored, can_state, overrun, now);
 }
 
 LssError GenericDevice::store_configuration(const LssConfiguration& configuration) {

@@ -31,9 +31,10 @@ class GenericDevice final : private Application {
     GenericDevice(const Part& part, NonVolatileMemory& memory, TransmitQueue& queue);
     GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
-    void power_on(std::uint8_t node_id, Instant now) { node_.power_on(node_id, now); }
-    /// With what an earlier life stored; `bit_rate()` is then that of `stored`.
-    void power_on(const LssConfiguration& stored, Instant now);
+    void power_on(std::uint8_t node_id, Instant now) { power_on(LssConfiguration{node_id}, now); }
+    /// With what an earlier life stored, and the controller as Node::set_controller() takes it; `bit_rate()` is then
+    /// that of `stored`.
+    void power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state = 0, bool overrun = false);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
     Instant next_deadline() const { return node_.next_deadline(); }

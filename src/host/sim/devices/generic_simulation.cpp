@@ -57,7 +57,7 @@ void GenericSimulation::set_node_id(NodeId node_id) {
 }
 
 void GenericSimulation::power_on(Instant now) {
-    device_.power_on(store_.load(shipped_), now);
+    device_.power_on(store_.load(shipped_), now, can_state_, overrun_);
 }
 
 void GenericSimulation::receive(const Frame& frame, Instant now) {
@@ -70,14 +70,13 @@ void GenericSimulation::advance(Instant now) {
 
 bool GenericSimulation::set_input(const std::string& name, double value, Instant now) {
     if (name == "can_state") {
-        can_state_ = value;
-        device_.node().set_can_state(static_cast<CanState>(static_cast<int>(value)), now);
+        can_state_ = static_cast<std::uint8_t>(value);
     } else if (name == "can_overrun") {
         overrun_ = value != 0.0;
-        device_.node().set_overrun(overrun_, now);
     } else {
         return false;
     }
+    device_.node().set_controller(can_state_, overrun_, now);
     return true;
 }
 

@@ -26,7 +26,7 @@ class GenericSimulation final : public SimulatedDevice {
     Instant next_deadline() const override { return device_.next_deadline(); }
     /// `can_state` and `can_overrun`, as the devices of the catalogue have them; its objects are written by SDO or PDO.
     bool set_input(const std::string& name, double value, Instant now) override;
-    std::vector<double> inputs() const override { return {can_state_, overrun_ ? 1.0 : 0.0}; }
+    std::vector<double> inputs() const override { return {static_cast<double>(can_state_), overrun_ ? 1.0 : 0.0}; }
     const std::vector<std::string>& input_names() const override;
     std::vector<double> outputs() const override { return {}; }
     const std::vector<std::string>& output_names() const override;
@@ -40,7 +40,7 @@ class GenericSimulation final : public SimulatedDevice {
     GenericDevice device_;
     LssStore store_;
     LssConfiguration shipped_;
-    double can_state_{0.0};
+    std::uint8_t can_state_{0};
     bool overrun_{false};
 };
 

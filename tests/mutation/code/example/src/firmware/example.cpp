@@ -65,6 +65,17 @@ unsigned set(const unsigned a) noexcept {
     kept = a;
     return kept;
 }
+struct Logs {
+    Log kept{};
+    Log other{};
+};
+unsigned apart(const unsigned a, const unsigned b) noexcept {
+    Logs logs;
+    logs.kept.shift(a);
+    logs.kept.shift(b);
+    logs.other.shift(a);
+    return logs.kept.first;
+}
 constexpr unsigned list[4] = {10U, 11U, 12U, 13U};
 unsigned element(const unsigned a) noexcept {
     return list[a];

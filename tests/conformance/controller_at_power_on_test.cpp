@@ -1,0 +1,64 @@
+// What the CAN controller is at power-on (CiA 301, 7.2.7.1): what the boot finds is reported when there is a bus.
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/lss_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class ControllerAtPowerOn : public testing::Test, public LssBench {
+  protected:
+    /// Node 5, whose stored LSS configuration cannot be read: 6300h, a generic error.
+    Frames start_damaged() { return start({5, 125000, true}); }
+    Frames recover() {
+        device->node().set_controller(0, overrun, now);
+        return sent();
+    }
+};
+
+}  // namespace
+
+/// The boot-up message is lost, what the boot found is not.
+TEST_F(ControllerAtPowerOn, AnErrorFoundInBusOffIsReportedAfterIt) {
+    verifies<req::CO_EMCY_017>();
+    can_state = 3;
+    EXPECT_EQ(start_damaged(), Frames{});
+    EXPECT_EQ(pass(1000), Frames{});
+    // 6300h and passive (8120h) wait, with both in the list and both in 1001h; then 8140h, the third; then 8120h ends.
+    EXPECT_EQ(recover(),
+              (Frames{"085#0063110200000000", "085#2081110200000000", "085#4081110300000000", "085#0000010300000000"}));
+    EXPECT_EQ(pass(1000), Frames{});
+}
+
+TEST_F(ControllerAtPowerOn, FramesLostThenAreReportedAfterTheBootUp) {
+    verifies<req::CO_EMCY_016>();
+    overrun = true;
+    EXPECT_EQ(power_on(), (Frames{"705#00", "085#1081110100000000"}));
+    overrun = false;
+    EXPECT_EQ(recover(), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(ControllerAtPowerOn, PassiveIsReportedAfterTheBootUp) {
+    verifies<req::CO_EMCY_016>();
+    can_state = 2;
+    EXPECT_EQ(power_on(), (Frames{"705#00", "085#2081110100000000"}));
+    EXPECT_EQ(recover(), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(ControllerAtPowerOn, AWarningIsNoError) {
+    verifies<req::CO_EMCY_016>();
+    can_state = 1;
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));
+}
+
+/// The same device, off in bus-off and on with a working bus.
+TEST_F(ControllerAtPowerOn, TheBusOffOfTheLifeBeforeIsOver) {
+    verifies<req::CO_EMCY_017>();
+    device->node().set_controller(3, true, now);
+    EXPECT_EQ(sent(), Frames{});
+    device->power_on({5, 125000}, now);
+    EXPECT_EQ(sent(), (Frames{"705#00"}));
+}
+
+}  // namespace canproof::test
