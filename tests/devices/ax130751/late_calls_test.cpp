@@ -114,6 +114,28 @@ TEST_F(Ax130751LateCalls, ATimeOutOnTheWayWakesTheBlocks) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
 
+TEST_F(Ax130751LateCalls, AnEmergencyThatFindsNoRoomHoldsNoTimeOutUp) {
+    verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
+    no_ramps(1);
+    set16(0x7341, 1, 3000);
+    set16(0x1400, 5, 50);
+    start();
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
+        queue.push(host::parse_frame("001#", "other traffic"));
+    }
+    device->receive(host::parse_frame("27F#E803000000", "1 V"), now);
+    device->receive(host::parse_frame("57F#00", "too short: 8210h"), now);
+    for (const int ms : {20, 20, 20, 1}) {
+        wait(static_cast<std::uint64_t>(ms));
+        device->advance(now);
+    }
+    EXPECT_FLOAT_EQ(volts(1), 3.0F) << "a cycle after the time-out was seen";
+    queue = TransmitQueue{};
+    wait(1);
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"0FF#1082010000000000", "0FF#0081010000000000"}));
+}
+
 TEST_F(Ax130751LateCalls, NothingThatWaitsIsAheadOfItsTime) {
     verifies<req::AOR_OUT_027>();
     pass(500);

@@ -69,7 +69,6 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     bit_rate_ = kept_.bit_rate;
     node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot reports waits for a bus
     node_.power_on(kept_, now);
-    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
