@@ -329,6 +329,21 @@ TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
     EXPECT_EQ(read(0x1018, 3), 0x00010203U);
     EXPECT_EQ(read(0x1018, 4), 4711U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
+    EXPECT_EQ(read(0x1020, 1), 0x28072023U);
+    factory.made_on = 0x01022024;
+    factory.made_at = 0x00001234;
+    power_on();
+    restore();
+    for (const char* reset : {"", "000#827F", "000#817F"}) {
+        SCOPED_TRACE(reset);
+        if (reset[0] != 0) {
+            send(reset);
+        }
+        EXPECT_EQ(read(0x1018, 3), 0x00010203U);
+        EXPECT_EQ(read(0x1018, 4), 4711U);
+        EXPECT_EQ(read(0x1020, 1), 0x01022024U);
+        EXPECT_EQ(read(0x1020, 2), 0x00001234U);
+    }
 }
 
 TEST_F(Ax130751Storage, AMemoryThatFailsAtNodeIdAndBitRateRefuses1010h) {

@@ -68,7 +68,6 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     lss_stored_ = kept_;
     bit_rate_ = kept_.bit_rate;
     node_.power_on(kept_, inputs.can_state, inputs.can_overrun, now);
-    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {

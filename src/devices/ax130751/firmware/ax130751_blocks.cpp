@@ -31,12 +31,12 @@ PointResponse point_response(const std::uint8_t value) noexcept {
     }
 }
 
-/// The microseconds of an interval; what a change of response left outside of the range is held at its ends.
+/// Gives the microseconds of an interval. A point of a data response may lie below the shortest interval, never above
+/// the longest: it then counts as the shortest.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
     const double least = static_cast<double>(own::shortest_interval_ms);
-    const double greatest = static_cast<double>(own::longest_interval_ms);
     constexpr double us_per_ms = 1000.0;
-    return std::fmin(std::fmax(static_cast<double>(milliseconds_set), least), greatest) * us_per_ms;
+    return std::fmax(static_cast<double>(milliseconds_set), least) * us_per_ms;
 }
 
 static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_014>);
@@ -139,8 +139,8 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
                                 ? static_cast<double>(objects.get(fields.x[static_cast<std::uint8_t>(point + 1U)]))
                                 : static_cast<double>(INT16_MAX);
     const double value = static_cast<double>(x);
-    const AbortCode by_order = check_range(value, std::fmax(least, static_cast<double>(INT16_MIN)),
-                                           std::fmin(greatest, static_cast<double>(INT16_MAX)));
+    // An interval of time may be greater than 16 bits; none is below them.
+    const AbortCode by_order = check_range(value, least, std::fmin(greatest, static_cast<double>(INT16_MAX)));
     const BlockSignal source = sources.signal(resolve(objects.get(fields.source), objects.get(fields.number)));
     if ((by_order != AbortCode::none) || (!source.is_available()) || (source.upper <= source.lower)) {
         return by_order;

@@ -45,10 +45,9 @@ static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && impl
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
     // Ten times 24 hours are 8.64e11 us: exact in a double, as are all sums of whole microseconds below 9e15.
     LookupPoints since_start{profile};
-    double end{0.0};
-    for (std::size_t point = 0U; point < lookup_points; ++point) {
-        end += (point == 0U) ? 0.0 : profile.x[point];
-        since_start.x[point] = end;
+    since_start.x[0U] = 0.0;
+    for (std::size_t point = 1U; point < lookup_points; ++point) {
+        since_start.x[point] += since_start.x[point - 1U];
     }
     const std::uint64_t length = profile_length(profile).us;
     const bool wraps = repeat && (length != 0U) && (running.us > length);

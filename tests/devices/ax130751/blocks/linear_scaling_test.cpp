@@ -66,6 +66,12 @@ TEST(DecimalDigits, BackToTheNearestIntegerAndNoFurtherThanSixteenBits) {
     EXPECT_EQ(process_value(-0.5, 0), -1);
     EXPECT_EQ(process_value(40.0, 3), 32767);
     EXPECT_EQ(process_value(-40.0, 3), -32768);
+    EXPECT_EQ(process_value(3.27664, 4), 32766);
+    EXPECT_EQ(process_value(3.27666, 4), 32767);
+    EXPECT_EQ(process_value(3.2769, 4), 32767);
+    EXPECT_EQ(process_value(-327.674, 2), -32767);
+    EXPECT_EQ(process_value(-327.676, 2), -32768);
+    EXPECT_EQ(process_value(-327.69, 2), -32768);
 }
 
 TEST(DigitalReading, HysteresisOfFigure1) {

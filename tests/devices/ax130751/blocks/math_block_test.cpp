@@ -97,6 +97,32 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
     EXPECT_DOUBLE_EQ(fraction(4.0, 5.0, 5.0), 0.0);
 }
 
+TEST(MathBlock, AFractionHasStepsOfAMillionth) {
+    verifies<req::AOR_MATH_001, req::AOR_MATH_003>();
+    const auto fraction = [](double value) {
+        return math_fraction({{value, 0.0, 0.0, SignalState::valid}, 0.0, 1.0, 1.0, 0});
+    };
+    EXPECT_EQ(fraction(0.12345649), 0.123456);
+    EXPECT_EQ(fraction(0.12345651), 0.123457);
+    EXPECT_EQ(fraction(0.00000049), 0.0);
+    EXPECT_EQ(fraction(0.00000051), 0.000001);
+    EXPECT_EQ(fraction(0.99999949), 0.999999);
+    EXPECT_EQ(fraction(0.99999951), 1.0);
+}
+
+TEST(MathBlock, ResultsEndAtABillion) {
+    verifies<req::AOR_MATH_002, req::AOR_MATH_004>();
+    // 1 / 0.000001 / d, with a sign: an input of 1 / a million is 0.0001 percent.
+    const auto quotient = [](double divisor, double gain) {
+        return run({percent(100, gain), percent(0.0001), percent(100 * divisor), unused},
+                   {divided_by, divided_by, plus});
+    };
+    EXPECT_NEAR(quotient(0.001001, 1.0), 1.0e6 / 0.001001, 1.0);
+    EXPECT_EQ(quotient(0.000999, 1.0), 1.0e9);
+    EXPECT_NEAR(quotient(0.001001, -1.0), -1.0e6 / 0.001001, 1.0);
+    EXPECT_EQ(quotient(0.000999, -1.0), -1.0e9);
+}
+
 TEST(MathBlock, EqualInputsAreEqualAfterDifferentScalings) {
     verifies<req::AOR_MATH_003>();
     for (int tenth = 0; tenth <= 1000; ++tenth) {
