@@ -1,6 +1,7 @@
 #include "host/datasheet/check/check_eds.hpp"
 
 #include <array>
+#include <map>
 
 #include "host/datasheet/check/device_info_rules.hpp"
 #include "host/datasheet/check/entry_rules.hpp"
@@ -35,6 +36,17 @@ constexpr std::array<Group, 11> groups{{{text_rules, check_text},
                                         {pdo_rules, check_pdo},
                                         {service_rules, check_service}}};
 
+const std::map<std::string, EdsRule>& rules_by_id() {
+    static const std::map<std::string, EdsRule> rules = [] {
+        std::map<std::string, EdsRule> all;
+        for (const EdsRule& rule : eds_rules()) {
+            all.emplace(rule.id, rule);
+        }
+        return all;
+    }();
+    return rules;
+}
+
 }  // namespace
 
 std::vector<EdsRule> eds_rules() {
@@ -48,7 +60,7 @@ std::vector<EdsRule> eds_rules() {
 
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name) {
     const EdsSheet sheet{text, name};
-    EdsFindings findings{eds_rules()};
+    EdsFindings findings{rules_by_id()};
     for (const Group& group : groups) {
         group.check(sheet, findings);
     }

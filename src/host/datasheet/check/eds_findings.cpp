@@ -7,12 +7,6 @@
 
 namespace canproof::host {
 
-EdsFindings::EdsFindings(const std::vector<EdsRule>& rules) {
-    for (const EdsRule& rule : rules) {
-        rules_.emplace(rule.id, rule);
-    }
-}
-
 void EdsFindings::add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits) {
     const EdsRule& found = rules_.at(rule);
     if (all_.size() < Faults::most) {

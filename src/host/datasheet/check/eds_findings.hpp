@@ -12,7 +12,8 @@ namespace canproof::host {
 
 class EdsFindings {
   public:
-    explicit EdsFindings(const std::vector<EdsRule>& rules);
+    /// `rules` by id; they outlive the findings.
+    explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
 
     /// Adds a finding of the rule. Throws std::out_of_range for a rule that no table has. Beyond Faults::most, findings
     /// are dropped.
@@ -21,7 +22,7 @@ class EdsFindings {
     std::vector<EdsFinding> take();
 
   private:
-    std::map<std::string, EdsRule> rules_;
+    const std::map<std::string, EdsRule>& rules_;
     std::vector<EdsFinding> all_;
 };
 

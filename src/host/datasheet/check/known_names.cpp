@@ -1,9 +1,6 @@
 #include "host/datasheet/check/known_names.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <map>
 #include <vector>
 
@@ -13,13 +10,26 @@ namespace canproof::host {
 
 namespace {
 
-using Words = std::vector<const char*>;
+/// Words as CiA 306 spells them, by the same in lower case.
+struct Words {
+    Words(std::initializer_list<const char*> all) {
+        for (const char* word : all) {
+            spelled.emplace(lower_case(word), word);
+        }
+    }
+    std::map<std::string, std::string> spelled;
+};
+
+struct Section {
+    const char* name;
+    Words keys;
+};
 
 const Words dcf_keys{"ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"};
 
 /// Sections with fixed names. A word that ends in # stands for itself with any number behind it.
-const std::map<std::string, Words>& sections() {
-    static const std::map<std::string, Words> all{
+const std::map<std::string, Section>& sections() {
+    static const std::vector<Section> listed{
         {"FileInfo",
          {"FileName", "FileVersion", "FileRevision", "EDSVersion", "Description", "CreationTime", "CreationDate",
           "CreatedBy", "ModificationTime", "ModificationDate", "ModifiedBy", "LastEDS"}},
@@ -47,6 +57,13 @@ const std::map<std::string, Words>& sections() {
         {"StandardDataTypes", {"0x#"}},
         {"Tools", {"Items"}},
     };
+    static const std::map<std::string, Section> all = [] {
+        std::map<std::string, Section> by_name;
+        for (const Section& section : listed) {
+            by_name.emplace(lower_case(section.name), section);
+        }
+        return by_name;
+    }();
     return all;
 }
 
@@ -58,15 +75,16 @@ const Words compact_keys{"NrOfEntries", "#"};
 
 std::string in_words(const Words& words, const std::string& key) {
     const std::string lower = lower_case(key);
-    for (const std::string word : words) {
-        if (lower_case(word) == lower) {
-            return word;
-        }
-        const std::string stem = lower_case(word.substr(0, word.size() - 1));
-        const bool numbered = word.back() == '#' && lower.size() > stem.size() && lower.rfind(stem, 0) == 0 &&
-                              lower.find_first_not_of("0123456789abcdef", stem.size()) == std::string::npos;
+    const auto found = words.spelled.find(lower);
+    if (found != words.spelled.end()) {
+        return found->second;
+    }
+    for (const auto& [word, spelled] : words.spelled) {
+        const std::size_t stem = word.size() - 1;
+        const bool numbered = word.back() == '#' && lower.size() > stem && lower.compare(0, stem, word, 0, stem) == 0 &&
+                              lower.find_first_not_of("0123456789abcdef", stem) == std::string::npos;
         if (numbered) {
-            return word.substr(0, word.size() - 1) + key.substr(stem.size());
+            return spelled.substr(0, stem) + key.substr(stem);
         }
     }
     return "";
@@ -85,10 +103,9 @@ bool is_of_modules(const std::string& lower) {
 
 std::string known_section(const std::string& name) {
     const std::string lower = lower_case(name);
-    for (const auto& [known, keys] : sections()) {
-        if (lower_case(known) == lower) {
-            return known;
-        }
+    const auto found = sections().find(lower);
+    if (found != sections().end()) {
+        return found->second.name;
     }
     if (lower == "devicecommissioning") {
         return name;  // a common spelling; CiA 306 has one m
@@ -110,11 +127,9 @@ std::string known_section(const std::string& name) {
 }
 
 std::string known_key(const std::string& section, const std::string& key) {
-    const std::string lower = lower_case(section);
-    for (const auto& [known, keys] : sections()) {
-        if (lower_case(known) == lower) {
-            return in_words(keys, key);
-        }
+    const auto found = sections().find(lower_case(section));
+    if (found != sections().end()) {
+        return in_words(found->second.keys, key);
     }
     const auto object = eds_object_name(section);
     if (!object) {

@@ -124,13 +124,16 @@ class PdoCheck {
 
     void check_times() {
         if (is_rpdo_) {
-            for (const unsigned sub : {3U, 6U}) {
-                const EdsSheetEntry* entry = object_.entry(sub);
-                if (entry != nullptr) {
-                    findings_.add("pdo-transmit-only", entry->section->line,
-                                  fmt::format("{}, the {}, is of transmit PDOs", entry->title(),
-                                              sub == 3 ? "inhibit time" : "SYNC start value"));
-                }
+            const EdsSheetEntry* useless = object_.entry(3);
+            const auto time = useless == nullptr ? std::nullopt : useless->number();
+            if (time && time->bits != 0) {
+                findings_.add(
+                    "pdo-rpdo-inhibit", useless->value_line(),
+                    fmt::format("{} is {}, but a receive PDO has no inhibit time", useless->title(), time->bits));
+            }
+            if (object_.entry(6) != nullptr) {
+                findings_.add("pdo-rpdo-sync-start", object_.entry(6)->section->line,
+                              fmt::format("{}, the SYNC start value, is of transmit PDOs", object_.entry(6)->title()));
             }
             return;
         }
@@ -201,7 +204,8 @@ const std::vector<EdsRule>& pdo_rules() {
          source},
         {"pdo-without-sync", warning, "a synchronous PDO is in a device without SYNC",
          "describe 1005h (COB-ID SYNC), or write transmission type 254 or 255", source},
-        {"pdo-transmit-only", warning, "a receive PDO has a parameter of transmit PDOs", "remove the entry", source},
+        {"pdo-rpdo-inhibit", warning, "a receive PDO has an inhibit time", "write 0", source},
+        {"pdo-rpdo-sync-start", warning, "a receive PDO has a SYNC start value", "remove the entry", source},
         {"pdo-sync-start", error, "the SYNC start value is above 240", "write 0 to 240", source},
         {"pdo-inhibit-event", warning, "the event timer is shorter than the inhibit time",
          "write a longer event timer: the inhibit time is in 100 us, the event timer in ms", source}};

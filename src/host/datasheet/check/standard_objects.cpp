@@ -13,7 +13,7 @@ const std::vector<StandardObject301>& standard_objects_301() {
         {0x1003, 8, u32, Access::read},  {0x1005, 7, u32, Access::any},   {0x1006, 7, u32, Access::any},
         {0x1007, 7, u32, Access::any},   {0x1008, 7, text, Access::read}, {0x1009, 7, text, Access::read},
         {0x100A, 7, text, Access::read}, {0x100C, 7, u16, Access::any},   {0x100D, 7, u8, Access::any},
-        {0x1010, 8, u32, Access::any},   {0x1011, 8, u32, Access::any},   {0x1012, 7, u32, Access::any},
+        {0x1010, 8, u32, Access::write}, {0x1011, 8, u32, Access::write}, {0x1012, 7, u32, Access::any},
         {0x1014, 7, u32, Access::any},   {0x1015, 7, u16, Access::any},   {0x1016, 8, u32, Access::any},
         {0x1017, 7, u16, Access::any},   {0x1018, 9, u32, Access::read},  {0x1019, 7, u8, Access::any},
         {0x1029, 8, u8, Access::any}};
