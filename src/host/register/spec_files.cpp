@@ -10,11 +10,11 @@ namespace canproof::host {
 SpecFiles read_spec_files(const std::filesystem::path& spec) {
     SpecFiles files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
-        if (file.is_directory() || file.path().extension() != ".toml") {
+        const std::string path = "spec/" + file.path().lexically_relative(spec).generic_string();
+        if (file.is_directory() || file.path().extension() != ".toml" || path.rfind(conformance_cases, 0) == 0) {
             continue;
         }
-        files["spec/" + file.path().lexically_relative(spec).generic_string()] =
-            read_file(file.path(), longest_toml_file);
+        files[path] = read_file(file.path(), longest_toml_file);
     }
     if (files.empty()) {
         throw InputError{

@@ -10,6 +10,7 @@
 #include "host/app/cli/assess_commands.hpp"
 #include "host/app/cli/catalogue_commands.hpp"
 #include "host/app/cli/command.hpp"
+#include "host/app/cli/conform_command.hpp"
 #include "host/app/cli/demo_command.hpp"
 #include "host/app/cli/figures_command.hpp"
 #include "host/app/cli/new_command.hpp"
@@ -161,6 +162,34 @@ class ReplayCommand : Command {
     std::vector<std::string> words_;  ///< DEVICE LOG; with --eds LOG alone
 };
 
+class ConformCommand : Command {
+  public:
+    ConformCommand(CLI::App& app, Chosen& chosen) {
+        auto* command = app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
+        command->add_option("DEVICE", options_.device, "of the catalogue; it runs in virtual time without --bus");
+        command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
+        command->add_option("--node", options_.node, "node-ID of the slave");
+        command->add_option("--bus", options_.bus,
+                            "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
+        command->add_flag("--list", options_.list, "all cases");
+        command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',');
+        command->add_option("--skip", options_.skip, "cases or services")->delimiter(',');
+        command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
+            ->delimiter(',');
+        command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
+        command->add_flag("--json", options_.json, "the report as JSON instead of lines");
+        command->add_flag("--allow-outputs", options_.allow_outputs, "cases that may move an output");
+        command->add_flag("--allow-store", options_.allow_store, "cases that store parameters");
+        command->add_flag("--allow-lss", options_.allow_lss, "cases that change node-ID or bit rate");
+        command->add_option("--traffic", options_.traffic, "foreign frames meanwhile, per cent of the bus")
+            ->check(CLI::Range(0.0, 95.0));
+        command->callback([this, &chosen] { chosen = [this] { return run_conform(options_); }; });
+    }
+
+  private:
+    ConformCommandOptions options_;
+};
+
 class DrawingCommands : Command {
   public:
     DrawingCommands(CLI::App& app, Chosen& chosen) {
@@ -214,6 +243,7 @@ int run_command_line(int argc, char** argv) {
     NewCommand new_command{app, chosen};
     ReplayCommand replay_command{app, chosen};
     RunCommands run_command{app, chosen};
+    ConformCommand conform_command{app, chosen};
     DrawingCommands drawing_command{app, chosen};
     const std::shared_ptr<void> assess_commands = add_assess_commands(app, chosen);
     try {

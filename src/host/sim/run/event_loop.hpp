@@ -23,6 +23,8 @@ class EventLoop {
     /// Whether a descriptor was ready when wait() returned.
     bool is_ready(int descriptor) const { return ready_.count(descriptor) != 0; }
     bool is_interrupted() const { return interrupted_; }
+    /// Another signal is awaited.
+    void forget_interruption() { interrupted_ = false; }
 
   private:
     void follow(const std::vector<Watch>& watches);

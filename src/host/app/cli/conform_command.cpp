@@ -1,0 +1,134 @@
+#include "host/app/cli/conform_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+#include "host/app/cli/built_in.hpp"
+#include "host/app/cli/chosen_devices.hpp"
+#include "host/app/cli/make_bus.hpp"
+#include "host/app/cli/standard_streams.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+#include "host/base/replace_folder.hpp"
+#include "host/conform/link/bus_target.hpp"
+#include "host/conform/link/virtual_target.hpp"
+#include "host/conform/report/report_files.hpp"
+#include "host/conform/report/report_records.hpp"
+#include "host/conform/run/run_cases.hpp"
+#include "host/datasheet/read_eds.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using conform::CaseResult;
+using conform::Verdict;
+
+int list_cases() {
+    for (const conform::Case& one : conform::built_in_cases().cases) {
+        fmt::print("{:<10} {:<44} {:<8} {}\n", one.group, one.id, fmt::format("{}", fmt::join(one.numbers, ",")),
+                   one.shows);
+    }
+    return 0;
+}
+
+ChosenDevice choose(const ConformCommandOptions& options) {
+    ChosenDevice chosen = options.eds.empty() ? choose_device(options.device) : choose_eds(options.eds);
+    if (options.node) {
+        set_node(chosen, *options.node);
+    }
+    return chosen;
+}
+
+/// A node-ID from the command line. Throws InputError.
+std::uint8_t node_of(const std::string& text) {
+    const bool number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
+    const int node = number ? std::stoi(text) : 0;
+    if (node < 1 || node > 127) {
+        throw InputError{fmt::format("`{}` is no node-ID; write --node 5 (1 to 127)", text)};
+    }
+    return static_cast<std::uint8_t>(node);
+}
+
+conform::ConformSheet sheet_for(const ConformCommandOptions& options) {
+    if (!options.eds.empty()) {
+        conform::ConformSheet sheet = conform::read_sheet(read_file(options.eds, longest_eds_file), options.eds, 1);
+        sheet.node_id = options.node ? node_of(*options.node) : static_cast<std::uint8_t>(sheet.part.info.node_id);
+        return sheet;
+    }
+    const Part& part = device_named(options.device);
+    conform::ConformSheet sheet = conform::sheet_of(built_in_register(), part);
+    sheet.node_id = options.node ? node_of(*options.node) : sheet.node_id;
+    return sheet;
+}
+
+std::unique_ptr<conform::Target> virtual_target(const ConformCommandOptions& options,
+                                                const conform::ConformSheet& sheet) {
+    ChosenDevice chosen = choose(options);
+    const std::uint32_t rate = chosen.bit_rate == 0 ? conform::VirtualTarget::usual_bit_rate : chosen.bit_rate;
+    return std::make_unique<conform::VirtualTarget>(std::move(chosen.device), sheet.node_id, rate);
+}
+
+std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options,
+                                            const conform::ConformSheet& sheet) {
+    const bool socketcan = options.bus.rfind("socketcan:", 0) == 0;
+    if (!socketcan && options.bus.rfind("socketcand-client:", 0) != 0) {
+        throw InputError{fmt::format(
+            "`{}` is no bus to test on; write --bus socketcan:can0 or --bus socketcand-client:127.0.0.1:29536",
+            options.bus)};
+    }
+    RunOptions running;
+    running.bus = options.bus;
+    std::unique_ptr<Bus> bus = make_bus(running, static_cast<std::uint32_t>(sheet.part.info.bit_rate));
+    bus->on_notice(tell);
+    return std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+}
+
+conform::ConformOptions run_options(const ConformCommandOptions& options) {
+    const bool everything = options.bus.empty();
+    conform::ConformOptions running;
+    running.only = options.only;
+    running.skip = options.skip;
+    running.cases = options.cases;
+    running.allow_outputs = everything || options.allow_outputs;
+    running.allow_store = everything || options.allow_store;
+    running.allow_lss = everything || options.allow_lss;
+    running.traffic = options.traffic;
+    if (!options.json) {
+        running.progress = [](const CaseResult& one) {
+            fmt::print("{}\n", conform::result_line(one));
+            std::fflush(stdout);
+        };
+    }
+    return running;
+}
+
+}  // namespace
+
+int run_conform(const ConformCommandOptions& options) {
+    if (options.list) {
+        return list_cases();
+    }
+    if (options.device.empty() == options.eds.empty()) {
+        throw InputError{"name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+    }
+    const conform::ConformSheet sheet = sheet_for(options);
+    const std::unique_ptr<conform::Target> target =
+        options.bus.empty() ? virtual_target(options, sheet) : bus_target(options, sheet);
+    conform::ConformReport report =
+        conform::run_cases(conform::built_in_cases(), sheet, *target, run_options(options));
+    report.program = "canproof";
+    if (options.json) {
+        fmt::print("{}", conform::write_json(report));
+    } else {
+        fmt::print("{}", conform::summary_lines(report));
+    }
+    if (!options.report.empty()) {
+        replace_folder(options.report, conform::report_files(report));
+    }
+    return report.exit_status();
+}
+
+}  // namespace canproof::host

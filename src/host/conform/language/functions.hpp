@@ -1,0 +1,26 @@
+// The functions that an expression may call.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/conform/language/value.hpp"
+
+namespace canproof::host::conform {
+
+struct LanguageFunction {
+    std::string name;
+    std::size_t arguments;
+    std::function<Value(const std::vector<Value>&)> call;
+};
+
+/// nullptr when there is none of that name.
+const LanguageFunction* find_function(const std::string& name);
+/// `crc, join, le …`, for messages.
+std::string function_names();
+
+/// CRC-16 of block transfer (CiA 301, 7.2.4.3.16): polynomial 1021h, start 0.
+std::uint16_t block_crc(const Bytes& bytes);
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,32 @@
+// An object in a step: `1017:00`, `$P.comm:01`, `(1A00+$k):01`, or an entry `$E`.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "host/conform/language/scanner.hpp"
+#include "host/conform/language/value.hpp"
+
+namespace canproof::host::conform {
+
+struct ObjectPlace {
+    std::uint16_t index{0};
+    std::uint8_t subindex{0};
+
+    bool operator<(const ObjectPlace& other) const {
+        return index != other.index ? index < other.index : subindex < other.subindex;
+    }
+    bool operator==(const ObjectPlace& other) const { return index == other.index && subindex == other.subindex; }
+};
+
+/// `1017h:00`
+std::string words_of(const ObjectPlace& place);
+/// Index and sub-index as an SDO carries them.
+Bytes multiplexer(const ObjectPlace& place);
+
+using ObjectReference = std::function<ObjectPlace(const Scope&)>;
+
+/// Throws LanguageError.
+ObjectReference parse_object(Scanner& line);
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,67 @@
+// What a variable of a case holds: a number, bytes, or something with fields.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace canproof::host::conform {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Value;
+/// A field by its name; nothing when there is no such field.
+using Fields = std::function<std::optional<Value>(const std::string&)>;
+
+struct Value {
+    std::int64_t number{0};
+    std::optional<Bytes> bytes;
+    Fields fields;
+
+    Value() = default;
+    explicit Value(std::int64_t of) : number{of} {}
+    explicit Value(Bytes of) : bytes{std::move(of)} {}
+};
+
+/// A step cannot be done as it is written: the case is broken, the slave is not judged.
+class BrokenCase : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The number, or up to eight bytes as a little-endian unsigned number. Throws BrokenCase.
+std::int64_t number_of(const Value& value);
+/// The bytes. Throws BrokenCase for a number, whose width is not known.
+const Bytes& bytes_of(const Value& value);
+/// The lowest `count` bytes of a number, little-endian.
+Bytes little_endian(std::int64_t number, std::size_t count);
+/// `count` bytes from `start` on, little-endian, unsigned; bytes that are not there count as 0.
+std::int64_t from_little_endian(const Bytes& bytes, std::size_t start, std::size_t count);
+/// For messages: `1234 (4D2h)` or `73 61 76 65`.
+std::string words_of(const Value& value);
+/// `73 61 76 65`, cut after 64 bytes.
+std::string hex_words(const Bytes& bytes);
+/// Whether both say the same: bytes with bytes, else as numbers.
+bool same(const Value& a, const Value& b);
+
+/// Variables of a case, or of one call of a procedure: reads fall through to the caller.
+class Scope {
+  public:
+    explicit Scope(const Scope* outer = nullptr) : outer_{outer} {}
+
+    void set(const std::string& name, Value value) { values_[name] = std::move(value); }
+    const Value* find(const std::string& name) const {
+        const auto found = values_.find(name);
+        return found != values_.end() ? &found->second : outer_ == nullptr ? nullptr : outer_->find(name);
+    }
+
+  private:
+    const Scope* outer_;
+    std::map<std::string, Value> values_;
+};
+
+}  // namespace canproof::host::conform

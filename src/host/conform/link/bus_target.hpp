@@ -1,0 +1,41 @@
+// A slave on a real bus, in real time.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "host/conform/link/target.hpp"
+#include "host/conform/link/tester_node.hpp"
+#include "host/sim/run/event_loop.hpp"
+
+namespace canproof::host::conform {
+
+class BusTarget final : public Target {
+  public:
+    /// `name` as `socketcan:can0`. `remote_frames`: whether the bus carries them.
+    BusTarget(std::unique_ptr<Bus> bus, std::string name, bool remote_frames);
+
+    Instant now() const override;
+    void send(const Frame& frame) override;
+    std::size_t waiting() const override { return tester_.waiting(); }
+    void advance(Instant until) override;
+    void go_on() override { loop_.forget_interruption(); }
+    bool has_remote_frames() const override { return remote_frames_; }
+    std::uint32_t bit_rate() const override { return report().bit_rate; }
+    const std::string& name() const override { return name_; }
+    BusReport report() const override { return bus_->report(now()); }
+
+  private:
+    void turn(Instant at);
+
+    EventLoop loop_;
+    std::unique_ptr<Bus> bus_;
+    std::string name_;
+    bool remote_frames_;
+    TesterNode tester_;
+    std::chrono::steady_clock::time_point start_;
+    bool frame_seen_{false};
+};
+
+}  // namespace canproof::host::conform

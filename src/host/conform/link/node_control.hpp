@@ -1,0 +1,26 @@
+// NMT commands and what follows a restart.
+#pragma once
+
+#include <cstdint>
+
+#include "host/conform/link/link.hpp"
+
+namespace canproof::host::conform {
+
+enum class NmtCommand : std::uint8_t {
+    start = 0x01,
+    stop = 0x02,
+    pre_operational = 0x80,
+    reset_node = 0x81,
+    reset_communication = 0x82
+};
+
+/// Time that a slave may take to boot.
+constexpr Duration boot_limit = milliseconds(5000);
+
+/// To `node`; 0: to all.
+void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
+/// Takes the boot-up message; heartbeats before it are left behind. False when none comes within boot_limit.
+bool take_boot_up(Link& link, std::uint8_t node);
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,74 @@
+// A simulated slave on a bus of its own, in virtual time: the same steps give the same frames at the same times.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/conform/link/target.hpp"
+#include "host/conform/link/tester_node.hpp"
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/run/device_node.hpp"
+
+namespace canproof::host::conform {
+
+class VirtualTarget final : public Target {
+  public:
+    static constexpr std::uint32_t usual_bit_rate = 125000U;
+
+    /// Any slave; it is switched on at time 0. `bit_rate` in bit/s holds as long as the slave says no other.
+    VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id,
+                  std::uint32_t bit_rate = usual_bit_rate);
+
+    Instant now() const override { return now_; }
+    void send(const Frame& frame) override;
+    std::size_t waiting() const override { return tester_.waiting(); }
+    /// Throws StuckDevice for a slave that does not do what is due.
+    void advance(Instant until) override;
+    bool has_power() const override { return true; }
+    void power(bool on) override;
+    bool follows_bit_rate() const override { return true; }
+    std::uint32_t bit_rate() const override { return bus_.report(now_).bit_rate; }
+    const std::string& name() const override { return name_; }
+    bool is_repeatable() const override { return true; }
+    BusReport report() const override { return bus_.report(now_); }
+
+    SimulatedDevice& device() { return slave_.device(); }
+
+  private:
+    /// The slave with its switch: off, it neither hears nor says anything.
+    class Slave final : public BusNode {
+      public:
+        explicit Slave(std::unique_ptr<SimulatedDevice> device) : node_{"slave", std::move(device)} {}
+
+        SimulatedDevice& device() { return node_.device(); }
+        const SimulatedDevice& device() const { return node_.device(); }
+        bool is_on() const { return on_; }
+        void power(bool on, Instant now);
+
+        const std::string& name() const override { return node_.name(); }
+        const Frame* next_frame() const override { return on_ ? node_.next_frame() : nullptr; }
+        void take_frame() override { node_.take_frame(); }
+        void receive(const Frame& frame, Instant now) override;
+        void set_can_state(CanState state, Instant now) override;
+        void set_overrun(bool lost, Instant now) override;
+        const std::vector<AcceptanceFilter>& filters() const override { return node_.filters(); }
+        std::uint32_t bit_rate() const override { return node_.bit_rate(); }
+
+      private:
+        DeviceNode node_;
+        bool on_{false};
+    };
+
+    void step(Instant at);
+    Instant next_deadline() const;
+
+    std::string name_{"virtual time"};
+    Slave slave_;
+    TesterNode tester_;
+    ArbitratedBus bus_;
+    Instant now_{};
+    bool frame_seen_{false};
+};
+
+}  // namespace canproof::host::conform

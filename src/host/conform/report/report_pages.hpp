@@ -1,0 +1,14 @@
+// A run as HTML pages of the evidence pack's family.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "host/conform/run/conform_report.hpp"
+
+namespace canproof::host::conform {
+
+/// index.html, SERVICE.html and failed/ID.html, by path.
+std::map<std::string, std::string> report_pages(const ConformReport& report);
+
+}  // namespace canproof::host::conform

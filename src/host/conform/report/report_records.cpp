@@ -1,0 +1,109 @@
+#include "host/conform/report/report_records.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "host/conform/run/cases.hpp"
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host::conform {
+
+Spread spread_of(const std::vector<std::uint64_t>& times) {
+    if (times.empty()) {
+        return {};
+    }
+    const auto [low, high] = std::minmax_element(times.begin(), times.end());
+    return {times.size(), *low, std::accumulate(times.begin(), times.end(), std::uint64_t{0}) / times.size(), *high};
+}
+
+namespace {
+
+nlohmann::ordered_json case_of(const CaseResult& one) {
+    nlohmann::ordered_json json;
+    json["id"] = one.id;
+    json["service"] = one.group;
+    json["public"] = one.numbers;
+    json["shows"] = one.shows;
+    json["section"] = one.section;
+    json["tests"] = one.tests;
+    json["verdict"] = words_of(one.verdict);
+    json["why"] = one.why;
+    json["step"] = one.step;
+    json["runs"] = one.runs;
+    json["us"] = one.time.us;
+    json["notes"] = one.notes;
+    json["not_put_back"] = one.left;
+    for (const auto& [what, times] : one.times) {
+        const Spread spread = spread_of(times);
+        json["times"][what] = {
+            {"count", spread.count}, {"min_us", spread.smallest}, {"mean_us", spread.mean}, {"max_us", spread.largest}};
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string write_json(const ConformReport& report) {
+    nlohmann::ordered_json json;
+    json["program"] = report.program;
+    json["sheet"] = report.sheet;
+    json["sheet_sha256"] = report.checksum;
+    json["target"] = report.target;
+    json["node"] = report.node;
+    json["bit_rate"] = report.bit_rate;
+    json["traffic_percent"] = report.traffic;
+    json["identity"] = report.identity;
+    json["us"] = report.time.us;
+    json["interrupted"] = report.interrupted;
+    json["not_put_back"] = report.left;
+    json["exit_status"] = report.exit_status();
+    for (const Verdict verdict : {Verdict::passed, Verdict::failed, Verdict::unstable, Verdict::skipped,
+                                  Verdict::no_answer, Verdict::broken, Verdict::not_run}) {
+        json["counts"][words_of(verdict)] = report.count(verdict);
+    }
+    json["cases"] = nlohmann::ordered_json::array();
+    for (const CaseResult& one : report.results) {
+        json["cases"].push_back(case_of(one));
+    }
+    return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string write_junit_xml(const ConformReport& report) {
+    pugi::xml_document document;
+    auto head = document.append_child(pugi::node_declaration);
+    head.append_attribute("version") = "1.0";
+    head.append_attribute("encoding") = "UTF-8";
+    auto suites = document.append_child("testsuites");
+    for (const std::string& group : case_groups()) {
+        pugi::xml_node suite;
+        for (const CaseResult& one : report.results) {
+            if (one.group != group) {
+                continue;
+            }
+            if (!suite) {
+                suite = suites.append_child("testsuite");
+                suite.append_attribute("name") = group.c_str();
+            }
+            auto node = suite.append_child("testcase");
+            node.append_attribute("classname") = group.c_str();
+            node.append_attribute("name") = one.id.c_str();
+            const bool skipped = one.verdict == Verdict::skipped || one.verdict == Verdict::not_run;
+            if (skipped) {
+                node.append_child("skipped").append_attribute("message") = one.why.c_str();
+            } else if (one.verdict != Verdict::passed) {
+                auto failure = node.append_child(one.verdict == Verdict::broken ? "error" : "failure");
+                failure.append_attribute("type") = words_of(one.verdict);
+                failure.append_attribute("message") = one.why.c_str();
+                failure.append_child(pugi::node_pcdata).set_value(one.step.c_str());
+            }
+        }
+    }
+    std::ostringstream out;
+    document.save(out, "  ");
+    return out.str();
+}
+
+}  // namespace canproof::host::conform

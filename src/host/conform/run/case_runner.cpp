@@ -1,0 +1,330 @@
+#include "host/conform/run/case_runner.hpp"
+
+#include <fmt/format.h>
+
+#include "host/base/input_error.hpp"
+#include "host/conform/language/data_pattern.hpp"
+#include "host/sim/devices/advance_device.hpp"
+
+namespace canproof::host::conform {
+
+namespace {
+
+constexpr Duration settling = milliseconds(50);
+constexpr Duration afterthought = milliseconds(20);  // a frame too many comes by then
+constexpr Duration power_off_time = milliseconds(200);
+constexpr std::uint16_t first_application_index = 0x2000;
+constexpr std::uint16_t identity_index = 0x1018;
+constexpr std::uint16_t store_index = 0x1010;
+constexpr std::uint8_t highest_node = 127;
+
+std::set<std::uint32_t> listened_to(const ConformSheet& sheet) {
+    std::set<std::uint32_t> ids;
+    for (const Object& object : sheet.part.objects) {
+        for (const Entry& entry : object.entries) {
+            const auto* number = std::get_if<std::int64_t>(&entry.value);
+            if (object.index >= 0x1000 && object.index < 0x1600 && number != nullptr) {
+                ids.insert(static_cast<std::uint32_t>(*number + (entry.node_id ? sheet.node_id : 0)) & 0x7FFU);
+            }
+        }
+    }
+    return ids;
+}
+
+}  // namespace
+
+CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options)
+    : book_{book},
+      sheet_{sheet},
+      target_{target},
+      options_{options},
+      link_{target},
+      sdo_{link_, journal_, sheet.node_id, options.sdo_timeout} {
+    link_.on_send([this](const Frame& frame) { note_sent(frame); });
+    link_.reserve(listened_to(sheet));
+}
+
+/// Remembers which objects a download may have changed.
+void CaseRunner::note_sent(const Frame& frame) {
+    const std::uint32_t function = frame.id & 0x780U;
+    const unsigned command = frame.data[0] >> 5U;
+    if (frame.id == 0x600U + sheet_.node_id && !frame.extended && !frame.remote) {
+        if (command == 1U || (command == 6U && (frame.data[0] & 1U) == 0U)) {
+            const Bytes bytes = data_of(frame);
+            written_.insert({static_cast<std::uint16_t>(from_little_endian(bytes, 1, 2)), frame.data[3]});
+        }
+    } else if (frame.id != 0U && function != 0x600U) {
+        sent_other_ = true;
+    }
+    fresh_ = Fresh::no;
+}
+
+bool CaseRunner::reset(NmtCommand command) {
+    link_.begin_case();
+    send_nmt(link_, command, sheet_.node_id);
+    bool booted = take_boot_up(link_, sheet_.node_id);
+    if (!booted && target_.has_power()) {
+        target_.power(false);
+        link_.wait(power_off_time);
+        link_.forget();
+        target_.power(true);
+        if (!take_boot_up(link_, sheet_.node_id)) {
+            return false;
+        }
+        alive_ = true;
+        booted = true;
+    }
+    if (booted) {
+        send_nmt(link_, NmtCommand::pre_operational, sheet_.node_id);
+        link_.wait(settling);
+        link_.forget();
+        fresh_ = command == NmtCommand::reset_node ? Fresh::node : Fresh::communication;
+    }
+    return booted;
+}
+
+void CaseRunner::prepare(Preparation how) {
+    const bool node = how == Preparation::reset_node;
+    const bool fresh = fresh_ == Fresh::node || (fresh_ == Fresh::communication && !node);
+    if (how != Preparation::none && !fresh) {
+        if (!reset(node ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
+            alive_ = false;
+            throw NoAnswer{fmt::format("no boot-up message within {} s after a reset", boot_limit.us / 1000000U)};
+        }
+    }
+    link_.begin_case();
+    written_.clear();
+    sent_other_ = false;
+    journal_ = {};
+    if (options_.traffic > 0.0) {
+        link_.set_traffic(options_.traffic, false);
+    }
+}
+
+void CaseRunner::begin(ConformReport& report) {
+    try {
+        if (!reset(NmtCommand::reset_node)) {
+            throw NoAnswer{"no boot-up message"};
+        }
+        for (const auto& [subindex, name] : std::map<std::uint8_t, const char*>{
+                 {1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
+            const SdoOutcome outcome = sdo_.read({identity_index, subindex});
+            identity_[name] = outcome.abort == 0 ? from_little_endian(outcome.data, 0, 4) : 0;
+            report.identity[name] = fmt::format("{:08X}h", identity_[name]);
+        }
+        for (const auto& [index, name] : std::map<std::uint16_t, const char*>{
+                 {0x1008, "name"}, {0x1009, "hardware version"}, {0x100A, "software version"}}) {
+            const SdoOutcome outcome = sdo_.read({index, 0});
+            if (outcome.abort == 0) {
+                report.identity[name] = std::string(outcome.data.begin(), outcome.data.end());
+            }
+        }
+        snapshot_.take(sdo_, sheet_);
+    } catch (const SlaveFailed& failed) {
+        throw InputError{fmt::format("node {} on {} does not answer ({}); check the node-ID, the bit rate and the cable",
+                                     sheet_.node_id, target_.name(), failed.what())};
+    }
+    fresh_ = Fresh::no;
+}
+
+void CaseRunner::set_variables(Scope& scope) const {
+    scope.set("N", Value{std::int64_t{sheet_.node_id}});
+    scope.set("other", Value{std::int64_t{sheet_.node_id % highest_node + 1}});
+    for (const auto& [name, number] : identity_) {
+        scope.set(name, Value{number});
+    }
+}
+
+std::string CaseRunner::not_allowed(const Case& one) const {
+    if (one.risk == Risk::output && !options_.allow_outputs) {
+        return "it may move an output; allow it with --allow-outputs";
+    }
+    if (one.risk == Risk::store && !options_.allow_store) {
+        return "it stores parameters; allow it with --allow-store";
+    }
+    if (one.risk == Risk::lss && !options_.allow_lss) {
+        return "it changes what LSS sets; allow it with --allow-lss";
+    }
+    return {};
+}
+
+CaseResult CaseRunner::run(const Case& one) {
+    CaseResult result;
+    result.id = one.id;
+    result.group = one.group;
+    result.numbers = one.numbers;
+    result.shows = one.shows;
+    result.section = one.section;
+    result.tests = one.tests;
+    result.verdict = Verdict::skipped;
+    result.why = not_allowed(one);
+    if (!result.why.empty()) {
+        return result;
+    }
+    const Instant start = link_.now();
+    run_once(one, result);
+    const CaseResult first = result;
+    while (result.verdict == Verdict::failed && !target_.is_repeatable() && result.runs < most_runs) {
+        run_once(one, result);
+    }
+    if (first.verdict == Verdict::failed && result.verdict == Verdict::passed) {
+        const unsigned runs = result.runs;
+        result = first;
+        result.runs = runs;
+        result.verdict = Verdict::unstable;
+        result.why += fmt::format("; passed at run {}", runs);
+    }
+    result.time = elapsed(start, link_.now());
+    return result;
+}
+
+void CaseRunner::run_once(const Case& one, CaseResult& result) {
+    ++result.runs;
+    result.verdict = Verdict::passed;
+    result.why.clear();
+    result.step.clear();
+    judge(one, result);
+    result.times = journal_.times;
+    result.notes = journal_.notes;
+    if (result.verdict != Verdict::passed && result.verdict != Verdict::skipped) {
+        result.frames = link_.log();
+    }
+    try {
+        clean_up(one, result);
+    } catch (const SlaveFailed& failed) {
+        const bool answers = reset(NmtCommand::reset_node);
+        alive_ = answers;
+        result.left.push_back(failed.what());
+        if (result.verdict == Verdict::passed || result.verdict == Verdict::failed) {
+            result.why += (result.why.empty() ? "" : "; ") + std::string{"afterwards: "} + failed.what();
+            result.verdict = answers ? Verdict::failed : Verdict::no_answer;
+        }
+    }
+    if (!result.left.empty() && result.verdict == Verdict::passed) {
+        result.verdict = Verdict::failed;
+        result.why = "not everything could be put back: " + result.left.front();
+    }
+}
+
+void CaseRunner::judge(const Case& one, CaseResult& result) {
+    Context context{link_, sdo_, sheet_, book_.procedures, journal_};
+    set_variables(context.root);
+    context.block_upload = block_upload_;
+    context.block_download = block_download_;
+    const auto end = [&](Verdict verdict, const std::string& why) {
+        result.verdict = verdict;
+        result.why = why;
+        for (const std::string& turn : context.turns) {
+            result.why += fmt::format(" ({})", turn);
+        }
+        if (context.at != nullptr && verdict != Verdict::skipped) {
+            result.step = fmt::format("{}:{}: {}", one.place.file, context.at->line, context.at->text);
+        }
+    };
+    try {
+        prepare(one.preparation);
+        sdo_.allow_unasked(one.allows_sdo);
+        for (const Need& need : one.needs) {
+            const std::string unmet = need.unmet(context);
+            if (!unmet.empty()) {
+                throw CaseSkipped{unmet};
+            }
+        }
+        block_upload_ = context.block_upload;
+        block_download_ = context.block_download;
+        journal_.judged = 0;
+        run_steps(one.steps, context);
+        context.at = nullptr;
+        check_unasked(one);
+        if (journal_.judged == 0) {
+            throw BrokenCase{"the case judges nothing"};
+        }
+    } catch (const CaseSkipped& skipped) {
+        end(Verdict::skipped, skipped.what());
+    } catch (const NextTurn& turn) {
+        end(Verdict::skipped, turn.reason);
+    } catch (const NoAnswer& failed) {
+        end(alive_ ? Verdict::failed : Verdict::no_answer, failed.what());
+    } catch (const SlaveFailed& failed) {
+        end(Verdict::failed, failed.what());
+    } catch (const StuckDevice& stuck) {
+        end(Verdict::failed, stuck.what());
+    } catch (const BrokenCase& broken) {
+        end(Verdict::broken, broken.what());
+    } catch (const Returned&) {
+        end(Verdict::broken, "a return outside of a procedure");
+    }
+}
+
+/// What came and no step took.
+void CaseRunner::check_unasked(const Case& one) {
+    link_.wait(afterthought);
+    const std::uint32_t node = sheet_.node_id;
+    const FrameRecord* const found = link_.peek([&](const FrameRecord& record) {
+        const Frame& frame = record.frame;
+        const bool emcy = frame.id == 0x80U + node && (frame.data[0] != 0 || frame.data[1] != 0);
+        const bool boot_up = frame.id == 0x700U + node && frame.length == 1 && frame.data[0] == 0;
+        const bool sdo = frame.id == 0x580U + node;
+        return !frame.extended && !frame.remote && !record.own &&
+               ((emcy && !one.allows_emcy) || (boot_up && !one.allows_boot_up) || (sdo && !one.allows_sdo));
+    });
+    if (found != nullptr) {
+        const char* const what = found->frame.id == 0x80U + node    ? "EMCY"
+                                 : found->frame.id == 0x580U + node ? "SDO frame"
+                                                                    : "boot-up message";
+        throw SlaveFailed{fmt::format("an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
+    }
+}
+
+void CaseRunner::save_parameters() {
+    const std::string signature = "save";
+    sdo_.write({store_index, 1}, Bytes(signature.begin(), signature.end()), Transfer::automatic);
+}
+
+void CaseRunner::clean_up(const Case& one, CaseResult& result) {
+    link_.stop_producing();
+    link_.set_traffic(0.0, false);
+    sdo_.allow_unasked(true);
+    if (result.verdict != Verdict::skipped && !one.restore.empty()) {
+        Context context{link_, sdo_, sheet_, book_.procedures, journal_};
+        set_variables(context.root);
+        try {
+            run_steps(one.restore, context);
+        } catch (const std::runtime_error& failed) {
+            result.left.push_back(fmt::format("restore at `{}`: {}", context.at->text, failed.what()));
+        }
+    }
+    const std::set<ObjectPlace> written = written_;
+    const bool application = sent_other_ || (!written.empty() && written.rbegin()->index >= first_application_index);
+    if (written.empty() && !application) {
+        return;
+    }
+    if (!reset(application ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
+        alive_ = false;
+        throw NoAnswer{"no boot-up message after the case"};
+    }
+    const Fresh fresh = fresh_;
+    const std::vector<std::string> left = snapshot_.put_back(sdo_, written);
+    result.left.insert(result.left.end(), left.begin(), left.end());
+    if (one.risk == Risk::store && written.lower_bound({store_index, 0}) != written.end()) {
+        const auto all = snapshot_.put_back(sdo_, snapshot_.places());
+        result.left.insert(result.left.end(), all.begin(), all.end());
+        save_parameters();
+    }
+    fresh_ = snapshot_.has_written() || one.risk == Risk::store ? Fresh::no : fresh;
+}
+
+std::vector<std::string> CaseRunner::put_everything_back() {
+    target_.go_on();
+    sdo_.allow_unasked(true);
+    if (!reset(NmtCommand::reset_node)) {
+        return {"the slave does not answer; its parameters could not be put back"};
+    }
+    try {
+        return snapshot_.put_back(sdo_, snapshot_.places());
+    } catch (const SlaveFailed& failed) {
+        return {fmt::format("its parameters could not be put back: {}", failed.what())};
+    }
+}
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,62 @@
+// One slave under test: prepares it, runs a case, puts back what the case changed.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/conform/link/node_control.hpp"
+#include "host/conform/link/sdo_client.hpp"
+#include "host/conform/run/run_cases.hpp"
+#include "host/conform/run/snapshot.hpp"
+#include "host/conform/steps/step.hpp"
+
+namespace canproof::host::conform {
+
+class CaseRunner {
+  public:
+    CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
+
+    /// Finds the slave, reads its identity and its parameters. Throws InputError when it does not answer.
+    void begin(ConformReport& report);
+    /// Runs a case, again where it failed on a real bus. Throws Interrupted.
+    CaseResult run(const Case& one);
+    /// Puts back everything that is not as it was at the start; what could not be.
+    std::vector<std::string> put_everything_back();
+    /// Whether the slave still answers.
+    bool is_alive() const { return alive_; }
+
+  private:
+    /// What a slave has been through since anybody wrote to it.
+    enum class Fresh { no, communication, node };
+
+    void run_once(const Case& one, CaseResult& result);
+    void judge(const Case& one, CaseResult& result);
+    void check_unasked(const Case& one);
+    void clean_up(const Case& one, CaseResult& result);
+    /// Throws NoAnswer.
+    void prepare(Preparation how);
+    bool reset(NmtCommand command);
+    void note_sent(const Frame& frame);
+    void set_variables(Scope& scope) const;
+    std::string not_allowed(const Case& one) const;
+    void save_parameters();
+
+    const CaseBook& book_;
+    const ConformSheet& sheet_;
+    Target& target_;
+    const ConformOptions& options_;
+    Link link_;
+    Journal journal_;
+    SdoClient sdo_;
+    Snapshot snapshot_;
+    std::set<ObjectPlace> written_;
+    bool sent_other_{false};  ///< a frame that may have changed more than parameters
+    Fresh fresh_{Fresh::no};
+    bool alive_{true};
+    std::map<std::string, std::int64_t> identity_;
+    std::optional<bool> block_upload_;
+    std::optional<bool> block_download_;
+};
+
+}  // namespace canproof::host::conform

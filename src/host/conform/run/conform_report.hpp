@@ -1,0 +1,66 @@
+// What a run has found.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host/conform/link/target.hpp"
+
+namespace canproof::host::conform {
+
+enum class Verdict {
+    passed,
+    failed,     ///< the slave does something else than the case asks for
+    unstable,   ///< failed, then passed
+    skipped,    ///< does not apply, or is not allowed
+    no_answer,  ///< the slave stopped answering
+    broken,     ///< the case itself is wrong
+    not_run     ///< the run ended before
+};
+/// `passed`, `no answer` …
+const char* words_of(Verdict verdict);
+
+struct CaseResult {
+    std::string id;
+    std::string group;
+    std::vector<std::string> numbers;
+    std::string shows;
+    std::string section;
+    std::vector<std::string> tests;
+    Verdict verdict{Verdict::not_run};
+    std::string why;   ///< of anything but passed
+    std::string step;  ///< at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
+    std::vector<std::string> notes;
+    std::vector<std::string> left;  ///< what could not be put back
+    std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
+    std::vector<FrameRecord> frames;                          ///< of a case that did not pass
+    unsigned runs{0};
+    Duration time{};
+};
+
+struct ConformReport {
+    std::vector<CaseResult> results;
+    std::string program;  ///< canproof and its version
+    std::string sheet;
+    std::string checksum;  ///< SHA-256 of the data sheet
+    std::string sheet_notes;
+    std::string target;
+    unsigned node{0};
+    std::uint32_t bit_rate{0};
+    double traffic{0.0};  ///< foreign frames meanwhile, per cent
+    std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
+    Duration time{};
+    bool interrupted{false};
+    std::vector<std::string> left;  ///< what could not be put back at the end
+
+    std::size_t count(Verdict verdict) const {
+        return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
+                                                      [&](const CaseResult& one) { return one.verdict == verdict; }));
+    }
+    /// 0: all passed, 1: a case failed, 2: the run could not be finished.
+    int exit_status() const;
+};
+
+}  // namespace canproof::host::conform

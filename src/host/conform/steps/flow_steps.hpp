@@ -1,0 +1,12 @@
+// The verbs choose, each, for, repeat, while, if, check, skip, note, fail, do, return, next, let.
+#pragma once
+
+#include <vector>
+
+#include "host/conform/steps/parse_steps.hpp"
+
+namespace canproof::host::conform {
+
+std::vector<Verb> flow_verbs();
+
+}  // namespace canproof::host::conform

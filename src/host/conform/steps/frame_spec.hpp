@@ -1,0 +1,36 @@
+// A frame as a step names it: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
+#pragma once
+
+#include <string>
+
+#include "host/conform/language/data_pattern.hpp"
+#include "host/conform/language/expression.hpp"
+#include "host/conform/link/link.hpp"
+#include "host/conform/steps/step.hpp"
+
+namespace canproof::host::conform {
+
+struct FrameSpec {
+    Expression id;
+    bool extended{false};
+    bool remote{false};
+    bool any_data{true};  ///< nothing is said of the data
+    DataPattern data{DataPattern::any()};
+    Expression remote_length;  ///< of a remote frame; empty: 0
+
+    FrameKey key(const Scope& scope) const;
+    /// The frame to send. Throws BrokenCase.
+    Frame frame(const Scope& scope) const;
+};
+
+FrameSpec parse_frame_spec(Scanner& line);
+/// Only the identifier.
+FrameSpec parse_frame_id(Scanner& line);
+
+/// `185h`, `600h remote`, `00000605h (29 bits)`
+std::string words_of(const FrameKey& key);
+
+/// Puts captures and a whole frame, where `name` is not empty, into the scope.
+void keep(Context& context, const FrameRecord& record, const Captures& captures, const std::string& name);
+
+}  // namespace canproof::host::conform

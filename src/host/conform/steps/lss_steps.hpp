@@ -1,0 +1,12 @@
+// The verbs lss waiting, configuration, select, fastscan, inquire.
+#pragma once
+
+#include <vector>
+
+#include "host/conform/steps/parse_steps.hpp"
+
+namespace canproof::host::conform {
+
+std::vector<Verb> lss_verbs();
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,12 @@
+// The verbs nmt, reset, power.
+#pragma once
+
+#include <vector>
+
+#include "host/conform/steps/parse_steps.hpp"
+
+namespace canproof::host::conform {
+
+std::vector<Verb> nmt_verbs();
+
+}  // namespace canproof::host::conform

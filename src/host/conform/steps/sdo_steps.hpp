@@ -1,0 +1,12 @@
+// The verbs read, write, try, block.
+#pragma once
+
+#include <vector>
+
+#include "host/conform/steps/parse_steps.hpp"
+
+namespace canproof::host::conform {
+
+std::vector<Verb> sdo_verbs();
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,73 @@
+// A step of a case once it is read, and what it acts on.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/conform/language/value.hpp"
+#include "host/conform/link/link.hpp"
+#include "host/conform/link/sdo_client.hpp"
+#include "host/conform/link/verdict.hpp"
+#include "host/conform/sheet/conform_sheet.hpp"
+
+namespace canproof::host::conform {
+
+struct Context;
+using Action = std::function<void(Context&)>;
+
+struct Step {
+    std::string text;  ///< as written
+    unsigned line{0};
+    Action run;
+};
+using Steps = std::vector<Step>;
+
+/// Steps that several cases share.
+struct Procedure {
+    std::string name;
+    std::vector<std::string> takes;
+    Steps steps;
+    std::string file;
+};
+
+/// What a case acts on while it runs.
+struct Context {
+    Context(Link& a_link, SdoClient& a_client, const ConformSheet& a_sheet,
+            const std::map<std::string, Procedure>& the_procedures, Journal& a_journal)
+        : link{a_link}, sdo{a_client}, sheet{a_sheet}, procedures{the_procedures}, journal{a_journal} {}
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    Link& link;
+    SdoClient& sdo;
+    const ConformSheet& sheet;
+    const std::map<std::string, Procedure>& procedures;
+    Journal& journal;
+    Scope root{};
+    Scope* scope{&root};
+    const Step* at{nullptr};         ///< the step that runs
+    std::vector<std::string> turns;  ///< of the loops around it: `P = TPDO 2`
+    unsigned depth{0};               ///< of procedures
+    std::optional<bool> block_upload{};
+    std::optional<bool> block_download{};
+
+    std::uint8_t node() const { return sheet.node_id; }
+};
+
+/// Runs them one after another; `context.at` stays at the one that throws.
+void run_steps(const Steps& steps, Context& context);
+
+/// `next unless`: this turn of the loop is left out.
+struct NextTurn {
+    std::string reason;
+};
+/// `return`: the end of a procedure.
+struct Returned {
+    Value value;
+};
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,279 @@
+#include "host/conform/steps/time_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "host/conform/steps/frame_spec.hpp"
+
+namespace canproof::host::conform {
+
+namespace {
+
+constexpr std::uint64_t patience = 3;  // a period is waited for so many times as long as it should take
+constexpr Duration grace = milliseconds(1000);
+
+/// Ends the watch when the step ends, however it does.
+class EndingWatch {
+  public:
+    EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
+    ~EndingWatch() { link_.end_watch(watched_); }
+    EndingWatch(const EndingWatch&) = delete;
+    EndingWatch& operator=(const EndingWatch&) = delete;
+    const Watched& operator*() const { return *watched_; }
+    const Watched* operator->() const { return watched_; }
+
+  private:
+    Link& link_;
+    const Watched* watched_;
+};
+
+/// `+- 5 %`, `+- 1`: what a number may be off.
+struct Tolerance {
+    Expression amount;
+    bool percent{false};
+
+    double of(double value, const Scope& scope) const {
+        if (!amount) {
+            return 0.0;
+        }
+        const auto given = static_cast<double>(number_of(amount(scope)));
+        return percent ? std::abs(value) * given / 100.0 : given;
+    }
+};
+
+Tolerance parse_tolerance(Scanner& line) {
+    Tolerance tolerance;
+    tolerance.amount = parse_operand(line, Radix::decimal);
+    tolerance.percent = line.take("%");
+    return tolerance;
+}
+
+Watched watched_of(const FrameSpec& spec, const Context& context) {
+    Watched wanted;
+    wanted.keys.push_back(spec.key(*context.scope));
+    if (!spec.any_data) {
+        const Scope* const scope = context.scope;
+        wanted.counts = [data = spec.data, scope](const FrameRecord& record) {
+            Captures none;
+            return data.matches(*scope, data_of(record.frame), none);
+        };
+    }
+    return wanted;
+}
+
+Action parse_silence(Scanner& line, StepSource&) {
+    std::vector<FrameSpec> specs;
+    const bool all = line.take_word("all");
+    if (!all) {
+        do {
+            specs.push_back(parse_frame_spec(line));
+        } while (line.take(","));
+    }
+    if (!line.take_word("for")) {
+        line.fail("a time is missing", "write silence 580+N for 500 ms");
+    }
+    const Expression time = parse_expression(line, Radix::decimal);
+    line.finish();
+    return [specs, time](Context& context) {
+        Watched wanted;
+        for (const FrameSpec& one : specs) {
+            wanted.keys.push_back(one.key(*context.scope));
+        }
+        if (specs.size() == 1) {
+            wanted = watched_of(specs.front(), context);
+        }
+        const EndingWatch seen{context, wanted};
+        const Instant end = context.link.now() + Duration{microseconds_of(time, *context.scope)};
+        ++context.journal.judged;
+        if (context.link.wait_for([&] { return !seen->frames.empty(); }, end)) {
+            const Frame& frame = seen->frames.front().frame;
+            const Bytes data = data_of(frame);
+            throw SlaveFailed{fmt::format("{} came with {}, where nothing may come",
+                                          words_of(FrameKey{frame.id, frame.extended, frame.remote}),
+                                          data.empty() ? "no data" : hex_words(data))};
+        }
+    };
+}
+
+Action parse_count(Scanner& line, StepSource&) {
+    const FrameSpec spec = parse_frame_spec(line);
+    if (!line.take_word("for")) {
+        line.fail("a time is missing", "write count 180+N for 10 s = 100 +- 1");
+    }
+    const Expression time = parse_expression(line, Radix::decimal);
+    const bool at_least = line.take(">=");
+    const bool at_most = !at_least && line.take("<=");
+    if (!at_least && !at_most) {
+        line.want("=", "write = 100 +- 1, >= 5 or <= 5 behind the time");
+    }
+    const Expression number = parse_expression(line, Radix::decimal);
+    const Tolerance tolerance = line.take("+-") ? parse_tolerance(line) : Tolerance{};
+    line.finish();
+    return [=](Context& context) {
+        const EndingWatch seen{context, watched_of(spec, context)};
+        context.link.wait(Duration{microseconds_of(time, *context.scope)});
+        const auto wanted = static_cast<double>(number_of(number(*context.scope)));
+        const auto count = static_cast<double>(seen->frames.size());
+        const double off = tolerance.of(wanted, *context.scope);
+        ++context.journal.judged;
+        context.journal.times["gap of " + words_of(spec.key(*context.scope))] = seen->gaps();
+        const bool too_few = !at_most && count < wanted - off;
+        const bool too_many = !at_least && count > wanted + off;
+        if (too_few || too_many) {
+            throw SlaveFailed{fmt::format("{} frames of {} where the case wants {}{}{}", seen->frames.size(),
+                                          words_of(spec.key(*context.scope)),
+                                          at_least  ? "at least "
+                                          : at_most ? "at most "
+                                                    : "",
+                                          wanted, off > 0.0 ? fmt::format(" ± {}", off) : "")};
+        }
+    };
+}
+
+struct PeriodSpec {
+    FrameSpec frame;
+    Expression mean;
+    Tolerance tolerance;
+    Expression shortest;
+    Expression longest;
+    Expression gaps;
+    Tolerance jitter;
+};
+
+std::string ms(double us) {
+    return fmt::format("{:.3f} ms", us / 1000.0);
+}
+
+void judge_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
+    const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
+    const auto shortest = static_cast<double>(*low);
+    const auto longest = static_cast<double>(*high);
+    if (spec.mean) {
+        const double mean = static_cast<double>(std::accumulate(gaps.begin(), gaps.end(), std::uint64_t{0})) /
+                            static_cast<double>(gaps.size());
+        const auto wanted = static_cast<double>(number_of(spec.mean(scope)));
+        const double off = spec.tolerance.of(wanted, scope);
+        if (std::abs(mean - wanted) > off) {
+            throw SlaveFailed{
+                fmt::format("the mean period is {} where the case wants {} ± {}", ms(mean), ms(wanted), ms(off))};
+        }
+        const double jitter = spec.jitter.of(wanted, scope);
+        if (spec.jitter.amount && (wanted - shortest > jitter || longest - wanted > jitter)) {
+            throw SlaveFailed{fmt::format("gaps from {} to {} where each must be {} ± {}", ms(shortest), ms(longest),
+                                          ms(wanted), ms(jitter))};
+        }
+    }
+    if (spec.shortest && shortest < static_cast<double>(number_of(spec.shortest(scope)))) {
+        throw SlaveFailed{fmt::format("a gap of {} where {} is the least", ms(shortest),
+                                      ms(static_cast<double>(number_of(spec.shortest(scope)))))};
+    }
+    if (spec.longest && longest > static_cast<double>(number_of(spec.longest(scope)))) {
+        throw SlaveFailed{fmt::format("a gap of {} where {} is the most", ms(longest),
+                                      ms(static_cast<double>(number_of(spec.longest(scope)))))};
+    }
+}
+
+void run_period(const PeriodSpec& spec, Context& context) {
+    const std::string name = words_of(spec.frame.key(*context.scope));
+    const EndingWatch seen{context, watched_of(spec.frame, context)};
+    const std::int64_t gaps = number_of(spec.gaps(*context.scope));
+    if (gaps < 1) {
+        throw BrokenCase{"a period over no gaps"};
+    }
+    const Expression& longest = spec.mean ? spec.mean : spec.longest ? spec.longest : spec.shortest;
+    const std::uint64_t expected = microseconds_of(longest, *context.scope) * static_cast<std::uint64_t>(gaps + 1);
+    const auto wanted = static_cast<std::size_t>(gaps) + 1;
+    const Instant deadline = context.link.now() + Duration{expected * patience} + grace;
+    const bool all = context.link.wait_for([&] { return seen->frames.size() >= wanted; }, deadline);
+    context.journal.times["gap of " + name] = seen->gaps();
+    ++context.journal.judged;
+    if (!all) {
+        throw SlaveFailed{fmt::format("{} came {} times within {}, where the case wants {} frames", name,
+                                      seen->frames.size(), ms(static_cast<double>(expected * patience + grace.us)),
+                                      wanted)};
+    }
+    judge_gaps(spec, seen->gaps(), *context.scope);
+}
+
+Action parse_period(Scanner& line, StepSource&) {
+    PeriodSpec spec;
+    spec.frame = parse_frame_spec(line);
+    while (!line.at_end()) {
+        if (line.take("=")) {
+            spec.mean = parse_operand(line, Radix::decimal);
+            line.want("+-", "say what it may be off: = 100 ms +- 5 %");
+            spec.tolerance = parse_tolerance(line);
+        } else if (line.take_word("min")) {
+            spec.shortest = parse_operand(line, Radix::decimal);
+        } else if (line.take_word("max")) {
+            spec.longest = parse_operand(line, Radix::decimal);
+        } else if (line.take_word("over")) {
+            spec.gaps = parse_operand(line, Radix::decimal);
+        } else if (line.take_word("jitter")) {
+            spec.jitter = parse_tolerance(line);
+        } else {
+            line.fail(fmt::format("`{}` says nothing of a period", line.rest()),
+                      "write period 700+N = 100 ms +- 5 % over 20 jitter 10 %");
+        }
+    }
+    if (!spec.gaps || (!spec.mean && !spec.shortest && !spec.longest)) {
+        line.fail("the period or its number of gaps is missing", "write period 700+N = 100 ms +- 5 % over 20");
+    }
+    return [spec](Context& context) { run_period(spec, context); };
+}
+
+std::optional<Value> field_of(const Watched& seen, const std::string& field) {
+    const std::vector<std::uint64_t> gaps = seen.gaps();
+    const auto number = [](std::uint64_t value) { return Value{static_cast<std::int64_t>(value)}; };
+    if (field == "count") {
+        return number(seen.frames.size());
+    }
+    if (field == "data" && !seen.frames.empty()) {
+        return Value{data_of(seen.frames.back().frame)};
+    }
+    if (field == "first" && !seen.frames.empty()) {
+        return number(elapsed(seen.since, seen.frames.front().time).us);
+    }
+    if (field == "last" && !seen.frames.empty()) {
+        return number(elapsed(seen.since, seen.frames.back().time).us);
+    }
+    if (field == "mean" && !gaps.empty()) {
+        return number(std::accumulate(gaps.begin(), gaps.end(), std::uint64_t{0}) / gaps.size());
+    }
+    if (field == "min" && !gaps.empty()) {
+        return number(*std::min_element(gaps.begin(), gaps.end()));
+    }
+    if (field == "max" && !gaps.empty()) {
+        return number(*std::max_element(gaps.begin(), gaps.end()));
+    }
+    const bool known = field == "data" || field == "first" || field == "last" || field == "mean" || field == "min" ||
+                       field == "max";
+    return known ? throw SlaveFailed{fmt::format("too few frames came for a {}", field)} : std::optional<Value>{};
+}
+
+Action parse_watch(Scanner& line, StepSource&) {
+    const FrameSpec spec = parse_frame_spec(line);
+    if (!line.take_word("as")) {
+        line.fail("a name is missing", "write watch 700+N as hb");
+    }
+    const std::string name = parse_name(line);
+    line.finish();
+    return [spec, name](Context& context) {
+        const Watched* const seen = context.link.watch(watched_of(spec, context));
+        Value value;
+        value.fields = [seen](const std::string& field) { return field_of(*seen, field); };
+        context.scope->set(name, value);
+    };
+}
+
+}  // namespace
+
+std::vector<Verb> time_verbs() {
+    return {{"silence", parse_silence}, {"count", parse_count}, {"period", parse_period}, {"watch", parse_watch}};
+}
+
+}  // namespace canproof::host::conform

@@ -1,0 +1,12 @@
+// The verbs silence, count, period, watch.
+#pragma once
+
+#include <vector>
+
+#include "host/conform/steps/parse_steps.hpp"
+
+namespace canproof::host::conform {
+
+std::vector<Verb> time_verbs();
+
+}  // namespace canproof::host::conform
