@@ -81,15 +81,6 @@ Distortion leaves_stale_bytes() {
     return hears_and_says(hear, say);
 }
 
-/// Fills bytes behind a value of one or two bytes.
-Frame with_stale_bytes(WrongSlave&, const Frame& frame) {
-    Frame filled = frame;
-    for (std::size_t at = 4 + expedited_size(frame); is_expedited_answer(frame) && at < 8; ++at) {
-        filled.data[at] = 0xAA;
-    }
-    return filled;
-}
-
 Frame cut_to_value(WrongSlave&, const Frame& frame) {
     return is_expedited_answer(frame) ? with_length(frame, 4 + expedited_size(frame)) : frame;
 }
@@ -102,8 +93,8 @@ Frame without_subindex(WrongSlave&, const Frame& frame) {
     return is_expedited_answer(frame) ? with_byte(frame, 3, 0) : frame;
 }
 
-Frame to_next_node(WrongSlave&, const Frame& frame) {
-    return with_id(frame, frame.id + 1);
+Frame abort_to_next_node(WrongSlave&, const Frame& frame) {
+    return is_abort(frame) ? with_id(frame, frame.id + 1) : frame;
 }
 
 void say_twice(WrongSlave& slave, const Frame& frame) {
@@ -131,8 +122,6 @@ Faults sdo_frame_faults() {
          "585#431810015F000000", "585#431810005F000000", answers_otherwise(without_subindex)},
         {"sdo-stale-download-bytes", "sdo", "leaves bytes of the request in answers to downloads",
          "605#2B17100064000000", "585#6017100000000000", "585#6017100064000000", leaves_stale_bytes()},
-        {"sdo-stale-upload-bytes", "sdo", "fills bytes behind a short value with AAh", "605#4001100000000000",
-         "585#4F01100000000000", "585#4F01100000AAAAAA", answers_otherwise(with_stale_bytes)},
         {"sdo-answer-cut", "sdo", "sends answers to uploads with less than eight bytes", "605#4001100000000000",
          "585#4F01100000000000", "585#4F01100000", answers_otherwise(cut_to_value)},
         {"sdo-answer-missing", "sdo", "leaves out every fifth answer",
@@ -140,8 +129,8 @@ Faults sdo_frame_faults() {
          "585#4F01100000000000", "", keeps_back(is_fifth_answer)},
         {"sdo-answer-twice", "sdo", "sends each answer twice", "605#4001100000000000", "", "585#4F01100000000000",
          says(say_twice)},
-        {"sdo-other-node", "sdo", "answers with the identifier of the next node", "605#4001100000000000",
-         "585#4F01100000000000", "586#4F01100000000000", answers_otherwise(to_next_node)},
+        {"sdo-other-node", "sdo", "sends aborts with the identifier of the next node", "605#4004100000000000",
+         "585#8004100000000206", "586#8004100000000206", answers_otherwise(abort_to_next_node)},
         {"sdo-short-request", "sdo", "completes a request of less than eight bytes with those of an older one",
          "605#40001000", "", "585#4300100078563412", hears(fill_short_requests)},
         {"sdo-remote-answered", "sdo", "answers a remote frame", "605#R", "", "585#8000000001000405",
