@@ -16,7 +16,8 @@ inline const std::string from_package = "canproof/";
 /// Files by path: "spec/devices/NAME/device.toml" → text.
 using SpecFiles = std::map<std::string, std::string>;
 
-/// The .toml files below a folder, as if it were named spec/, without the conformance cases. Throws InputError when there are none.
+/// The .toml files below a folder, as if it were named spec/, without the conformance cases. Throws InputError when
+/// there are none.
 SpecFiles read_spec_files(const std::filesystem::path& spec);
 /// `own`, with the shared rules of `package` when it has no spec/canopen of its own: paths of these begin with
 /// canproof/.

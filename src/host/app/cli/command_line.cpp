@@ -165,7 +165,8 @@ class ReplayCommand : Command {
 class ConformCommand : Command {
   public:
     ConformCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
+        auto* command =
+            app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
         command->add_option("DEVICE", options_.device, "of the catalogue; it runs in virtual time without --bus");
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
         command->add_option("--node", options_.node, "node-ID of the slave");
@@ -176,6 +177,7 @@ class ConformCommand : Command {
         command->add_option("--skip", options_.skip, "cases or services")->delimiter(',');
         command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
             ->delimiter(',');
+        command->add_option("--cases", options_.folder, "folder with cases of your own instead of the program's");
         command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
         command->add_flag("--allow-outputs", options_.allow_outputs, "cases that may move an output");

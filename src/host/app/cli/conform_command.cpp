@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iostream>
+#include <cstdio>
+#include <filesystem>
+#include <map>
 
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
@@ -26,12 +28,35 @@ namespace {
 using conform::CaseResult;
 using conform::Verdict;
 
-int list_cases() {
-    for (const conform::Case& one : conform::built_in_cases().cases) {
+int list_cases(const conform::CaseBook& book) {
+    for (const conform::Case& one : book.cases) {
         fmt::print("{:<10} {:<44} {:<8} {}\n", one.group, one.id, fmt::format("{}", fmt::join(one.numbers, ",")),
                    one.shows);
     }
     return 0;
+}
+
+/// The program's cases, or those of a folder. Throws InputError with every fault.
+conform::CaseBook read_cases(const std::string& folder) {
+    if (folder.empty()) {
+        return conform::built_in_cases();
+    }
+    std::map<std::string, std::string> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        if (file.path().extension() == ".toml") {
+            files[file.path().string()] = read_file(file.path(), longest_toml_file);
+        }
+    }
+    Faults faults;
+    conform::CaseBook book = conform::parse_cases(files, faults);
+    std::string told;
+    for (const Fault& one : faults) {
+        told += "\n" + one.text();
+    }
+    if (!told.empty() || book.cases.empty()) {
+        throw InputError{fmt::format("{} holds no sound cases:{}", folder, told.empty() ? " it has none" : told)};
+    }
+    return book;
 }
 
 ChosenDevice choose(const ConformCommandOptions& options) {
@@ -71,8 +96,7 @@ std::unique_ptr<conform::Target> virtual_target(const ConformCommandOptions& opt
     return std::make_unique<conform::VirtualTarget>(std::move(chosen.device), sheet.node_id, rate);
 }
 
-std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options,
-                                            const conform::ConformSheet& sheet) {
+std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options, const conform::ConformSheet& sheet) {
     const bool socketcan = options.bus.rfind("socketcan:", 0) == 0;
     if (!socketcan && options.bus.rfind("socketcand-client:", 0) != 0) {
         throw InputError{fmt::format(
@@ -108,17 +132,18 @@ conform::ConformOptions run_options(const ConformCommandOptions& options) {
 }  // namespace
 
 int run_conform(const ConformCommandOptions& options) {
+    const conform::CaseBook book = read_cases(options.folder);
     if (options.list) {
-        return list_cases();
+        return list_cases(book);
     }
     if (options.device.empty() == options.eds.empty()) {
-        throw InputError{"name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+        throw InputError{
+            "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
     }
     const conform::ConformSheet sheet = sheet_for(options);
     const std::unique_ptr<conform::Target> target =
         options.bus.empty() ? virtual_target(options, sheet) : bus_target(options, sheet);
-    conform::ConformReport report =
-        conform::run_cases(conform::built_in_cases(), sheet, *target, run_options(options));
+    conform::ConformReport report = conform::run_cases(book, sheet, *target, run_options(options));
     report.program = "canproof";
     if (options.json) {
         fmt::print("{}", conform::write_json(report));

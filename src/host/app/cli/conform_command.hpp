@@ -16,6 +16,7 @@ struct ConformCommandOptions {
     std::vector<std::string> only;   ///< services
     std::vector<std::string> skip;   ///< ids, numbers or services
     std::vector<std::string> cases;  ///< ids or numbers
+    std::string folder;              ///< with other cases than the program's
     std::string report;              ///< folder
     bool json{false};
     bool allow_outputs{false};

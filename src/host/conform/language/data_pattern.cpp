@@ -31,7 +31,8 @@ bool read_nibbles(const std::string& text, BytePattern& pattern) {
             return false;
         }
         pattern.mask = (pattern.mask << 4U) | (digit ? 0xFU : 0U);
-        pattern.value = (pattern.value << 4U) | (digit ? static_cast<unsigned>(std::stoul(std::string{c}, nullptr, 16)) : 0U);
+        pattern.value =
+            (pattern.value << 4U) | (digit ? static_cast<unsigned>(std::stoul(std::string{c}, nullptr, 16)) : 0U);
     }
     return true;
 }
@@ -121,8 +122,8 @@ DataPart value_part(Scanner& token) {
     if (width == 0) {
         token.fail(fmt::format("`{}` is no width", word), "write u8, u16, u24, u32, u64, mux or all");
     }
-    return computed_part(
-        width, [value, width](const Scope& scope) { return little_endian(number_of(value(scope)), width); });
+    return computed_part(width,
+                         [value, width](const Scope& scope) { return little_endian(number_of(value(scope)), width); });
 }
 
 DataPart object_part(Scanner& token) {

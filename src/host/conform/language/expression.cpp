@@ -61,6 +61,7 @@ const std::array<Operator, 18> operators{
      {"%", 10, [](std::int64_t a, std::int64_t b) { return a % divisor(b); }}}};
 
 constexpr int lowest_rank = 1;
+constexpr int sum_rank = 9;
 
 /// `->` and `+-` are no operators.
 const Operator* next_operator(Scanner& line, int rank) {
@@ -260,6 +261,10 @@ Expression parse_ranked(Scanner& line, Radix radix, int rank) {
 
 Expression parse_expression(Scanner& line, Radix radix) {
     return parse_ranked(line, radix, lowest_rank);
+}
+
+Expression parse_sum(Scanner& line) {
+    return parse_ranked(line, Radix::decimal, sum_rank);
 }
 
 Expression parse_operand(Scanner& line, Radix radix) {

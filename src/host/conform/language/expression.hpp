@@ -17,6 +17,8 @@ enum class Radix { decimal, hexadecimal };
 
 /// Reads as much as is an expression: `$cob | 0x80000000`, `600+N`. Throws LanguageError.
 Expression parse_expression(Scanner& line, Radix radix);
+/// A time or a sum: ends before a comparison, as in `for 2 s >= 5`.
+Expression parse_sum(Scanner& line);
 /// One operand with its unit: `5`, `100 ms`, `$x`, `($a + 1)`.
 Expression parse_operand(Scanner& line, Radix radix);
 /// `$name` or `$name.field`, without operators.

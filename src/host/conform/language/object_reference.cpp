@@ -55,9 +55,7 @@ ObjectReference parse_object(Scanner& line) {
         return [first](const Scope& scope) { return place_of(first(scope)); };
     }
     const Expression second = parse_term(line);
-    return [first, second](const Scope& scope) {
-        return place_of(number_of(first(scope)), number_of(second(scope)));
-    };
+    return [first, second](const Scope& scope) { return place_of(number_of(first(scope)), number_of(second(scope))); };
 }
 
 }  // namespace canproof::host::conform

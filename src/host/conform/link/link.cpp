@@ -50,11 +50,11 @@ void Link::take_in(const FrameRecord& record) {
         last_sent_ = of_a_step ? record.time : last_sent_;
         return;
     }
-    for (Watched& one : watches_) {
-        if (one.fits(record)) {
-            one.frames.push_back(record);
-            return;
-        }
+    const auto watching =
+        std::find_if(watches_.rbegin(), watches_.rend(), [&](const auto& one) { return one->fits(record); });
+    if (watching != watches_.rend()) {
+        (*watching)->frames.push_back(record);
+        return;
     }
     if (inbox_.size() < most_logged) {
         inbox_.push_back(record);
@@ -147,19 +147,19 @@ std::optional<FrameRecord> Link::take(const FrameKey& key, Instant deadline) {
 }
 
 void Link::forget(const FrameKey& key) {
-    inbox_.erase(std::remove_if(inbox_.begin(), inbox_.end(),
-                                [&](const FrameRecord& one) { return key.fits(one.frame); }),
-                 inbox_.end());
+    inbox_.erase(
+        std::remove_if(inbox_.begin(), inbox_.end(), [&](const FrameRecord& one) { return key.fits(one.frame); }),
+        inbox_.end());
 }
 
-Watched* Link::watch(Watched wanted) {
+std::shared_ptr<const Watched> Link::watch(Watched wanted) {
     wanted.since = now();
-    watches_.push_back(std::move(wanted));
-    return &watches_.back();
+    watches_.push_back(std::make_shared<Watched>(std::move(wanted)));
+    return watches_.back();
 }
 
-void Link::end_watch(const Watched* watched) {
-    watches_.remove_if([&](const Watched& one) { return &one == watched; });
+void Link::end_watch(const std::shared_ptr<const Watched>& watched) {
+    watches_.erase(std::remove(watches_.begin(), watches_.end(), watched), watches_.end());
 }
 
 void Link::produce(const Frame& frame, Duration period) {
@@ -176,9 +176,9 @@ void Link::stop_producing() {
 }
 
 void Link::stop_producing(std::uint32_t id) {
-    produced_.erase(std::remove_if(produced_.begin(), produced_.end(),
-                                   [&](const Produced& one) { return one.frame.id == id; }),
-                    produced_.end());
+    produced_.erase(
+        std::remove_if(produced_.begin(), produced_.end(), [&](const Produced& one) { return one.frame.id == id; }),
+        produced_.end());
 }
 
 void Link::set_traffic(double percent, bool high) {

@@ -4,7 +4,7 @@
 
 #include <deque>
 #include <functional>
-#include <list>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -59,9 +59,9 @@ class Link {
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
 
-    /// Collects until end_watch(); what it collects nobody else gets.
-    Watched* watch(Watched wanted);
-    void end_watch(const Watched* watched);
+    /// Collects until end_watch(); what it collects nobody else gets, but a newer watch comes first.
+    std::shared_ptr<const Watched> watch(Watched wanted);
+    void end_watch(const std::shared_ptr<const Watched>& watched);
     /// Waits until `done` or until `deadline`; whether it was `done`.
     bool wait_for(const std::function<bool()>& done, Instant deadline);
 
@@ -96,7 +96,7 @@ class Link {
 
     Target& target_;
     std::deque<FrameRecord> inbox_;
-    std::list<Watched> watches_;
+    std::vector<std::shared_ptr<Watched>> watches_;
     std::vector<FrameRecord> log_;
     std::vector<Produced> produced_;
     std::set<std::uint32_t> reserved_;

@@ -111,8 +111,10 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         return outcome;
     }
     check_end(end, outcome, how.crc && (begun.front() & 0x04U) != 0U);
-    if ((begun.front() & 0x02U) != 0U && from_little_endian(begun, 4, 4) != static_cast<std::int64_t>(outcome.data.size())) {
-        throw SlaveFailed{fmt::format("{} bytes announced, {} sent", from_little_endian(begun, 4, 4), outcome.data.size())};
+    if ((begun.front() & 0x02U) != 0U &&
+        from_little_endian(begun, 4, 4) != static_cast<std::int64_t>(outcome.data.size())) {
+        throw SlaveFailed{
+            fmt::format("{} bytes announced, {} sent", from_little_endian(begun, 4, 4), outcome.data.size())};
     }
     send({0xA1U});
     return outcome;
@@ -181,8 +183,10 @@ SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
 }
 
 SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, const BlockWrite& how) {
-    Bytes first = initiate(static_cast<std::uint8_t>(0xC0U | (how.crc || how.wrong_crc ? 4U : 0U) | (how.without_size ? 0U : 2U)), place);
-    const Bytes size = little_endian(how.without_size ? 0 : how.size.value_or(static_cast<std::uint32_t>(data.size())), 4);
+    Bytes first = initiate(
+        static_cast<std::uint8_t>(0xC0U | (how.crc || how.wrong_crc ? 4U : 0U) | (how.without_size ? 0U : 2U)), place);
+    const Bytes size =
+        little_endian(how.without_size ? 0 : how.size.value_or(static_cast<std::uint32_t>(data.size())), 4);
     first.insert(first.end(), size.begin(), size.end());
     send(first);
     Bytes got = answer();

@@ -49,8 +49,8 @@ void SdoClient::send(const Bytes& bytes) {
     const FrameKey key = answer_key();
     const FrameRecord* const unasked = link_.peek([&](const FrameRecord& one) { return key.fits(one.frame); });
     if (unasked != nullptr && !allows_unasked_) {
-        throw SlaveFailed{
-            fmt::format("the SDO server sent {} without being asked", hex_words(Bytes(unasked->frame.data.begin(), unasked->frame.data.end())))};
+        throw SlaveFailed{fmt::format("the SDO server sent {} without being asked",
+                                      hex_words(Bytes(unasked->frame.data.begin(), unasked->frame.data.end())))};
     }
     link_.forget(key);
     Frame frame = data_frame(0x600U + node_id_, max_frame_length);
@@ -110,7 +110,8 @@ SdoOutcome SdoClient::read_segments(const Bytes& first) {
             return outcome;
         }
         if ((segment.front() & 0xF0U) != turn) {
-            throw SlaveFailed{fmt::format("segment {} where the toggle bit must be {}", hex_words(segment), turn >> 4U)};
+            throw SlaveFailed{
+                fmt::format("segment {} where the toggle bit must be {}", hex_words(segment), turn >> 4U)};
         }
         append(outcome.data, segment, 1, segment_size - ((segment.front() >> 1U) & 7U));
         last = (segment.front() & 0x01U) != 0U;

@@ -23,8 +23,8 @@ enum class Transfer { automatic, expedited, segments, block };
 struct BlockRead {
     std::vector<std::uint8_t> block_sizes{127};  ///< the last one holds on
     bool crc{false};
-    std::uint8_t switch_size{0};              ///< pst
-    std::optional<std::uint8_t> short_ack{};  ///< only so many segments of the first block are acknowledged
+    std::uint8_t switch_size{0};               ///< pst
+    std::optional<std::uint8_t> short_ack{};   ///< only so many segments of the first block are acknowledged
     std::optional<std::size_t> break_after{};  ///< segments
 };
 

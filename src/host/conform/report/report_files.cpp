@@ -20,8 +20,8 @@ std::string result_line(const CaseResult& one) {
 }
 
 std::string summary_lines(const ConformReport& report) {
-    std::string text = fmt::format("\n{} cases on node {} ({}, {}):", report.results.size(), report.node, report.sheet,
-                                   report.target);
+    std::string text =
+        fmt::format("\n{} cases on node {} ({}, {}):", report.results.size(), report.node, report.sheet, report.target);
     for (const Verdict verdict : {Verdict::passed, Verdict::failed, Verdict::unstable, Verdict::no_answer,
                                   Verdict::broken, Verdict::skipped, Verdict::not_run}) {
         const std::size_t count = report.count(verdict);

@@ -121,7 +121,8 @@ std::string service_page(const ConformReport& report, const std::string& group) 
 }
 
 std::string case_page(const ConformReport& report, const CaseResult& one) {
-    std::string body = fmt::format("<p>{} {}</p>\n<p>{}</p>\n", state(one.verdict), escaped(one.why), escaped(one.shows));
+    std::string body =
+        fmt::format("<p>{} {}</p>\n<p>{}</p>\n", state(one.verdict), escaped(one.why), escaped(one.shows));
     body += fmt::format("<p>Expected by: {}. Ended at:</p>\n<pre>{}</pre>\n", escaped(one.section), escaped(one.step));
     for (const std::string& note : one.notes) {
         body += "<p>Note: " + escaped(note) + "</p>\n";
@@ -130,8 +131,8 @@ std::string case_page(const ConformReport& report, const CaseResult& one) {
         body += "<p>Not put back: " + escaped(left) + "</p>\n";
     }
     const std::size_t first = one.frames.size() > most_frames ? one.frames.size() - most_frames : 0;
-    body += fmt::format("<h2>Frames{}</h2>\n<pre>", first == 0 ? "" : fmt::format(" (the last {} of {})", most_frames,
-                                                                                    one.frames.size()));
+    body += fmt::format("<h2>Frames{}</h2>\n<pre>",
+                        first == 0 ? "" : fmt::format(" (the last {} of {})", most_frames, one.frames.size()));
     for (std::size_t i = first; i < one.frames.size(); ++i) {
         const FrameRecord& record = one.frames[i];
         body += escaped(format_candump_line({record.time, "can0", record.frame})) +

@@ -106,8 +106,8 @@ void CaseRunner::begin(ConformReport& report) {
         if (!reset(NmtCommand::reset_node)) {
             throw NoAnswer{"no boot-up message"};
         }
-        for (const auto& [subindex, name] : std::map<std::uint8_t, const char*>{
-                 {1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
+        for (const auto& [subindex, name] :
+             std::map<std::uint8_t, const char*>{{1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
             const SdoOutcome outcome = sdo_.read({identity_index, subindex});
             identity_[name] = outcome.abort == 0 ? from_little_endian(outcome.data, 0, 4) : 0;
             report.identity[name] = fmt::format("{:08X}h", identity_[name]);
@@ -121,8 +121,9 @@ void CaseRunner::begin(ConformReport& report) {
         }
         snapshot_.take(sdo_, sheet_);
     } catch (const SlaveFailed& failed) {
-        throw InputError{fmt::format("node {} on {} does not answer ({}); check the node-ID, the bit rate and the cable",
-                                     sheet_.node_id, target_.name(), failed.what())};
+        throw InputError{
+            fmt::format("node {} on {} does not answer ({}); check the node-ID, the bit rate and the cable",
+                        sheet_.node_id, target_.name(), failed.what())};
     }
     fresh_ = Fresh::no;
 }

@@ -132,9 +132,8 @@ void check_calls(const Calls& calls, const CaseBook& book, Faults& faults) {
             faults.emplace_back(call.place, fmt::format("there is no procedure `{}`", call.name),
                                 "write a [[procedure]] of that name");
         } else if (found->second.takes.size() != call.arguments) {
-            faults.emplace_back(
-                call.place, fmt::format("`{}` gets {} argument(s)", call.name, call.arguments),
-                fmt::format("give it {}", found->second.takes.size()));
+            faults.emplace_back(call.place, fmt::format("`{}` gets {} argument(s)", call.name, call.arguments),
+                                fmt::format("give it {}", found->second.takes.size()));
         }
     }
 }

@@ -33,7 +33,7 @@ struct CaseResult {
     std::string why;   ///< of anything but passed
     std::string step;  ///< at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;  ///< what could not be put back
+    std::vector<std::string> left;                            ///< what could not be put back
     std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
     std::vector<FrameRecord> frames;                          ///< of a case that did not pass
     unsigned runs{0};
@@ -49,7 +49,7 @@ struct ConformReport {
     std::string target;
     unsigned node{0};
     std::uint32_t bit_rate{0};
-    double traffic{0.0};  ///< foreign frames meanwhile, per cent
+    double traffic{0.0};                          ///< foreign frames meanwhile, per cent
     std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
     Duration time{};
     bool interrupted{false};

@@ -21,9 +21,9 @@ bool names(const std::vector<std::string>& all, const Case& one) {
 
 void check_names(const std::vector<std::string>& all, const CaseBook& book, bool groups) {
     for (const std::string& name : all) {
-        const bool known = (groups && has(case_groups(), name)) ||
-                           std::any_of(book.cases.begin(), book.cases.end(),
-                                       [&](const Case& one) { return names({name}, one); });
+        const bool known =
+            (groups && has(case_groups(), name)) ||
+            std::any_of(book.cases.begin(), book.cases.end(), [&](const Case& one) { return names({name}, one); });
         if (!known) {
             throw InputError{fmt::format("there is no case {}; `canproof conform --list` shows all", name)};
         }

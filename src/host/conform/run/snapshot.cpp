@@ -124,8 +124,9 @@ void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places&
 /// The overflow of the counter changes while no SYNC is sent.
 void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
     const std::array<std::uint16_t, 3> order{sync_overflow, sync_period, sync_id};
-    const bool wanted = std::any_of(order.begin(), order.end(),
-                                    [&](std::uint16_t index) { return open.count({index, 0}) != 0; });
+    const bool wanted = std::any_of(order.begin(), order.end(), [&](std::uint16_t index) {
+        return open.count({index, 0}) != 0;
+    });
     const Bytes* const id = find({sync_id, 0});
     if (!wanted || id == nullptr) {
         return;

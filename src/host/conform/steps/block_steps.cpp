@@ -151,7 +151,8 @@ Action parse_block_read(Scanner& line, Ending ending) {
         ending.value = parse_expression(line, Radix::decimal);
     }
     ReadOptions options;
-    parse_options(line, options, ending, "use blksize 1, blksizes 1 127, crc, pst 20, ack 3 once, break after 2, fails CODE, -> name");
+    parse_options(line, options, ending,
+                  "use blksize 1, blksizes 1 127, crc, pst 20, ack 3 once, break after 2, fails CODE, -> name");
     return [=](Context& context) {
         const ObjectPlace place = object(*context.scope);
         ending.judge(context.sdo.block_read(place, options.of(*context.scope)), place, context);

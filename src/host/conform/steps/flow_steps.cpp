@@ -326,10 +326,10 @@ Action parse_do(Scanner& line, StepSource& source) {
 }  // namespace
 
 std::vector<Verb> flow_verbs() {
-    return {{"let", parse_let},       {"check", parse_check}, {"skip", parse_skip},   {"note", parse_note},
-            {"fail", parse_fail},     {"return", parse_return}, {"next", parse_next}, {"repeat", parse_repeat},
-            {"for", parse_for},       {"while", parse_while}, {"if", parse_if},       {"choose", parse_choose},
-            {"each", parse_each},     {"do", parse_do},         {"eds", parse_eds}};
+    return {{"let", parse_let},   {"check", parse_check},   {"skip", parse_skip}, {"note", parse_note},
+            {"fail", parse_fail}, {"return", parse_return}, {"next", parse_next}, {"repeat", parse_repeat},
+            {"for", parse_for},   {"while", parse_while},   {"if", parse_if},     {"choose", parse_choose},
+            {"each", parse_each}, {"do", parse_do},         {"eds", parse_eds}};
 }
 
 }  // namespace canproof::host::conform

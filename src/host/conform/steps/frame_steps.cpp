@@ -113,8 +113,7 @@ Action parse_answer(Scanner& line, StepSource&) {
     const Expression within = parse_within(line);
     line.finish();
     return [data, name, within, has_time](Context& context) {
-        const Duration time =
-            has_time ? Duration{microseconds_of(within, *context.scope)} : context.sdo.timeout();
+        const Duration time = has_time ? Duration{microseconds_of(within, *context.scope)} : context.sdo.timeout();
         const Bytes bytes = context.sdo.answer(time);
         Captures captures;
         if (!data.matches(*context.scope, bytes, captures)) {
@@ -205,10 +204,9 @@ Action parse_wait(Scanner& line, StepSource&) {
 }  // namespace
 
 std::vector<Verb> frame_verbs() {
-    return {{"send", parse_send},   {"expect", parse_expect},   {"await", parse_await},
-            {"sdo", parse_sdo},     {"answer", parse_answer},   {"abort", parse_abort},
-            {"clear", parse_clear}, {"produce", parse_produce}, {"traffic", parse_traffic},
-            {"wait", parse_wait}};
+    return {{"send", parse_send},       {"expect", parse_expect}, {"await", parse_await}, {"sdo", parse_sdo},
+            {"answer", parse_answer},   {"abort", parse_abort},   {"clear", parse_clear}, {"produce", parse_produce},
+            {"traffic", parse_traffic}, {"wait", parse_wait}};
 }
 
 }  // namespace canproof::host::conform

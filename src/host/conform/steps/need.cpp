@@ -83,17 +83,11 @@ Unmet parse_word_need(Scanner& line) {
              return unless(met, "the EDS has no SYNC producer (1005h writable, and 1006h)");
          }},
         {"power",
-         [](Context& c) {
-             return unless(c.link.target().has_power(), "nobody can switch the slave off and on here");
-         }},
+         [](Context& c) { return unless(c.link.target().has_power(), "nobody can switch the slave off and on here"); }},
         {"bit rate",
-         [](Context& c) {
-             return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate");
-         }},
+         [](Context& c) { return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate"); }},
         {"remote frames",
-         [](Context& c) {
-             return unless(c.link.target().has_remote_frames(), "this bus carries no remote frames");
-         }},
+         [](Context& c) { return unless(c.link.target().has_remote_frames(), "this bus carries no remote frames"); }},
         {"saves", [](Context& c) { return ask_capability(c, 0x1010); }},
         {"restores", [](Context& c) { return ask_capability(c, 0x1011); }},
     };

@@ -73,8 +73,7 @@ StepSource::StepSource(const std::string& text, const Place& first) : file_{firs
 
 Step StepSource::parse_line(Scanner& line) {
     const std::string word = line.word(true);
-    const auto verb =
-        std::find_if(verbs().begin(), verbs().end(), [&](const Verb& one) { return word == one.word; });
+    const auto verb = std::find_if(verbs().begin(), verbs().end(), [&](const Verb& one) { return word == one.word; });
     if (verb == verbs().end()) {
         line.fail(fmt::format("`{}` is no step", word.empty() ? line.rest() : word),
                   "begin with one of " + verb_words());

@@ -49,7 +49,8 @@ struct Context {
     Journal& journal;
     Scope root{};
     Scope* scope{&root};
-    const Step* at{nullptr};         ///< the step that runs
+    const Step* at{nullptr};  ///< the step that runs
+    std::map<std::string, std::shared_ptr<const Watched>> watches;
     std::vector<std::string> turns;  ///< of the loops around it: `P = TPDO 2`
     unsigned depth{0};               ///< of procedures
     std::optional<bool> block_upload{};

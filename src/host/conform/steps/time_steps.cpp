@@ -24,11 +24,11 @@ class EndingWatch {
     EndingWatch(const EndingWatch&) = delete;
     EndingWatch& operator=(const EndingWatch&) = delete;
     const Watched& operator*() const { return *watched_; }
-    const Watched* operator->() const { return watched_; }
+    const Watched* operator->() const { return watched_.get(); }
 
   private:
     Link& link_;
-    const Watched* watched_;
+    std::shared_ptr<const Watched> watched_;
 };
 
 /// `+- 5 %`, `+- 1`: what a number may be off.
@@ -76,7 +76,7 @@ Action parse_silence(Scanner& line, StepSource&) {
     if (!line.take_word("for")) {
         line.fail("a time is missing", "write silence 580+N for 500 ms");
     }
-    const Expression time = parse_expression(line, Radix::decimal);
+    const Expression time = parse_sum(line);
     line.finish();
     return [specs, time](Context& context) {
         Watched wanted;
@@ -104,7 +104,7 @@ Action parse_count(Scanner& line, StepSource&) {
     if (!line.take_word("for")) {
         line.fail("a time is missing", "write count 180+N for 10 s = 100 +- 1");
     }
-    const Expression time = parse_expression(line, Radix::decimal);
+    const Expression time = parse_sum(line);
     const bool at_least = line.take(">=");
     const bool at_most = !at_least && line.take("<=");
     if (!at_least && !at_most) {
@@ -250,8 +250,8 @@ std::optional<Value> field_of(const Watched& seen, const std::string& field) {
     if (field == "max" && !gaps.empty()) {
         return number(*std::max_element(gaps.begin(), gaps.end()));
     }
-    const bool known = field == "data" || field == "first" || field == "last" || field == "mean" || field == "min" ||
-                       field == "max";
+    const bool known =
+        field == "data" || field == "first" || field == "last" || field == "mean" || field == "min" || field == "max";
     return known ? throw SlaveFailed{fmt::format("too few frames came for a {}", field)} : std::optional<Value>{};
 }
 
@@ -263,17 +263,38 @@ Action parse_watch(Scanner& line, StepSource&) {
     const std::string name = parse_name(line);
     line.finish();
     return [spec, name](Context& context) {
-        const Watched* const seen = context.link.watch(watched_of(spec, context));
+        const std::shared_ptr<const Watched> seen = context.link.watch(watched_of(spec, context));
+        const auto before = context.watches.find(name);
+        if (before != context.watches.end()) {
+            context.link.end_watch(before->second);
+        }
+        context.watches[name] = seen;
         Value value;
         value.fields = [seen](const std::string& field) { return field_of(*seen, field); };
         context.scope->set(name, value);
     };
 }
 
+Action parse_end(Scanner& line, StepSource&) {
+    const std::string name = parse_name(line);
+    line.finish();
+    return [name](Context& context) {
+        const auto found = context.watches.find(name);
+        if (found == context.watches.end()) {
+            throw BrokenCase{fmt::format("nothing is watched as {}", name)};
+        }
+        context.link.end_watch(found->second);
+    };
+}
+
 }  // namespace
 
 std::vector<Verb> time_verbs() {
-    return {{"silence", parse_silence}, {"count", parse_count}, {"period", parse_period}, {"watch", parse_watch}};
+    return {{"silence", parse_silence},
+            {"count", parse_count},
+            {"period", parse_period},
+            {"watch", parse_watch},
+            {"end", parse_end}};
 }
 
 }  // namespace canproof::host::conform
