@@ -111,8 +111,8 @@ void keep_history(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-bool is_rpdo_error(WrongSlave& slave, const Frame& frame) {
-    return is_emcy(slave, frame) && code_of(frame) == 0x8210;
+bool is_heartbeat_error(WrongSlave& slave, const Frame& frame) {
+    return is_emcy(slave, frame) && code_of(frame) == 0x8130;
 }
 
 ObjectTest history_entries() {
@@ -130,8 +130,8 @@ Faults emcy_faults() {
     const std::string read_count = "605#4003100000000000";
     return {
         {"emcy-twice", "emcy", "sends each EMCY twice", error, "", told, says(say_twice)},
-        {"emcy-missing", "emcy", "sends no EMCY when an RPDO is too short", "000#0105 205#00", "085#1082110100000000",
-         "", keeps_back(is_rpdo_error)},
+        {"emcy-missing", "emcy", "sends no EMCY when a heartbeat is lost", "605#2316100164000700 707#05 +100",
+         "100:085#3081110100000000", "", keeps_back(is_heartbeat_error)},
         {"emcy-length", "emcy", "sends an EMCY of seven bytes", error, told, "085#40821101000000",
          tells_otherwise(of_seven_bytes)},
         {"emcy-code", "emcy", "sends an error code that is 10h too high", "000#0105 205#00", "085#1082110100000000",

@@ -14,15 +14,6 @@ Distortion tells_error(unsigned command, unsigned error, unsigned other) {
     });
 }
 
-/// Resets its communication when LSS configuration ends.
-bool reset_when_left(WrongSlave& slave, const Frame& frame) {
-    slave.pass(frame);
-    if (is_lss(frame, 0x04) && frame.data[1] == 0 && is_configuring(slave)) {
-        slave.pass(with_byte(data_frame(0, 2), 0, 0x82));
-    }
-    return true;
-}
-
 /// Confirms a request of LSS configuration and forgets it.
 Distortion forgets(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
@@ -78,8 +69,6 @@ Faults lss_setting_faults() {
          "7E4#1101000000000000", "7E4#1100000000000000", tells_error(0x11, 1, 0)},
         {"lss-node-id-refused", "lss", "refuses a node-ID", configure + node_6, "7E4#1100000000000000",
          "7E4#1101000000000000", tells_error(0x11, 0, 1)},
-        {"lss-node-id-at-once", "lss", "takes a new node-ID when LSS configuration ends", configure + node_6 + wait, "",
-         "706#00", serves_lss(reset_when_left)},
         {"lss-node-id-lost", "lss", "confirms a node-ID and forgets it", configure + node_6 + "000#8205", "706#00",
          "705#00", forgets(0x11)},
         {"lss-node-id-stored", "lss", "stores a node-ID that nobody asked it to store", configure + node_6 + "000#8105",
@@ -88,8 +77,6 @@ Faults lss_setting_faults() {
          configure + "7E5#1300050000000000", "7E4#1301000000000000", "7E4#1300000000000000", tells_error(0x13, 1, 0)},
         {"lss-store-lost", "lss", "confirms that it stores and does not", configure + node_6 + store + "000#8105",
          "706#00", "705#00", forgets(0x17)},
-        {"lss-store-fails", "lss", "tells that it cannot store", configure + store, "7E4#1700000000000000",
-         "7E4#1702000000000000", tells_error(0x17, 0, 2)},
         {"lss-activation-ignored", "lss", "answers while a bit rate is being switched",
          configure + "7E5#1564000000000000 605#4001100000000000", "", "585#4F01100000000000",
          serves_lss(ignore_activation)},

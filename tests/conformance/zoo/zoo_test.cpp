@@ -94,13 +94,16 @@ Faults chosen_faults(const Faults& all) {
     return chosen;
 }
 
-/// Every case once in a while: those whose place and the run's number leave the same rest.
+/// All cases, or a part of them: those whose place and the run's number leave the same rest. Without those that load
+/// the bus themselves: with other load they ask for more than the bus has.
 std::vector<std::string> cases_of_run(std::size_t run) {
-    constexpr std::size_t parts = 20;
+    const std::size_t parts = runs_all() ? 1 : 20;
     std::vector<std::string> ids;
     const auto& cases = conform::built_in_cases().cases;
     for (std::size_t at = run % parts; at < cases.size(); at += parts) {
-        ids.push_back(cases[at].id);
+        if (cases[at].group != "load") {
+            ids.push_back(cases[at].id);
+        }
     }
     return ids;
 }
@@ -122,7 +125,7 @@ TEST(Zoo, NoCaseFailsOnTheCorrectSlaveUnderRandomBusLoad) {
         const double load = 0.05 + 0.0055 * static_cast<double>(generator() % 100U);  // 5 to 60 %
         LoadedTarget target{std::make_unique<WrongSlave>(), node, load, generator()};
         ConformOptions options;
-        options.cases = runs_all() ? std::vector<std::string>{} : cases_of_run(run);
+        options.cases = cases_of_run(run);
         for (const CaseResult& one : conform::run_cases(conform::built_in_cases(), sheet(), target, options).results) {
             EXPECT_FALSE(is_failure(one)) << "run " << run << ", load " << load << ": " << words_of(one);
         }
