@@ -77,6 +77,16 @@ TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverItsLimits) {
     EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
 }
 
+TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedWhateverItsLimits) {
+    verifies<req::CO_SYNC_007>();
+    entry(0x1019, 0).limit = no_limit;
+    power_on();
+    EXPECT_EQ(send("605#2F191000F1000000"), Frames{"585#8019100030000906"});  // 241
+    EXPECT_EQ(send("605#2F191000FF000000"), Frames{"585#8019100030000906"});
+    EXPECT_EQ(send("605#2F191000F0000000"), Frames{"585#6019100000000000"});
+    EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F191000F0000000"});
+}
+
 TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
     verifies<req::CO_PDO_011>();
     entry(0x1602, 0).limit = no_limit;

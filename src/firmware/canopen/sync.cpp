@@ -64,7 +64,8 @@ AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) c
         return AbortCode::none;
     }
     constexpr std::uint32_t reserved_overflow{1U};
-    if (value == reserved_overflow) {
+    constexpr std::uint32_t highest_overflow{240U};
+    if ((value == reserved_overflow) || (value > highest_overflow)) {
         return AbortCode::value_range;
     }
     const bool cycle_is_set = objects_.read(index::sync_period, 0U) != 0U;
