@@ -7,13 +7,13 @@
 namespace canproof::host {
 
 struct ReviewOptions {
-    std::string spec{"spec"};            ///< below the project's folder
+    std::string spec{"spec"};           ///< below the project's folder
     std::vector<std::string> subjects;  ///< ids or devices
     bool all{false};
     std::string by;
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
-    std::string date;  ///< 2026-11-21; empty: today
+    std::string date;      ///< 2026-11-21; empty: today
 };
 
 /// Writes reviews.toml of each part. Returns the exit status.
