@@ -1,6 +1,8 @@
 // What the node itself keeps between frames: the state after a reset, times that are due, and what a silence ends.
 #include "firmware/canopen/node.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "generated/canopen/requirements.hpp"
@@ -34,7 +36,9 @@ class SelfResetting : public NodeService {
     }
 };
 
-class OneError : public testing::Test, public AlteredSlaveBench {};
+class SlaveNode : public testing::Test, public SlaveBench {};
+
+class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
@@ -118,7 +122,38 @@ TEST_F(NodeService, AProducerThatIsWatchedNoMoreIsNotWaitedFor) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-TEST_F(OneError, AListOfOneErrorHoldsTheLatest) {
+/// 1401h:1 is 300h + node-ID by default. Each save keeps the node-ID under which the communication was saved.
+TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
+    verifies<req::CO_PDO_035, req::CO_STORE_003>();
+    const std::string saved_communication = "585#6010100200000000";
+    EXPECT_EQ(send("605#2310100273617665"), Frames{saved_communication});
+    node_id = 7;
+    power_on();
+    for (const int id : {7, 8, 8, 10}) {
+        node_id = static_cast<std::uint8_t>(id);
+        EXPECT_EQ(power_on().at(0), fmt::format("7{:02X}#00", id));
+        const std::string answer = send(fmt::format("6{:02X}#2310100473617665", id)).at(0);
+        EXPECT_EQ(answer, fmt::format("5{:02X}#6010100400000000", 0x80 + id));
+    }
+    node_id = 9;
+    EXPECT_EQ(power_on(), Frames{"709#00"});
+    EXPECT_EQ(send("609#4001140100000000"), Frames{"589#4301140109030000"});
+}
+
+TEST_F(AlteredNode, ARefusedValueSpoilsAPdoWhereverItStands) {
+    verifies<req::CO_PDO_005, req::CO_SYNC_007>();
+    ship(0x1600, 1, 0x20000108);
+    ship(0x1600, 2, 0x10190008);  // 1019h, in which 1 is reserved
+    power_on();
+    send("000#0105");
+    send("205#5501");
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
+    send("205#0102");
+    EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F19100002000000"});
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200101000000"});
+}
+
+TEST_F(AlteredNode, AListOfOneErrorHoldsTheLatest) {
     verifies<req::CO_EMCY_008, req::CO_EMCY_013>();
     const auto is_list = [](const ObjectRow& row) { return row.index == 0x1003; };
     auto& objects = description.rows.objects;

@@ -189,6 +189,12 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));
 }
 
+TEST_F(Tpdo, OneBitMoreThanAByteTakesASecondOne) {
+    verifies<req::CO_PDO_028>();
+    map_tpdo3({"08030120", "01010320"});  // 8 bits, 1 bit
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
+}
+
 TEST_F(Tpdo, AllSixtyFourBitsCanBeSent) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"40000622"});  // 2206h: UNSIGNED64
