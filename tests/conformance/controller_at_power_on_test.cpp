@@ -52,6 +52,15 @@ TEST_F(ControllerAtPowerOn, AWarningIsNoError) {
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
 }
 
+TEST_F(ControllerAtPowerOn, AConfigurationThatIsStoredAgainIsDamagedNoMore) {
+    verifies<req::CO_LSS_065, req::CO_LSS_016>();
+    EXPECT_EQ(start_damaged(), (Frames{"705#00", "085#0063010100000000"}));
+    send("7E5#0401000000000000");
+    EXPECT_EQ(send("7E5#1700000000000000"), (Frames{"7E4#1700000000000000"}));
+    EXPECT_EQ(send("000#8205"), (Frames{"705#00", "085#0000000000000000"}));
+    EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
+}
+
 /// The same device, off in bus-off and on with a working bus.
 TEST_F(ControllerAtPowerOn, TheBusOffOfTheLifeBeforeIsOver) {
     verifies<req::CO_EMCY_017>();

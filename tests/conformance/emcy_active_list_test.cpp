@@ -182,6 +182,19 @@ TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
     EXPECT_EQ(sent(), Frames{"085#11F0000210000000"});
 }
 
+TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
+    verifies<req::CO_EMCY_003>();
+    objects.write(0x1015, 0, 10000);  // 1 s
+    emcy.set(channel_1, true, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
+    emcy.set(channel_1, false, Instant{});
+    emcy.reset();
+    emcy.enable(true, Instant{});
+    EXPECT_EQ(sent(), Frames{});
+    emcy.set(channel_2, true, Instant{});
+    EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
+}
+
 /// 1014h as a stored set may bring it back: messages are switched off.
 TEST_F(ActiveList, WhatWaitsWhenAResetSwitchesMessagesOffIsNeverSent) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();

@@ -209,6 +209,33 @@ TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
     EXPECT_EQ(send("703#R1"), (Frames{"083#0000000100000000", "703#FF"}));
 }
 
+TEST_F(ErrorControlService, AResetEndsAFailedLifeGuardingAndBeginsWithAClearToggleBit) {
+    verifies<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_NMT_006>();
+    for (const bool whole_node : {true, false}) {
+        write("603#2B0C100064000000");  // 100 ms …
+        write("603#2F0D100001000000");  // … once
+        EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
+        EXPECT_EQ(pass(100), (Frames{"100:083#3081110100000000"}));
+        if (whole_node) {
+            EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));
+        } else {
+            EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));
+        }
+        EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
+        EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));
+    }
+}
+
+TEST_F(ErrorControlService, AHeartbeatEndsAFailedLifeGuarding) {
+    verifies<req::CO_GUARD_003>();
+    write("603#2B0C100064000000");
+    write("603#2F0D100001000000");
+    send("703#R1");
+    EXPECT_EQ(pass(100), (Frames{"100:083#3081110100000000"}));
+    EXPECT_EQ(send("603#2B171000F4010000"), (Frames{"083#0000000100000000", "583#6017100000000000"}));
+}
+
 TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
     verifies<req::CO_GUARD_003>();
     write("603#2B0C100064000000");

@@ -214,6 +214,8 @@ TEST_P(Remapping, ATpdoSharesItsIdentifierWithNobody) {
     verifies<req::CO_PDO_026>();
     hold({
         {parameter("01"), not_valid(), ""},
+        {parameter("01"), "85010000", GetParam().parameters == "0018" ? "" : incompatible},  // 185h: TPDO1
+        {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
         {parameter("01"), "85020080", ""},            // not valid: no matter
         {parameter("01"), "85030000", ""},            // 385h: TPDO3 is not valid

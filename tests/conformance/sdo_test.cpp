@@ -207,6 +207,17 @@ TEST_F(SlaveSdo, AnEmptyStringIsOneSegmentWithoutData) {
                 });
 }
 
+TEST_F(SlaveSdo, AMemoryOfOneByteTakesOneByte) {
+    verifies<req::CO_SDO_033>();
+    device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
+    device->lend(program_index, 0, 1);
+    EXPECT_EQ(switch_on([this] { device->power_on(node_id, now); }), (Frames{"705#00"}));
+    EXPECT_EQ(send("605#2100240001000000"), (Frames{"585#6000240000000000"}));
+    EXPECT_EQ(send("605#0D2A000000000000"), (Frames{"585#2000000000000000"}));
+    EXPECT_EQ(send("605#4000240000000000"), (Frames{"585#4F0024002A000000"}));
+    EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
+}
+
 TEST_F(SlaveSdo, AnnouncedAsEmptyMeansEmpty) {
     verifies<req::CO_SDO_010>();
     talk(*this, {

@@ -35,6 +35,50 @@ TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
               size_of_save - 1);  // the last byte but one commits the new set, the last makes the old one void
 }
 
+/// The last byte but one commits a set; each number is later than the one before.
+TEST_F(Store, OfTwoCommittedSetsTheLaterCounts) {
+    verifies<req::CO_STORE_004>();
+    set_values("0000");
+    const std::size_t before = memory.written();
+    EXPECT_EQ(save(), saved);
+    const std::size_t size_of_save = memory.written() - before;
+    for (const char* value : {"1111", "2222", "3312", "0422", "1512"}) {
+        set_values(value);
+        memory.cut_power_after(size_of_save - 1);
+        EXPECT_EQ(save(), saved);
+        memory.restore_power();
+        power_on();
+        const std::string once = std::string{value} + " ";
+        EXPECT_EQ(values(), once + once + once);
+    }
+}
+
+/// A bit of the marker fell over: the CRC says that the set is whole.
+TEST_F(Store, ACommittedSetWithABrokenMarkerCounts) {
+    verifies<req::CO_STORE_004>();
+    set_values("3412");
+    EXPECT_EQ(save(), saved);
+    memory.bytes()[3] ^= 0x04;
+    EXPECT_EQ(power_on(), (Frames{"703#00"}));
+    EXPECT_EQ(values(), "3412 3412 3412 ");
+}
+
+TEST_F(Store, ADamagedSetBesideASoundOneGivesDefaultsWhicheverIsTheLater) {
+    verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
+    for (const std::size_t damaged : {std::size_t{0}, std::size_t{1}}) {
+        std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
+        power_on();
+        set_values("3412");
+        EXPECT_EQ(save(), saved);
+        EXPECT_EQ(save(), saved);  // the first is void now
+        const std::size_t size = bank_size();
+        memory.bytes()[3] = memory.bytes()[size + 3];
+        memory.bytes()[damaged * size + 40] ^= 0x01;
+        EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << damaged;
+        EXPECT_EQ(values(), "0000 0000 0000 ") << damaged;
+    }
+}
+
 TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
     verifies<req::CO_STORE_005>();
     set_values("1111");

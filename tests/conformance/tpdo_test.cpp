@@ -131,6 +131,21 @@ TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
     device->node().set_overrun(true, now);
     EXPECT_EQ(sent().size(), 1U);  // 8110h
     EXPECT_EQ(pass(1), (Frames{"0:385#11"}));
+    device->node().set_overrun(false, now);
+    EXPECT_EQ(sent().size(), 1U);
+    EXPECT_EQ(pass(1), (Frames{"0:385#00"}));
+}
+
+/// The answer to the SDO, the emergency message and the TPDO leave together.
+TEST_F(Tpdo, AChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
+    verifies<req::CO_PDO_015>();
+    map_tpdo3({"08000110"});       // 1001h
+    send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
+    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("000#0105");
+    send("710#05");
+    EXPECT_EQ(pass(100), (Frames{"100:085#3081110100000000", "100:385#11"}));
+    EXPECT_EQ(send("605#2316100100000000"), (Frames{"085#0000000100000000", "385#00", "585#6016100100000000"}));
 }
 
 // -- Parameters in operational ----------------------------------------------------------------------------------------
@@ -172,6 +187,12 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#D2482C05"}));
     EXPECT_EQ(send("605#2F03200301000000"), (Frames{"585#6003200300000000"}));
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));
+}
+
+TEST_F(Tpdo, OneBitMoreThanAByteTakesASecondOne) {
+    verifies<req::CO_PDO_028>();
+    map_tpdo3({"08030120", "01010320"});  // 8 bits, 1 bit
+    EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 
 TEST_F(Tpdo, AllSixtyFourBitsCanBeSent) {

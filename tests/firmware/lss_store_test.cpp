@@ -37,6 +37,15 @@ TEST(LssStore, GivesWhatWasStoredLast) {
     }
 }
 
+TEST(LssStore, NeedsNoByteMoreThanItsSize) {
+    verifies<req::CO_LSS_016, req::CO_LSS_017>();
+    host::Memory memory{LssStore::size};
+    for (int node_id = 1; node_id < 4; ++node_id) {
+        EXPECT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 250000}), LssError::none);
+        expect(LssStore{memory}.load(shipped), node_id, 250000);
+    }
+}
+
 TEST(LssStore, LivesAtTheEndOfTheMemory) {
     verifies<req::CO_LSS_016>();
     host::Memory memory{64};

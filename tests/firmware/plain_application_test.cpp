@@ -22,7 +22,7 @@ class PlainApplication final : public Application {
     AbortCode before_write(const EntryRef& entry, ByteView value) override {
         return last_word.has_value() ? *last_word : Application::before_write(entry, value);
     }
-    void after_write(const EntryRef&, Instant) override {}
+    void after_write(const EntryRef& entry, Instant) override { written.push_back(entry.index); }
     void put_factory_values(ParameterGroup) override {}
     void restart(Instant) override {}
     void booted(Instant) override {}
@@ -31,6 +31,8 @@ class PlainApplication final : public Application {
     /// What it answers when it is asked; nothing of its own where empty.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
+    /// What it was told to have a new value.
+    std::vector<std::uint16_t> written{};
 
   private:
     std::array<std::uint8_t, 4> memory_{};
@@ -101,6 +103,20 @@ TEST_F(Plain, TheDeviceIsAskedForAccessToEntriesOfAProgramAlone) {
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#8007220022000008"});
     device->application().access.reset();
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+}
+
+TEST_F(Plain, TheDeviceHearsOfNewValuesOfItsOwnEntriesAlone) {
+    verifies<req::CO_SDO_016>();
+    device->give(0x2207, Service::device);
+    // 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
+    for (const char* request :
+         {"605#2305100080000000", "605#2314100085000000", "605#2B0C100001000000", "605#2316100100000000",
+          "605#2B17100000000000", "605#2F00140201000000", "605#2307220001020304"}) {
+        const Frames answer = send(request);
+        ASSERT_EQ(answer.size(), 1U) << request;
+        EXPECT_EQ(answer.at(0).substr(0, 6), "585#60") << request << ": " << answer.at(0);
+    }
+    EXPECT_EQ(device->application().written, (std::vector<std::uint16_t>{0x2207}));
 }
 
 TEST_F(Plain, OnEntriesOfAProgramTheDeviceHasTheLastWord) {

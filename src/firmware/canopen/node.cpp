@@ -64,7 +64,6 @@ void Node::reset_node(const Instant now) noexcept {
         load_all();  // a value could not be read: nothing of that set is used
     }
     emcy_.reset();
-    faults_ = CommunicationFaults{};
     communication_failed_ = false;
     application_.restart(now);
     tell_damage(now);
@@ -86,7 +85,6 @@ void Node::reset_communication(const Instant now) noexcept {
 
 static_assert(implements<req::CO_LSS_030> && implements<req::CO_K_LSS_UNCONFIGURED>);
 void Node::boot_up(const Instant now) noexcept {
-    wake();
     state_ = NmtState::initialising;
     allowed_ = AllowedServices{};
     start_at_ = never;
@@ -191,7 +189,6 @@ void Node::serve(const Frame& frame, const Instant now) noexcept {
 }
 
 void Node::serve_sync(const Frame& frame, const Instant now) noexcept {
-    wake();
     const bool has_length = sync_.has_length(frame);
     set_error(ErrorId::sync_length, !has_length, now);
     if (has_length) {
@@ -214,7 +211,6 @@ void Node::serve_pdo(const Frame& frame, const Instant now) noexcept {
 
 static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
-    wake();
     start_at_ = never;  // the master has taken over: no self-start any more
     switch (command) {
         case NmtCommand::start:

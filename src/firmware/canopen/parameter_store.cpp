@@ -139,8 +139,6 @@ BankState ParameterStore::inspect(const std::size_t bank, Header& header) const 
 }
 
 void ParameterStore::open() noexcept {
-    bank_ = bank_count - 1U;
-    sequence_ = 0U;
     BankState held{BankState::unused};
     for (std::size_t bank = 0U; bank < bank_count; ++bank) {
         Header header{};

@@ -110,7 +110,6 @@ void read_pdo_parameters(const ObjectDictionary& objects, const PdoDirection dir
                          PdoParameters& read) noexcept {
     const std::uint16_t index = communication_object(direction, number);
     const std::uint32_t entry = cob_id_entry(objects, direction, number);
-    read = PdoParameters{};
     read.identifier = cob_id::identifier(entry);
     read.valid = cob_id::is_valid(entry);
     read.remote_allowed = (entry & cob_id::no_remote) == 0U;

@@ -18,7 +18,6 @@ void ReceivePdos::reset() noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         refresh(number);
     }
-    schedule();
 }
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {

@@ -1,0 +1,68 @@
+// Errors and times of several receive PDOs: each has its own (CiA 301, 7.2.7.1, 7.5.2.35).
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/rpdo_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoLengthErrorOfAnother) {
+    verifies<req::CO_PDO_020, req::CO_PDO_022>();
+    talk(*this, {
+                    {"205#11", {"085#1082110100000000"}},
+                    {"605#2F011402FE000000", {"585#6001140200000000"}},  // 1401h:2, type 254
+                    {"305#01", {}},
+                    {"605#2F011402FF000000", {"585#6001140200000000"}},
+                    {"205#1122", {"085#0000000100000000"}},
+                });
+}
+
+TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoValueErrorOfAnother) {
+    verifies<req::CO_PDO_034, req::CO_PDO_022>();
+    map_rpdo3({"10000022"});  // 2200h, at most 100
+    talk(*this, {
+                    {"405#6500", {"085#0082110100000000"}},
+                    {"605#2F011402FE000000", {"585#6001140200000000"}},
+                    {"405#6400", {"085#0000000100000000"}},
+                });
+}
+
+TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoTimeOutOfAnother) {
+    verifies<req::CO_PDO_021, req::CO_PDO_022>();
+    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2B0014050A000000");  // RPDO1: 10 ms
+    send("205#1122");
+    EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
+    EXPECT_EQ(send("605#2F011402FE000000"), (Frames{"585#6001140200000000"}));
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Rpdo, TheTimeOutLastsWhileAnyPdoIsLate) {
+    verifies<req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2B0014050A000000");  // RPDO1: 10 ms
+    send("605#2B01140514000000");  // RPDO2: 20 ms
+    send("205#1122");
+    send("305#0100020003000400");
+    EXPECT_EQ(pass(20), (Frames{"10:085#5082110100000000"}));
+    EXPECT_TRUE(send("305#0100020003000400").empty());  // RPDO1 is still late
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+}
+
+TEST_F(Rpdo, NothingIsWaitedForWhenTheMonitoringHasEnded) {
+    verifies<req::CO_PDO_021, req::CO_PDO_022>();
+    for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
+        send("605#2B0014050A000000");
+        EXPECT_EQ(device->next_deadline().us, never.us) << end;
+        send("205#1122");
+        EXPECT_EQ(device->next_deadline().us, (now + milliseconds(10)).us) << end;
+        send(end);
+        EXPECT_EQ(pass(0), Frames{});
+        if (end != std::string{"000#8205"}) {  // the TPDOs are off
+            EXPECT_EQ(device->next_deadline().us, never.us) << end;
+            EXPECT_EQ(pass(100), Frames{}) << end;
+        }
+        send("000#0105");
+    }
+}
+
+}  // namespace canproof::test
