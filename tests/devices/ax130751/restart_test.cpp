@@ -229,6 +229,48 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
     EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
 }
 
+TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
+    verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
+    follow_supply(0x3010, 0);
+    set8(0x3015, 1, 1);
+    set32(0x3016, 2, 100);
+    set16(0x3017, 2, 100);
+    set8(0x3015, 3, 0);
+    store();
+    supply(30.0F);
+    pass(40);
+    EXPECT_EQ(get16(0x3018, 0), 40);
+    set16(0x3017, 2, 200);
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 82);
+    send("000#817F");
+    pass(1 + 20);
+    EXPECT_EQ(get16(0x3018, 0), 20) << "of 100, which is stored";
+}
+
+TEST_F(Ax130751Restart, ASumBeginsAt0) {
+    verifies<req::AOR_MATH_009, req::AOR_OUT_026>();
+    // Function 1 adds 2500h:1 percent to itself.
+    extra_as_percent(1);
+    set8(0x4101, 1, 1);
+    set8(0x4100, 1, math_source);
+    set8(0x4102, 1, 1);
+    set8(0x4101, 2, 4);
+    set8(0x4100, 2, canopen);
+    set8(0x4103, 2, 0);
+    set16(0x4122, 2, 100);
+    set8(0x4000, 1, 1);
+    store();
+    set16(0x2500, 1, 1);
+    pass(30);
+    set16(0x2500, 1, 0);
+    pass(5);
+    EXPECT_EQ(get16(0x4030, 1), 3000);
+    send("000#817F");
+    pass(5);
+    EXPECT_EQ(get16(0x4030, 1), 0);
+}
+
 TEST_F(Ax130751Restart, ANodeIdThatWaitsForPowerOnShowsAfterAReset) {
     verifies<req::AOR_NODE_003, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");

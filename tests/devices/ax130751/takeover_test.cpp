@@ -102,7 +102,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
     connect(0x3100, 0, 1);
     write(0x2520, 1, -40, 2);
     write(0x2500, 1, -40, 2);
-    for (const std::uint16_t table : {0x3010, 0x3070, 0x3100}) {
+    for (const std::uint16_t table : std::array<std::uint16_t, 3>{0x3010, 0x3070, 0x3100}) {
         EXPECT_EQ(static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table + 6), 1)), -40) << table;
         write(static_cast<std::uint16_t>(table + 7), 2, 90, 2);
     }
@@ -111,7 +111,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
     write(0x2520, 1, -90, 2);
     write(0x2500, 1, -40, 2);
     pass(1);
-    for (const std::uint16_t table : {0x3010, 0x3070, 0x3100}) {
+    for (const std::uint16_t table : std::array<std::uint16_t, 3>{0x3010, 0x3070, 0x3100}) {
         EXPECT_EQ(static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table + 6), 1)), -90) << table;
         EXPECT_EQ(read(static_cast<std::uint16_t>(table + 8), 0), 45U) << "half way from (-90, 0) to (10, 90)";
     }
