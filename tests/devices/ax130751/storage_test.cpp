@@ -195,6 +195,15 @@ TEST_F(Ax130751Storage, LssKeepsWhat1010hHasStoredAndItHasNotSet) {
     store();
     give_node_id(0x33);
     EXPECT_EQ(read(0x5B51, 0), 0x33U) << "what LSS has set itself it stores";
+    EXPECT_EQ(write(0x5B51, 0, 0x34, 1), "");
+    store();
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    send("7E5#0400");
+    EXPECT_EQ(read(0x5B51, 0), 0x34U) << "LSS has stored 33h before, and not set it since";
+    give_node_id(0x31);
+    EXPECT_EQ(read(0x5B51, 0), 0x31U) << "set by LSS, though the power-on found it";
 }
 
 TEST_F(Ax130751Storage, LssStoresNothingThat1010hHasNotStored) {

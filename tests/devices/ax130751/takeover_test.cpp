@@ -7,7 +7,17 @@ namespace canproof::test {
 
 namespace {
 
-using Ax130751Takeover = Ax130751Test;
+class Ax130751Takeover : public Ax130751Test {
+  protected:
+    /// 2500h:number from 0 to 100, as what an input reads.
+    void connect(std::uint16_t source_index, int sub, int number) {
+        write(0x2502, number, 0, 1);
+        write(0x2522, number, 100, 2);
+        write(static_cast<std::uint16_t>(source_index + 1), sub, 3 + number, 1);
+        write(source_index, sub, 1, 1);
+    }
+    int table_1() { return static_cast<std::int16_t>(read(0x3018, 0)); }
+};
 
 }  // namespace
 
@@ -58,6 +68,170 @@ TEST_F(Ax130751Takeover, ATableThatBecomesOneOverTimeTakesNoOldOn) {
     write(0x2500, 1, 100, 2);
     pass(5);
     EXPECT_NE(read(0x3018, 0), 0U);
+}
+
+// 1.5: only the input starts a profile, and a new point takes effect where it is
+TEST_F(Ax130751Takeover, AProfileRunsOnWhileItsPointsAreWritten) {
+    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
+    connect(0x3010, 0, 1);
+    write(0x3015, 1, 1, 1);
+    write(0x3016, 2, 100, 4);
+    write(0x3017, 2, 50, 2);
+    write(0x3015, 3, 0, 1);
+    write(0x3300, 1, 1, 1);  // logic block 1: table 1 as a part of its limits
+    start();
+    write(0x2500, 1, 100, 2);
+    pass(1 + 40);
+    EXPECT_EQ(table_1(), 20);
+    EXPECT_EQ(read(0x3320, 1), 200U) << "of 0 to 100";
+    write(0x3017, 2, 200, 2);
+    pass(1);
+    EXPECT_EQ(table_1(), 82) << "41 of 100 ms on the way to 200";
+    EXPECT_EQ(read(0x3320, 1), 410U) << "of 0 to 200";
+    write(0x3016, 2, 50, 4);
+    pass(1);
+    EXPECT_EQ(table_1(), 168) << "42 of 50 ms";
+    pass(8);
+    EXPECT_EQ(table_1(), 200);
+}
+
+TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
+    verifies<req::AOR_LT_018>();
+    connect(0x3010, 0, 1);
+    connect(0x3070, 0, 1);
+    connect(0x3100, 0, 1);
+    write(0x2520, 1, -40, 2);
+    write(0x2500, 1, -40, 2);
+    for (const std::uint16_t table : std::array<std::uint16_t, 3>{0x3010, 0x3070, 0x3100}) {
+        EXPECT_EQ(static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table + 6), 1)), -40) << table;
+        write(static_cast<std::uint16_t>(table + 7), 2, 90, 2);
+    }
+    start();
+    pass(2);
+    write(0x2520, 1, -90, 2);
+    write(0x2500, 1, -40, 2);
+    pass(1);
+    for (const std::uint16_t table : std::array<std::uint16_t, 3>{0x3010, 0x3070, 0x3100}) {
+        EXPECT_EQ(static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table + 6), 1)), -90) << table;
+        EXPECT_EQ(read(static_cast<std::uint16_t>(table + 8), 0), 45U) << "half way from (-90, 0) to (10, 90)";
+    }
+}
+
+TEST_F(Ax130751Takeover, OverTimeYOfPoint1IsNoMinimum) {
+    verifies<req::AOR_LT_018, req::AOR_LT_014>();
+    write(0x3021, 0, 1, 1);
+    write(0x3020, 0, 3, 1);  // table 2 over table 1
+    write(0x3015, 1, 1, 1);
+    write(0x3017, 1, -60, 2);
+    EXPECT_EQ(read(0x3026, 1), 0U);
+    write(0x3017, 3, -20, 2);
+    EXPECT_EQ(static_cast<std::int32_t>(read(0x3026, 1)), -20);
+}
+
+// 1.6: a block that is off gives no value
+TEST_F(Ax130751Takeover, AnOutputGoesOffWithTheLogicBlockThatControlsIt) {
+    verifies<req::AOR_LOGIC_009, req::AOR_OUT_008>();
+    connect(0x3010, 0, 1);
+    write(0x3300, 1, 1, 1);
+    write(0x2340, 2, 5, 1);
+    write(0x2341, 2, 1, 1);
+    write(0x2342, 2, 0, 1);
+    write(0x2331, 2, 0, 2);
+    write(0x2330, 2, 0, 2);
+    write(0x7321, 2, 1000, 2);
+    start();
+    pass(2);
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F) << "scaling 1 at 0 %";
+    write(0x3300, 1, 0, 1);
+    pass(2);
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 0.0F) << "no control";
+    write(0x3300, 1, 1, 1);
+    pass(2);
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
+}
+
+// 1.2: a valid override acts whatever has happened to the control
+TEST_F(Ax130751Takeover, ADigitalOutputIsOverriddenWhileItsControlIsInError) {
+    verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
+    write(0x6310, 2, 1020, 2);
+    write(0x6260, 2, 1, 1);
+    connect(0x2360, 2, 1);
+    write(0x2360, 2, 8, 1);  // overridden by the supply, from 8 to 35 V
+    write(0x5021, 0, 0, 1);
+    write(0x1016, 1, 0x00050064, 4);  // node 5, 100 ms
+    start();
+    send("705#05");
+    pass(90);
+    EXPECT_FALSE(device->outputs().out_on[1]);
+    pass(20);
+    EXPECT_TRUE(device->outputs().out_on[1]) << "6260h: a lost heartbeat concerns 6220h as well";
+    inputs.supply = 36.0F;
+    set_inputs();
+    pass(1);
+    EXPECT_FALSE(device->outputs().out_on[1]) << "2300h is 0";
+    inputs.supply = 8.0F;
+    set_inputs();
+    pass(1);
+    EXPECT_TRUE(device->outputs().out_on[1]);
+    send("705#05");
+    pass(1);
+    EXPECT_FALSE(device->outputs().out_on[1]) << "6220h:2 is 0";
+}
+
+TEST_F(Ax130751Takeover, ALostHeartbeatPutsTheRelayOff) {
+    verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
+    write(0x1016, 3, 0x00050064, 4);
+    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both 6220h:3
+        SCOPED_TRACE(source);
+        write(0x2260, 1, source, 1);
+        write(0x2261, 1, source == 1 ? 3 : 1, 1);
+        start();
+        write(0x6220, 3, 1, 1);
+        send("705#05");
+        pass(99);
+        EXPECT_TRUE(device->outputs().relay_nc);
+        pass(2);
+        EXPECT_FALSE(device->outputs().relay_nc);
+        send("705#05");
+        pass(1);
+        EXPECT_TRUE(device->outputs().relay_nc);
+        pass(200);
+    }
+}
+
+// 1.4: the unlatch input is read whatever the polarity, so that its hysteresis holds when a latch is chosen
+TEST_F(Ax130751Takeover, AnUnlatchThatCameBeforeTheLatchCounts) {
+    verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
+    connect(0x2270, 1, 1);
+    start();
+    write(0x2500, 1, 100, 2);
+    pass(1);
+    write(0x2500, 1, 50, 2);
+    pass(1);
+    write(0x2242, 1, 3, 1);
+    pass(1);
+    write(0x6220, 3, 1, 1);
+    pass(1);
+    EXPECT_FALSE(device->outputs().relay_nc) << "unlatched";
+    write(0x2500, 1, 0, 2);
+    write(0x6220, 3, 0, 1);
+    pass(1);
+    write(0x6220, 3, 1, 1);
+    pass(1);
+    EXPECT_TRUE(device->outputs().relay_nc);
+}
+
+// 1.8: detection has nothing to do with measuring
+TEST_F(Ax130751Takeover, MeasuresWithoutDetection) {
+    verifies<req::AOR_DIAG_001, req::AOR_DIAG_005>();
+    write(0x5021, 0, 0, 1);
+    write(0x5031, 0, 0, 1);
+    inputs.supply = 12.5F;
+    inputs.cpu_temperature = 99.0F;
+    set_inputs();
+    EXPECT_EQ(pass(1), Frames{});
+    EXPECT_EQ(read(0x5020, 0), 0x41480000U);  // 12.5
+    EXPECT_EQ(read(0x5030, 0), 0x42C60000U);  // 99.0
 }
 
 }  // namespace canproof::test

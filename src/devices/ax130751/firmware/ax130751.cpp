@@ -152,18 +152,17 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// What makes CANopen messages faulty as sources, and the state in which outputs run.
+/// Watches what makes CANopen messages faulty as sources. The state of the node, in which outputs run, changes with a
+/// frame, an input or such a fault.
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
         silent = silent || node_.has_error(error);
     }
     const std::uint8_t overdue = node_.overdue_rpdos();
-    const NmtState state = node_.state();
-    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_) || (state != watched_state_)) {
+    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_)) {
         silent_ = silent;
         overdue_ = overdue;
-        watched_state_ = state;
         wake(now);
     }
 }
@@ -224,8 +223,6 @@ void Device::restart(const Instant now) {
     relay_.reset(supervision_.has_power(), outputs_);
     show_bit_rate();
     show_node_id();
-    overdue_ = 0U;
-    silent_ = false;
     epoch_ = now;
     next_cycle_ = never;
     wake(now);

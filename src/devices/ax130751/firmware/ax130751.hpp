@@ -93,7 +93,6 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
-    NmtState watched_state_{NmtState::initialising};
     /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
     /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
     bool was_quiet_{false};

@@ -71,13 +71,6 @@ LookupLimits limits_for_others(const LookupPoints& points) noexcept {
     return within ? percent : limits;
 }
 
-template <typename T>
-bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noexcept {
-    const bool changes = objects.get(entry) != value;
-    objects.set(entry, value);
-    return changes;
-}
-
 }  // namespace
 
 bool is_over_time(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
@@ -99,18 +92,13 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
     const LookupFields& fields = lookup_fields[number - 1U];
     const SourceRef& source = source_.follow(objects.get(fields.source), objects.get(fields.number));
     const BlockSignal input = sources.reading(source);
-    LookupOutput output{};
-    if (input.is_available()) {
-        if (!is_read_) {
-            config_ = read_table(objects, number);
-            limits_ = limits_for_others(config_.points);
-            is_read_ = true;
-        }
-        const bool starts_by_limits = config_.axis == LookupAxis::time;
-        output = table_.advance(starts_by_limits ? sources.signal(source) : input, config_, now);
-    } else {
-        table_.reset();
+    if (input.is_available() && (!is_read_)) {
+        config_ = read_table(objects, number);
+        limits_ = limits_for_others(config_.points);
+        is_read_ = true;
     }
+    const bool starts_by_limits = config_.axis == LookupAxis::time;
+    const LookupOutput output = table_.advance(starts_by_limits ? sources.signal(source) : input, config_, now);
     const bool changes = output.state != state_;
     state_ = output.state;
     sources.set_lookup(number, output.state, limits_);

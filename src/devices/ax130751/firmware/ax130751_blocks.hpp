@@ -13,7 +13,7 @@ class TableBlock {
   public:
     void reset() noexcept {
         table_.reset();
-        reread();
+        is_read_ = false;
     }
     /// Its parameters are others than they were.
     void reread() noexcept { is_read_ = false; }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "devices/ax130751/firmware/lookup_table.hpp"
+#include "firmware/canopen/object_dictionary.hpp"
 #include "generated/ax130751/index.hpp"
 #include "generated/ax130751/objects.hpp"
 
@@ -17,6 +18,14 @@ constexpr std::uint32_t extra_received_count = 6U;
 constexpr std::uint32_t table_count = 10U;
 constexpr std::uint32_t logic_count = 3U;
 constexpr std::uint32_t math_count = 4U;
+
+/// Sets an entry. True when it had another value.
+template <typename T>
+bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noexcept {
+    const bool changes = objects.get(entry) != value;
+    objects.set(entry, value);
+    return changes;
+}
 
 /// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
 struct TableEntry {

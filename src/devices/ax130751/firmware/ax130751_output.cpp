@@ -51,7 +51,6 @@ void UniversalOutput::reset() noexcept {
     enable_ = DigitalReading{};
     override_ = DigitalReading{};
     type_ = objects_.get(field::o6310_ao_output_type[number_]);
-    static_cast<void>(show(0, 0));
 }
 
 static_assert(implements<req::AOR_OUT_023>);
@@ -65,7 +64,6 @@ bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Ou
     follow_type();
     const InputSignals signals = read_inputs();
     clear(outputs);
-    next_change_ = never;
     return is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
                                          : advance_analogue(signals, cycle, inputs, outputs);
 }
@@ -234,17 +232,12 @@ bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputC
     outputs.out_on[at] = state.drive;
     outputs.out_level[at] = static_cast<float>(level());
     outputs.out_voltage[at] = state.drive ? outputs.out_level[at] : 0.0F;
-    next_change_ = digital_.next_change();
     return show(static_cast<std::int16_t>(state.logic ? 1 : 0), static_cast<std::int16_t>(state.drive ? 1 : 0));
 }
 
 bool UniversalOutput::show(const std::int16_t target, const std::int16_t feedback) noexcept {
-    const bool changes = (target != shown_target_) || (feedback != shown_feedback_);
-    shown_target_ = target;
-    shown_feedback_ = feedback;
-    objects_.set(field::o7330_ao_output_field_value[number_], target);
-    objects_.set(field::o2370_ao_feedback_field_value[number_], feedback);
-    return changes;
+    const bool changes = replace(objects_, field::o7330_ao_output_field_value[number_], target);
+    return replace(objects_, field::o2370_ao_feedback_field_value[number_], feedback) || changes;
 }
 
 static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);

@@ -30,7 +30,7 @@ class UniversalOutput {
     /// Drives the output, 7330h and 2370h. True when they changed or a ramp is under way.
     bool advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept;
     /// When it will change by itself, its inputs staying as they are.
-    Instant next_change() const noexcept { return next_change_; }
+    Instant next_change() const noexcept { return digital_.next_change(); }
 
     /// Writes what belongs to the type in 6310h (5550h).
     void take_type_defaults() noexcept;
@@ -89,9 +89,6 @@ class UniversalOutput {
     DigitalReading enable_{};
     DigitalReading override_{};
     std::uint16_t type_{0U};
-    std::int16_t shown_target_{0};
-    std::int16_t shown_feedback_{0};
-    Instant next_change_{never};
 };
 
 }  // namespace canproof::ax130751

@@ -58,10 +58,7 @@ SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept
 
 void Sources::reset() noexcept {
     lookup_states_.fill(SignalState::not_available);
-    lookup_limits_.fill(LookupLimits{});
     logic_states_.fill(SignalState::not_available);
-    overdue_ = 0U;
-    silent_ = false;
 }
 
 void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcept {

@@ -54,6 +54,8 @@ class Sources {
   public:
     explicit Sources(const ObjectDictionary& objects) noexcept : objects_{objects} {}
 
+    /// No table and no logic block has a value until its next cycle. The limits of one without a value are not looked
+    /// at, and each cycle begins with set_network().
     void reset() noexcept;
     /// `overdue`: bit n stands for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
     void set_network(std::uint8_t overdue, bool silent) noexcept;

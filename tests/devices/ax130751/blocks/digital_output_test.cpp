@@ -91,6 +91,24 @@ TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
     EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
 }
 
+TEST_F(DigitalOutputTest, LogicStateOfOtherDrivesIsTheirs) {
+    verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_005>();
+    const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
+        return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;
+    };
+    EXPECT_TRUE(logic_of(OutputDrive::override_value, true, false));
+    EXPECT_FALSE(logic_of(OutputDrive::override_value, false, true));
+    EXPECT_TRUE(logic_of(OutputDrive::fault_value, false, true));
+    EXPECT_FALSE(logic_of(OutputDrive::fault_value, true, false));
+    for (const auto drive : {OutputDrive::shut_off, OutputDrive::ramp_off, OutputDrive::shutdown}) {
+        EXPECT_TRUE(logic(true, inverse));
+        EXPECT_FALSE(logic_of(drive, true, true));
+        EXPECT_FALSE(logic_of(OutputDrive::keep, true, true)) << "as before";
+    }
+    EXPECT_TRUE(logic(true, inverse));
+    EXPECT_TRUE(logic_of(OutputDrive::keep, false, false)) << "as before";
+}
+
 TEST_F(DigitalOutputTest, KeepsItsState) {
     verifies<req::AOR_DO_005, req::AOR_DO_006>();
     EXPECT_EQ(run("#", normal), "#");

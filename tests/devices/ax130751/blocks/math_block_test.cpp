@@ -308,6 +308,20 @@ TEST(MathBlock, ADifferenceThatGetsItsSignMovesTheNextCycle) {
     EXPECT_DOUBLE_EQ(block.advance(sum).value, -0.1 - 0.5) << "function 1 = -0.3 + 0.2";
 }
 
+TEST(MathBlock, AFunctionThatIsNoLongerDoneFeedsBack0) {
+    verifies<req::AOR_MATH_007, req::AOR_MATH_009>();
+    // Function 1 = function 2 + 0.1; function 2 = that + input 3, which then is not used.
+    MathBlock block;
+    const std::array<std::uint8_t, 3> operators{plus, plus, plus};
+    const MathConfig whole{{result_of(2), percent(10), percent(20), unused}, operators};
+    EXPECT_DOUBLE_EQ(block.advance(whole).value, 0.1 + 0.2);
+    EXPECT_DOUBLE_EQ(block.advance(whole).value, 0.3 + 0.1 + 0.2);
+    const MathConfig without{{result_of(2), percent(10), unused, unused}, operators};
+    EXPECT_DOUBLE_EQ(block.advance(without).value, 0.6 + 0.1) << "of the cycle before";
+    EXPECT_FALSE(block.is_settled());
+    EXPECT_DOUBLE_EQ(block.advance(without).value, 0.1);
+}
+
 TEST(MathBlock, OutputLiesBetweenItsScalings) {
     verifies<req::AOR_MATH_008>();
     EXPECT_DOUBLE_EQ(math_output(0.25, 0.0, 100.0), 25.0);

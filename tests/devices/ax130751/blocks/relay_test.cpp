@@ -109,6 +109,17 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
+TEST_F(RelayTest, ALatchThatIsChosenAgainWaitsForNothing) {
+    verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
+    // Unlatched when another polarity is chosen; chosen again, it takes the first edge.
+    EXPECT_EQ(run("#.", latched, ".#"), "#.");
+    EXPECT_EQ(run(".", normal), ".");
+    EXPECT_EQ(run("#", latched), "#");
+    EXPECT_EQ(run("#", inverse_latched), "#") << "the inverse latch rests ON";
+    EXPECT_EQ(run(".", inverse_latched), ".");
+    EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
+}
+
 TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
     verifies<req::AOR_RELAY_007>();
     EXPECT_EQ(run(".##.", normal, "####"), ".##.");

@@ -1,0 +1,290 @@
+// What an AX130751 forgets with a reset or a new type, and when a source is taken away: hysteresis, faults, states of
+// blocks (1.2 to 1.8).
+#include <functional>
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751Restart : public Ax130751Blocks {
+  protected:
+    /// Every input here follows the supply: OFF at 12 V and below, ON at 30 V and above.
+    void follow_supply(std::uint16_t source_index, int sub) {
+        set8(0x5021, 0, 0);
+        set8(0x5023, 0, 30);
+        set8(0x5022, 0, 12);
+        set8(source_index, sub, supply_source);
+    }
+    void supply(float volts_supplied) {
+        inputs.supply = volts_supplied;
+        set_inputs();
+        pass(1);
+    }
+    /// With a reset of the node an input is OFF until it was outside; with one of the communication it goes on.
+    void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
+        SCOPED_TRACE(name);
+        store();
+        for (const char* reset : {"000#817F", "000#827F"}) {
+            SCOPED_TRACE(reset);
+            supply(30.0F);
+            EXPECT_TRUE(is_input_on());
+            supply(20.0F);
+            EXPECT_TRUE(is_input_on()) << "as before";
+            send(reset);
+            start();
+            pass(2);
+            EXPECT_EQ(is_input_on(), std::string{reset} == "000#827F") << "OFF before it was ever outside";
+            supply(30.0F);
+            supply(12.0F);
+            supply(20.0F);
+            EXPECT_FALSE(is_input_on());
+        }
+        restore();
+        send("000#817F");
+        inputs.supply = 24.0F;
+        set_inputs();
+        start();
+        pass(1);
+    }
+};
+
+}  // namespace
+
+TEST_F(Ax130751Restart, InputsOfOutputsForgetTheirHysteresis) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
+    for (const int output : {1, 2}) {
+        set16(0x6310, output, 1020);
+        follow_supply(0x2340, output);
+        forgets(fmt::format("control {}", output), [&] { return is_on(output); });
+
+        set16(0x6310, output, 1020);
+        set8(0x2241, output, 1);  // inverse: ON without a command
+        set8(0x2352, output, 0);  // enabled when ON
+        follow_supply(0x2350, output);
+        forgets(fmt::format("enable {}", output), [&] { return is_on(output); });
+
+        set16(0x6310, output, 1020);
+        set16(0x2300, output, 1);
+        set8(0x2362, output, 0);  // overridden when ON
+        follow_supply(0x2360, output);
+        forgets(fmt::format("override {}", output), [&] { return is_on(output); });
+    }
+}
+
+TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
+    follow_supply(0x2260, 1);
+    forgets("control", [&] { return relay_on(); });
+
+    set8(0x2242, 1, 2);  // inverse: ON without a command
+    set8(0x2282, 1, 0);  // enabled when ON
+    follow_supply(0x2280, 1);
+    forgets("enable", [&] { return relay_on(); });
+
+    set8(0x2293, 1, 1);
+    set8(0x2292, 1, 0);  // overridden when ON
+    follow_supply(0x2290, 1);
+    forgets("override", [&] { return relay_on(); });
+
+    set8(0x2242, 1, 4);  // the inverse latch goes OFF with its control while it is not unlatched
+    follow_supply(0x2270, 1);
+    forgets("unlatch", [&] {
+        set8(0x6220, 3, 1);
+        pass(1);
+        set8(0x6220, 3, 0);
+        pass(1);
+        const bool unlatched = relay_on();
+        set8(0x6220, 3, 1);
+        pass(1);
+        set8(0x6220, 3, 0);  // back at rest, which is ON
+        pass(1);
+        return unlatched;
+    });
+}
+
+TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
+    verifies<req::AOR_OUT_023, req::AOR_DO_002>();
+    const auto type_changes = [this](const char* name) {
+        SCOPED_TRACE(name);
+        supply(30.0F);
+        supply(20.0F);
+        EXPECT_TRUE(is_on(2));
+        set16(0x6310, 2, 1000);
+        set16(0x2300, 2, 1);
+        pass(2);
+        EXPECT_FALSE(is_on(2));
+        supply(30.0F);
+        EXPECT_TRUE(is_on(2));
+    };
+    set16(0x6310, 2, 1020);
+    follow_supply(0x2340, 2);
+    type_changes("control");
+    set8(0x2340, 2, canopen);
+    set16(0x6310, 2, 1020);
+    set8(0x2241, 2, 1);
+    set8(0x2352, 2, 0);
+    follow_supply(0x2350, 2);
+    type_changes("enable");
+    set8(0x2350, 2, not_used);
+    set8(0x2241, 2, 0);
+    set16(0x6310, 2, 1020);
+    set16(0x2300, 2, 1);
+    set8(0x2362, 2, 0);
+    follow_supply(0x2360, 2);
+    type_changes("override");
+}
+
+TEST_F(Ax130751Restart, FaultsWithinTheirHysteresisEndWithAResetOfTheNode) {
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_OUT_026>();
+    struct Case {
+        const char* name;
+        float beyond, within;  ///< V or degrees
+        bool hot;
+    };
+    for (const Case& one : {Case{"under-voltage", 7.5F, 10.0F, false}, Case{"over-voltage", 36.0F, 32.0F, false},
+                            Case{"temperature", 90.0F, 70.0F, true}}) {
+        for (const bool whole : {true, false}) {
+            SCOPED_TRACE(fmt::format("{}, {}", one.name, whole ? "node" : "communication"));
+            float& measured = one.hot ? inputs.cpu_temperature : inputs.supply;
+            const float sound = measured;
+            measured = one.beyond;
+            set_inputs();
+            pass(1);
+            measured = one.within;
+            set_inputs();
+            pass(1);
+            EXPECT_EQ(read(0x1001, 0), 1U) << "until it has recovered";
+            send(whole ? "000#817F" : "000#827F");
+            pass(2);
+            EXPECT_EQ(read(0x1001, 0), whole ? 0U : 1U);
+            EXPECT_EQ(read(0x1003, 0), whole ? 0U : 1U) << "blocks go on with the communication's reset";
+            measured = sound;
+            set_inputs();
+            start();
+            pass(1);
+        }
+    }
+}
+
+// Table 1 and logic block 1 are evaluated before what they read here.
+TEST_F(Ax130751Restart, BlocksBeginAsNotAvailable) {
+    verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
+    extra_as_percent(1);
+    set16(0x3017, 1, 50);  // 50 at X = 0
+    set8(0x3020, 0, canopen);
+    set8(0x3021, 0, 4);
+    set8(0x3300, 1, 1);
+    set8(0x3401, 1, 2);
+    set8(0x3402, 1, 0);
+    for (const int source : {lookup_source, logic_source}) {
+        set8(0x3010, 0, source);
+        set8(0x3011, 0, source == lookup_source ? 2 : 1);
+        pass(5);
+        EXPECT_EQ(get16(0x3018, 0), 50);
+        store();
+        for (const bool switched : {false, true}) {
+            SCOPED_TRACE(fmt::format("source {}, {}", source, switched ? "power-on" : "reset"));
+            if (switched) {
+                power_on();
+            } else {
+                send("000#817F");
+            }
+            now = now + milliseconds(1);
+            device->advance(now);
+            EXPECT_EQ(device->objects().read(0x3018, 0), 0U) << "its source has not been evaluated yet";
+            now = now + milliseconds(1);
+            device->advance(now);
+            EXPECT_EQ(device->objects().read(0x3018, 0), 50U);
+        }
+    }
+}
+
+TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
+    verifies<req::AOR_LT_010, req::AOR_LT_015>();
+    extra_as_percent(1);
+    set8(0x3015, 1, 1);
+    set32(0x3016, 2, 100);
+    set16(0x3017, 2, 100);
+    set8(0x3015, 3, 0);
+    set8(0x3011, 0, 4);
+    set8(0x3010, 0, canopen);
+    extra(1, 100);
+    pass(60);
+    EXPECT_EQ(get16(0x3018, 0), 60);
+    set8(0x3010, 0, not_used);
+    pass(1);
+    set8(0x3010, 0, canopen);
+    pass(1 + 20);
+    EXPECT_EQ(get16(0x3018, 0), 20);
+    extra(1, 50);
+    EXPECT_EQ(get16(0x3018, 0), 21) << "still ON";
+    set8(0x3010, 0, not_used);
+    pass(1);
+    set8(0x3010, 0, canopen);
+    pass(10);
+    EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
+}
+
+TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
+    verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
+    follow_supply(0x3010, 0);
+    set8(0x3015, 1, 1);
+    set32(0x3016, 2, 100);
+    set16(0x3017, 2, 100);
+    set8(0x3015, 3, 0);
+    store();
+    supply(30.0F);
+    pass(40);
+    EXPECT_EQ(get16(0x3018, 0), 40);
+    set16(0x3017, 2, 200);
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 82);
+    send("000#817F");
+    pass(1 + 20);
+    EXPECT_EQ(get16(0x3018, 0), 20) << "of 100, which is stored";
+}
+
+TEST_F(Ax130751Restart, ASumBeginsAt0) {
+    verifies<req::AOR_MATH_009, req::AOR_OUT_026>();
+    // Function 1 adds 2500h:1 percent to itself.
+    extra_as_percent(1);
+    set8(0x4101, 1, 1);
+    set8(0x4100, 1, math_source);
+    set8(0x4102, 1, 1);
+    set8(0x4101, 2, 4);
+    set8(0x4100, 2, canopen);
+    set8(0x4103, 2, 0);
+    set16(0x4122, 2, 100);
+    set8(0x4000, 1, 1);
+    store();
+    set16(0x2500, 1, 1);
+    pass(30);
+    set16(0x2500, 1, 0);
+    pass(5);
+    EXPECT_EQ(get16(0x4030, 1), 3000);
+    send("000#817F");
+    pass(5);
+    EXPECT_EQ(get16(0x4030, 1), 0);
+}
+
+TEST_F(Ax130751Restart, ANodeIdThatWaitsForPowerOnShowsAfterAReset) {
+    verifies<req::AOR_NODE_003, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+    EXPECT_EQ(write(0x5B50, 0, 3, 1), "");
+    store();
+    EXPECT_EQ(write(0x5B51, 0, 0x31, 1), "");
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");
+    send("000#827F");
+    EXPECT_EQ(read(0x5B51, 0), 0x31U) << "as written";
+    EXPECT_EQ(read(0x5B50, 0), 2U);
+    send("000#817F");
+    EXPECT_EQ(device->node_id(), 127);
+    EXPECT_EQ(read(0x5B51, 0), 0x30U) << "as stored";
+    EXPECT_EQ(read(0x5B50, 0), 3U);
+}
+
+}  // namespace canproof::test
