@@ -6,6 +6,7 @@
 
 #include "host/base/input_error.hpp"
 #include "host/datasheet/eds_numbers.hpp"
+#include "host/datasheet/read_xdd.hpp"
 
 namespace canproof::host {
 
@@ -27,7 +28,9 @@ EdsLine read_line(std::string_view raw) {
     line.crlf = !raw.empty() && raw.back() == '\r';
     line.text = std::string{line.crlf ? raw.substr(0, raw.size() - 1) : raw};
     const std::string text = trimmed(raw);
-    if (text.empty() || text.front() == ';' || text.front() == '#') {
+    const bool has_control = std::any_of(text.begin(), text.end(),
+                                         [](char c) { return static_cast<unsigned char>(c) < 0x20U && c != '\t'; });
+    if (text.empty() || text.front() == ';' || text.front() == '#' || has_control || raw.size() > longest_ini_line) {
         return line;
     }
     const auto cut = text.find(text.front() == '[' ? ']' : '=');
@@ -103,6 +106,10 @@ std::optional<EdsObjectName> eds_object_name(const std::string& section) {
 }
 
 EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
+    if (is_xml(std::string{text})) {
+        throw InputError{
+            fmt::format("{} is XML; only EDS and DCF files are checked", name_.empty() ? "the text" : name_)};
+    }
     Faults faults;
     Faults notes;  // the rules say the same with more words
     ini_ = read_ini(std::string{text}, EdsTelling{name_, faults, notes});

@@ -14,6 +14,7 @@
 namespace canproof::host {
 
 struct EdsLine {
+    /// empty: a comment as well, and what read_ini() passes over: control characters, too long a line.
     enum class Kind { empty, section, value, strange };
     Kind kind{Kind::empty};
     std::string text;    ///< as it stands, without its end

@@ -32,12 +32,14 @@ class TextCheck {
             ++number_;
             check_bytes(line);
             if (line.kind == EdsLine::Kind::section) {
+                skips_ = false;
                 open_section(line);
-            } else if (line.kind == EdsLine::Kind::value) {
+            } else if (line.kind == EdsLine::Kind::value && !skips_) {
                 check_key(line);
             } else if (line.kind == EdsLine::Kind::strange) {
                 findings_.add("text-strange-line", number_,
                               fmt::format("`{}` is neither [Section] nor Key=Value", line.text.substr(0, 40)));
+                skips_ = skips_ || line.text.find('[') == line.text.find_first_not_of(" \t");
             }
         }
     }
@@ -93,18 +95,26 @@ class TextCheck {
             findings_.add("section-duplicate", number_,
                           fmt::format("[{}] stands already in line {}", line.name, first->second));
         }
+        check_section_name(line);
+    }
+
+    void check_section_name(const EdsLine& line) {
         const auto object = eds_object_name(line.name);
         const std::string known = known_section(line.name);
+        // An entry without ParameterName is called by its section.
+        const IniSection* section = sheet_.ini().find(line.name);
+        const bool named = !object || (section != nullptr && section->filled("ParameterName") != nullptr) ||
+                           object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
         if (object && object->kind == EdsObjectName::Kind::sub && line.name.size() > 8 && line.name[7] == '0') {
             const std::string plain = fmt::format("{:04X}sub{:X}", object->index, object->sub);
             findings_.add("section-sub-zeros", number_, fmt::format("[{}] has leading zeros", line.name),
-                          sheet_.ini().find(plain) == nullptr ? replace_line(number_, "[" + plain + "]")
-                                                              : std::vector<EdsEdit>{});
+                          named && sheet_.ini().find(plain) == nullptr ? replace_line(number_, "[" + plain + "]")
+                                                                       : std::vector<EdsEdit>{});
         } else if (known.empty()) {
             findings_.add("section-unknown", number_, fmt::format("[{}] is no section of CiA 306", line.name));
         } else if (known != line.name) {
             findings_.add("section-case", number_, fmt::format("[{}] is written [{}]", known, line.name),
-                          replace_line(number_, "[" + known + "]"));
+                          named ? replace_line(number_, "[" + known + "]") : std::vector<EdsEdit>{});
         }
     }
 
@@ -136,6 +146,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
+    bool skips_{false};  ///< below what is no section
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;
