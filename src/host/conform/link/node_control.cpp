@@ -9,8 +9,8 @@ void send_nmt(Link& link, NmtCommand command, std::uint8_t node) {
     link.send(frame);
 }
 
-bool take_boot_up(Link& link, std::uint8_t node) {
-    const Instant deadline = link.now() + boot_limit;
+bool take_boot_up(Link& link, std::uint8_t node, Duration limit) {
+    const Instant deadline = link.now() + limit;
     const FrameKey key{0x700U + node, false, false};
     for (auto record = link.take(key, deadline); record; record = link.take(key, deadline)) {
         if (record->frame.length == 1U && record->frame.data[0] == 0U) {

@@ -20,7 +20,7 @@ constexpr Duration boot_limit = milliseconds(5000);
 
 /// To `node`; 0: to all.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Takes the boot-up message; heartbeats before it are left behind. False when none comes within boot_limit.
-bool take_boot_up(Link& link, std::uint8_t node);
+/// Takes the boot-up message; heartbeats before it are left behind. False when none comes within `limit`.
+bool take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -13,6 +13,7 @@ namespace {
 constexpr Duration settling = milliseconds(50);
 constexpr Duration afterthought = milliseconds(20);  // a frame too many comes by then
 constexpr Duration power_off_time = milliseconds(200);
+constexpr Duration silent_boot_limit = milliseconds(500);  // of a slave that has sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;
 constexpr std::uint16_t identity_index = 0x1018;
 constexpr std::uint16_t store_index = 0x1010;
@@ -62,7 +63,11 @@ void CaseRunner::note_sent(const Frame& frame) {
 bool CaseRunner::reset(NmtCommand command) {
     link_.begin_case();
     send_nmt(link_, command, sheet_.node_id);
-    bool booted = take_boot_up(link_, sheet_.node_id);
+    bool booted = take_boot_up(link_, sheet_.node_id, boots_silently_ ? silent_boot_limit : boot_limit);
+    if (!booted && answers()) {
+        boots_silently_ = true;
+        booted = true;
+    }
     if (!booted && target_.has_power()) {
         target_.power(false);
         link_.wait(power_off_time);
@@ -83,6 +88,21 @@ bool CaseRunner::reset(NmtCommand command) {
     return booted;
 }
 
+/// Whether any answer comes from the SDO server, right or wrong.
+bool CaseRunner::answers() {
+    constexpr ObjectPlace device_type{0x1000, 0};
+    link_.forget();
+    sdo_.allow_unasked(true);
+    try {
+        sdo_.read(device_type);
+    } catch (const NoAnswer&) {
+        return false;
+    } catch (const SlaveFailed&) {
+        return true;
+    }
+    return true;
+}
+
 void CaseRunner::prepare(Preparation how) {
     const bool node = how == Preparation::reset_node;
     const bool fresh = fresh_ == Fresh::node || (fresh_ == Fresh::communication && !node);
@@ -96,36 +116,51 @@ void CaseRunner::prepare(Preparation how) {
     written_.clear();
     sent_other_ = false;
     journal_ = {};
+    if (boots_silently_) {
+        journal_.notes.emplace_back("the slave sends no boot-up message, or not each time");
+    }
     if (options_.traffic > 0.0) {
         link_.set_traffic(options_.traffic, false);
     }
 }
 
 void CaseRunner::begin(ConformReport& report) {
-    try {
-        if (!reset(NmtCommand::reset_node)) {
-            throw NoAnswer{"no boot-up message"};
+    if (!reset(NmtCommand::reset_node)) {
+        throw InputError{fmt::format(
+            "node {} on {} does not answer (no boot-up message); check the node-ID, the bit rate and the cable",
+            sheet_.node_id, target_.name())};
+    }
+    sdo_.allow_unasked(true);
+    if (boots_silently_) {
+        report.troubles.emplace_back("no boot-up message after reset node");
+    }
+    for (const auto& [subindex, name] :
+         std::map<std::uint8_t, const char*>{{1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
+        identity_[name] = from_little_endian(read_at_start({identity_index, subindex}, report), 0, 4);
+        report.identity[name] = fmt::format("{:08X}h", identity_[name]);
+    }
+    for (const auto& [index, name] : std::map<std::uint16_t, const char*>{
+             {0x1008, "name"}, {0x1009, "hardware version"}, {0x100A, "software version"}}) {
+        const Bytes text = read_at_start({index, 0}, report);
+        if (!text.empty()) {
+            report.identity[name] = std::string(text.begin(), text.end());
         }
-        for (const auto& [subindex, name] :
-             std::map<std::uint8_t, const char*>{{1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
-            const SdoOutcome outcome = sdo_.read({identity_index, subindex});
-            identity_[name] = outcome.abort == 0 ? from_little_endian(outcome.data, 0, 4) : 0;
-            report.identity[name] = fmt::format("{:08X}h", identity_[name]);
-        }
-        for (const auto& [index, name] : std::map<std::uint16_t, const char*>{
-                 {0x1008, "name"}, {0x1009, "hardware version"}, {0x100A, "software version"}}) {
-            const SdoOutcome outcome = sdo_.read({index, 0});
-            if (outcome.abort == 0) {
-                report.identity[name] = std::string(outcome.data.begin(), outcome.data.end());
-            }
-        }
-        snapshot_.take(sdo_, sheet_);
-    } catch (const SlaveFailed& failed) {
-        throw InputError{
-            fmt::format("node {} on {} does not answer ({}); check the node-ID, the bit rate and the cable",
-                        sheet_.node_id, target_.name(), failed.what())};
+    }
+    for (const std::string& trouble : snapshot_.take(sdo_, sheet_)) {
+        report.troubles.push_back(trouble);
     }
     fresh_ = Fresh::no;
+}
+
+/// The value of an entry; empty when it has none, or when the slave answers wrongly, which is reported.
+Bytes CaseRunner::read_at_start(const ObjectPlace& place, ConformReport& report) {
+    try {
+        return sdo_.read(place).data;
+    } catch (const SlaveFailed& failed) {
+        report.troubles.push_back(
+            fmt::format("{:04X}h:{:02X} cannot be read: {}", place.index, place.subindex, failed.what()));
+        return {};
+    }
 }
 
 void CaseRunner::set_variables(Scope& scope) const {

@@ -17,7 +17,8 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Finds the slave, reads its identity and its parameters. Throws InputError when it does not answer.
+    /// Finds the slave, reads its identity and its parameters. What it answers wrongly is reported as a trouble. Throws
+    /// InputError when it does not answer at all.
     void begin(ConformReport& report);
     /// Runs a case, again where it failed on a real bus. Throws Interrupted.
     CaseResult run(const Case& one);
@@ -37,6 +38,8 @@ class CaseRunner {
     /// Throws NoAnswer.
     void prepare(Preparation how);
     bool reset(NmtCommand command);
+    bool answers();
+    Bytes read_at_start(const ObjectPlace& place, ConformReport& report);
     void note_sent(const Frame& frame);
     void set_variables(Scope& scope) const;
     std::string not_allowed(const Case& one) const;
@@ -54,6 +57,7 @@ class CaseRunner {
     bool sent_other_{false};  ///< a frame that may have changed more than parameters
     Fresh fresh_{Fresh::no};
     bool alive_{true};
+    bool boots_silently_{false};  ///< it answered after a reset without a boot-up message
     std::map<std::string, std::int64_t> identity_;
     std::optional<bool> block_upload_;
     std::optional<bool> block_download_;

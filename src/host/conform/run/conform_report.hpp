@@ -53,7 +53,8 @@ struct ConformReport {
     std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
     Duration time{};
     bool interrupted{false};
-    std::vector<std::string> left;  ///< what could not be put back at the end
+    std::vector<std::string> troubles;  ///< what the slave did wrongly before the first case
+    std::vector<std::string> left;      ///< what could not be put back at the end
 
     std::size_t count(Verdict verdict) const {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),

@@ -52,7 +52,8 @@ const Bytes* Snapshot::find(const ObjectPlace& place) const {
     return found == values_.end() ? nullptr : &found->second;
 }
 
-void Snapshot::take(SdoClient& sdo, const ConformSheet& sheet) {
+std::vector<std::string> Snapshot::take(SdoClient& sdo, const ConformSheet& sheet) {
+    std::vector<std::string> troubles;
     values_.clear();
     for (const Object& object : sheet.part.objects) {
         for (const Entry& entry : object.entries) {
@@ -61,12 +62,18 @@ void Snapshot::take(SdoClient& sdo, const ConformSheet& sheet) {
                 continue;
             }
             const ObjectPlace place{object.index, entry.subindex};
-            const SdoOutcome outcome = sdo.read(place);
-            if (outcome.abort == 0 && !outcome.data.empty()) {
-                values_[place] = outcome.data;
+            try {
+                const SdoOutcome outcome = sdo.read(place);
+                if (outcome.abort == 0 && !outcome.data.empty()) {
+                    values_[place] = outcome.data;
+                }
+            } catch (const SlaveFailed& failed) {
+                troubles.push_back(
+                    fmt::format("{:04X}h:{:02X} cannot be read: {}", place.index, place.subindex, failed.what()));
             }
         }
     }
+    return troubles;
 }
 
 Snapshot::Places Snapshot::changed(SdoClient& sdo, const Places& places) const {

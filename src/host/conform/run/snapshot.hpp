@@ -16,8 +16,9 @@ class Snapshot {
     /// Longer values are left alone.
     static constexpr std::size_t longest_value = 64;
 
-    /// Reads every entry that can be read and written, commands and DOMAINs apart.
-    void take(SdoClient& sdo, const ConformSheet& sheet);
+    /// Reads every entry that can be read and written, commands and DOMAINs apart. Gives those that the slave answers
+    /// wrongly, a sentence each: they are not part of it.
+    std::vector<std::string> take(SdoClient& sdo, const ConformSheet& sheet);
     /// Writes back those of `places` that read otherwise, in an order that a slave accepts, and reads them again.
     /// Gives what could not be put back, a sentence each. Throws NoAnswer.
     std::vector<std::string> put_back(SdoClient& sdo, const std::set<ObjectPlace>& places);

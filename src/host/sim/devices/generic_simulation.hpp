@@ -18,6 +18,8 @@ class GenericSimulation final : public SimulatedDevice {
     explicit GenericSimulation(Part part);
 
     const Part& part() const { return part_; }
+    /// The protocol layer and its dictionary, for a test that alters what they do.
+    GenericDevice& device() { return device_; }
 
     void set_node_id(NodeId node_id) override;
     void power_on(Instant now) override;

@@ -1,0 +1,56 @@
+// Kinds of distortions that several faults share.
+#pragma once
+
+#include <functional>
+
+#include "tests/conformance/zoo/fault.hpp"
+#include "tests/conformance/zoo/sdo_frames.hpp"
+
+namespace canproof::test::zoo {
+
+using FrameTest = std::function<bool(WrongSlave&, const Frame&)>;
+using FrameChange = std::function<Frame(WrongSlave&, const Frame&)>;
+using ObjectTest = std::function<bool(std::uint16_t index, std::uint8_t subindex)>;
+using ValueChange = std::function<std::uint32_t(std::uint32_t value)>;
+
+Distortion hears(FrameHook hear);
+Distortion says(FrameHook say);
+Distortion hears_and_says(FrameHook hear, FrameHook say);
+Distortion has_dictionary(std::function<void(host::Part&)> alter);
+
+/// Frames that the slave does not hear, or does not send.
+Distortion is_deaf_to(FrameTest which);
+Distortion keeps_back(FrameTest which);
+/// Changes what an answer of the SDO server says; segments of a block upload stay as they are.
+Distortion answers_otherwise(FrameChange change);
+/// Changes a request to the SDO server.
+Distortion takes_requests_as(FrameChange change);
+/// Gives an abort code for another.
+Distortion aborts_with(std::uint32_t code, std::uint32_t other);
+/// Confirms downloads of these objects that the correct slave refuses with `code`; nothing is written.
+Distortion confirms_refused(ObjectTest which, std::uint32_t code);
+/// Works with another value than was written, and reads back what was written. Expedited transfers.
+Distortion works_with(ObjectTest which, ValueChange change);
+
+inline ObjectTest object(std::uint16_t index) {
+    return [index](std::uint16_t other, std::uint8_t) { return other == index; };
+}
+inline ObjectTest entry(std::uint16_t index, std::uint8_t subindex) {
+    return [=](std::uint16_t other, std::uint8_t sub) { return other == index && sub == subindex; };
+}
+/// One sub-index of all objects from `first` to `last`.
+inline ObjectTest entries(std::uint16_t first, std::uint16_t last, std::uint8_t subindex) {
+    return [=](std::uint16_t index, std::uint8_t sub) { return index >= first && index <= last && sub == subindex; };
+}
+inline ObjectTest objects(std::uint16_t first, std::uint16_t last) {
+    return [=](std::uint16_t index, std::uint8_t) { return index >= first && index <= last; };
+}
+inline ValueChange always(std::uint32_t value) {
+    return [value](std::uint32_t) { return value; };
+}
+/// The value times `parts` hundredths, rounded down.
+inline ValueChange percent(std::uint32_t parts) {
+    return [parts](std::uint32_t value) { return static_cast<std::uint32_t>(std::uint64_t{value} * parts / 100U); };
+}
+
+}  // namespace canproof::test::zoo

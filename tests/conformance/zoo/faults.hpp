@@ -1,0 +1,29 @@
+// The zoo's table of faults.
+#pragma once
+
+#include "tests/conformance/zoo/fault.hpp"
+
+namespace canproof::test::zoo {
+
+Faults sdo_faults();
+Faults sdo_frame_faults();
+Faults sdo_transfer_faults();
+Faults sdo_block_faults();
+Faults dictionary_faults();
+Faults nmt_faults();
+Faults heartbeat_faults();
+Faults guarding_faults();
+Faults emcy_faults();
+Faults sync_faults();
+Faults transmit_pdo_faults();
+Faults transmit_pdo_parameter_faults();
+Faults receive_pdo_faults();
+Faults mapping_faults();
+Faults lss_faults();
+Faults lss_setting_faults();
+Faults store_faults();
+
+/// All of them, in that order.
+const Faults& all_faults();
+
+}  // namespace canproof::test::zoo

@@ -1,0 +1,41 @@
+// A slave in virtual time on a bus with foreign frames at random times.
+#pragma once
+
+#include <memory>
+#include <random>
+
+#include "host/conform/link/virtual_target.hpp"
+
+namespace canproof::test::zoo {
+
+/// The frames have identifiers that CiA 301 gives to nobody (7.3.5), so that no slave listens to them: some win over
+/// those of the slave, some do not. The same seed gives the same frames at the same times.
+class LoadedTarget final : public host::conform::Target {
+  public:
+    /// `load`: part of the bus that they take, 0 to 1. Above 0.7 a tester with one queue falls behind.
+    LoadedTarget(std::unique_ptr<host::SimulatedDevice> device, std::uint8_t node_id, double load, std::uint64_t seed);
+
+    Instant now() const override { return inner_.now(); }
+    void send(const Frame& frame) override { inner_.send(frame); }
+    std::size_t waiting() const override { return inner_.waiting(); }
+    void advance(Instant until) override;
+    bool has_power() const override { return true; }
+    void power(bool on) override { inner_.power(on); }
+    bool follows_bit_rate() const override { return true; }
+    std::uint32_t bit_rate() const override { return inner_.bit_rate(); }
+    const std::string& name() const override { return inner_.name(); }
+    bool is_repeatable() const override { return true; }
+    host::BusReport report() const override { return inner_.report(); }
+
+  private:
+    std::uint64_t draw(std::uint64_t below) { return generator_() % below; }
+    Duration random_gap();
+    Frame random_frame();
+
+    host::conform::VirtualTarget inner_;
+    double load_;
+    std::mt19937_64 generator_;
+    Instant next_{};
+};
+
+}  // namespace canproof::test::zoo

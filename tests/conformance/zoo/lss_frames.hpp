@@ -1,0 +1,43 @@
+// LSS as the faults look at it.
+#pragma once
+
+#include "tests/conformance/zoo/distortions.hpp"
+
+namespace canproof::test::zoo {
+
+constexpr std::uint32_t lss_requests = 0x7E5;
+constexpr std::uint32_t lss_answers = 0x7E4;
+
+inline bool is_lss(const Frame& frame, unsigned command) {
+    return is_data(frame, lss_requests) && frame.data[0] == command;
+}
+inline Frame lss_answer(unsigned command, unsigned byte) {
+    return with_byte(with_byte(data_frame(lss_answers, 8), 0, command), 1, byte);
+}
+inline Frame lss_request(unsigned command, unsigned byte) {
+    return with_id(lss_answer(command, byte), lss_requests);
+}
+inline Frame lss_mode(bool configuration) {
+    return lss_request(0x04, configuration ? 1 : 0);
+}
+/// One of the four numbers of 1018h in bytes 1 to 4.
+inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned number) {
+    Frame own = frame;
+    set_field_le<1, 4>(own.data, slave.dictionary().read(0x1018, static_cast<std::uint8_t>(number + 1)));
+    return own;
+}
+
+/// Whether the slave is in LSS configuration; see follows_lss(). Kept in notes[lss_mode_note].
+constexpr std::uint32_t lss_mode_note = 0x1000;
+inline bool is_configuring(WrongSlave& slave) {
+    return slave.notes[lss_mode_note] != 0;
+}
+/// Keeps is_configuring() beside the hooks of `distortion`, which see the mode before their frame.
+Distortion follows_lss(Distortion distortion);
+
+/// Serves an LSS request otherwise. `serve` gives false for one that the correct slave shall serve.
+Distortion serves_lss(std::function<bool(WrongSlave&, const Frame&)> serve);
+/// Changes an LSS answer.
+Distortion answers_lss_otherwise(FrameChange change);
+
+}  // namespace canproof::test::zoo

@@ -1,0 +1,75 @@
+// The conformance slave with one fault. Every fault of the zoo gets hold of it here: at the frames that it hears, at
+// those that it says, and at its dictionary.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "host/sim/devices/generic_simulation.hpp"
+#include "tests/conformance/zoo/fault.hpp"
+
+namespace canproof::test::zoo {
+
+/// Node 5. Without a distortion it is correct.
+class WrongSlave final : public host::SimulatedDevice {
+  public:
+    explicit WrongSlave(Distortion distortion = {});
+
+    void set_node_id(host::NodeId node_id) override { inner_->set_node_id(node_id); }
+    void power_on(Instant now) override;
+    void receive(const Frame& frame, Instant now) override;
+    void advance(Instant now) override;
+    Instant next_deadline() const override;
+    bool set_input(const std::string& name, double value, Instant now) override;
+    std::vector<double> inputs() const override { return inner_->inputs(); }
+    const std::vector<std::string>& input_names() const override { return inner_->input_names(); }
+    std::vector<double> outputs() const override { return inner_->outputs(); }
+    const std::vector<std::string>& output_names() const override { return inner_->output_names(); }
+    std::uint8_t node_id() const override { return inner_->node_id(); }
+    NmtState state() const override { return inner_->state(); }
+    std::uint32_t bit_rate() const override { return inner_->bit_rate(); }
+    const ObjectDictionary* objects() const override { return inner_->objects(); }
+
+    // For the hooks.
+
+    /// Hands a frame to the correct slave.
+    void pass(const Frame& frame) { inner_->receive(frame, now_); }
+    /// Sends a frame.
+    void say(const Frame& frame);
+    /// Sends a frame at `when`, which is later than now.
+    void say_at(Instant when, const Frame& frame) { later_.emplace(when.us, frame); }
+    /// Does an SDO request that nobody hears. Gives the correct slave's answer.
+    Frame ask(const Frame& request);
+    /// Writes `size` (1 to 4) bytes of `value` by such a request.
+    void write(std::uint16_t index, std::uint8_t subindex, std::size_t size, std::uint32_t value);
+
+    Instant now() const { return now_; }
+    /// The values of the correct slave; what is altered here is told to no service.
+    ObjectDictionary& dictionary() { return inner_->device().objects(); }
+    /// Whether the frame that is said now is a segment of a block upload.
+    bool says_segment() const { return says_segment_; }
+
+    std::map<std::uint32_t, std::uint32_t> notes;  ///< what a hook remembers, by keys of its own
+    std::vector<std::uint8_t> bytes;               ///< and bytes of a transfer
+
+  private:
+    static constexpr std::size_t most_waiting = 8;  ///< frames; further ones stay with the correct slave
+
+    bool has_room() const { return queue_.size() < most_waiting; }
+    void hear(const Frame& frame);
+    void follow_request(const Frame& frame);
+    void follow_answer(const Frame& frame);
+    void move_frames();
+    void send_late_ones();
+
+    Distortion distortion_;
+    std::unique_ptr<host::GenericSimulation> inner_;  ///< correct but for its dictionary
+    Instant now_{};
+    std::multimap<std::uint64_t, Frame> later_;
+    std::uint8_t next_segment_{0};  ///< sequence number; 0: no block upload
+    bool says_segment_{false};
+};
+
+}  // namespace canproof::test::zoo

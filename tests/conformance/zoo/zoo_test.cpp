@@ -1,0 +1,165 @@
+// The conformance cases notice the faults of the zoo, each by a case of its service, and none fails on a correct slave.
+// CANPROOF_ZOO=all runs every case on every fault and a hundred whole runs under load: some minutes. Without it the
+// cases of the fault's service run until one fails, and each run under load takes a part of the cases.
+// CANPROOF_ZOO_SEED=N begins the random loads with another seed.
+// CANPROOF_ZOO_FAULT=ID runs all cases on one fault and prints what they say.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include "host/base/input_error.hpp"
+#include "host/conform/run/run_cases.hpp"
+#include "tests/conformance/zoo/faults.hpp"
+#include "tests/conformance/zoo/loaded_target.hpp"
+#include "tests/conformance/zoo/wrong_slave.hpp"
+#include "tests/support/slave_register.hpp"
+
+namespace canproof::test::zoo {
+
+namespace {
+
+namespace conform = host::conform;
+
+using conform::CaseResult;
+using conform::ConformOptions;
+using conform::ConformReport;
+using conform::Verdict;
+
+constexpr std::uint8_t node = 5;
+constexpr std::size_t runs_under_load = 100;
+constexpr double least_detected = 0.95;
+
+std::string wish(const char* variable) {
+    const char* const text = std::getenv(variable);
+    return text == nullptr ? "" : text;
+}
+
+bool runs_all() {
+    return wish("CANPROOF_ZOO") == "all";
+}
+
+const conform::ConformSheet& sheet() {
+    static const conform::ConformSheet read = conform::sheet_of(slave_part());
+    return read;
+}
+
+bool is_failure(const CaseResult& one) {
+    return one.verdict == Verdict::failed || one.verdict == Verdict::no_answer || one.verdict == Verdict::broken;
+}
+
+std::string words_of(const CaseResult& one) {
+    return fmt::format("{} ({}): {}: {} [{}]", one.id, one.group, conform::words_of(one.verdict), one.why, one.step);
+}
+
+ConformReport run_on(const Distortion& distortion, const ConformOptions& options) {
+    conform::VirtualTarget target{std::make_unique<WrongSlave>(distortion), node};
+    return conform::run_cases(conform::built_in_cases(), sheet(), target, options);
+}
+
+/// What the cases say of a fault.
+struct Catch {
+    std::vector<std::string> of_service;  ///< cases of its service that failed
+    std::vector<std::string> others;      ///< other cases that failed
+    std::string words;
+};
+
+Catch catch_fault(const Fault& fault, bool all_cases) {
+    ConformOptions options;
+    if (!all_cases) {
+        options.only = {fault.service};
+        options.first_failure_ends = true;
+    }
+    Catch caught;
+    try {
+        for (const CaseResult& one : run_on(fault.distortion, options).results) {
+            if (is_failure(one)) {
+                (one.group == fault.service ? caught.of_service : caught.others).push_back(one.id);
+                caught.words += "  " + words_of(one) + "\n";
+            }
+        }
+    } catch (const host::InputError& error) {
+        caught.words = fmt::format("  no run at all: {}\n", error.what());
+    }
+    return caught;
+}
+
+/// Of `all`, or the one that CANPROOF_ZOO_FAULT names.
+Faults chosen_faults(const Faults& all) {
+    Faults chosen;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Fault& one) {
+        return wish("CANPROOF_ZOO_FAULT").empty() || one.id == wish("CANPROOF_ZOO_FAULT");
+    });
+    return chosen;
+}
+
+/// Of run 0; CANPROOF_ZOO_SEED.
+std::uint64_t first_seed() {
+    return wish("CANPROOF_ZOO_SEED").empty() ? 0 : std::stoull(wish("CANPROOF_ZOO_SEED"));
+}
+
+/// All cases, or a part of them: those whose place and the run's number leave the same rest. Without those that load
+/// the bus themselves: with other load they ask for more than the bus has.
+std::vector<std::string> cases_of_run(std::size_t run) {
+    const std::size_t parts = runs_all() ? 1 : 40;
+    std::vector<std::string> ids;
+    const auto& cases = conform::built_in_cases().cases;
+    for (std::size_t at = run % parts; at < cases.size(); at += parts) {
+        if (cases[at].group != "load") {
+            ids.push_back(cases[at].id);
+        }
+    }
+    return ids;
+}
+
+class UnderRandomLoad : public testing::TestWithParam<std::size_t> {};
+
+}  // namespace
+
+TEST(Zoo, NoCaseFailsOnTheCorrectSlave) {
+    const ConformReport report = run_on({}, {});
+    for (const CaseResult& one : report.results) {
+        EXPECT_FALSE(is_failure(one)) << words_of(one);
+        EXPECT_TRUE(one.left.empty()) << one.id << ": not put back: " << fmt::format("{}", fmt::join(one.left, "; "));
+    }
+    EXPECT_GT(report.count(Verdict::passed), 100U);
+}
+
+TEST_P(UnderRandomLoad, NoCaseFailsOnTheCorrectSlave) {
+    const std::size_t run = GetParam();
+    std::mt19937_64 generator{first_seed() + run};
+    const double load = 0.05 + 0.0055 * static_cast<double>(generator() % 100U);  // 5 to 60 %
+    LoadedTarget target{std::make_unique<WrongSlave>(), node, load, generator()};
+    ConformOptions options;
+    options.cases = cases_of_run(run);
+    for (const CaseResult& one : conform::run_cases(conform::built_in_cases(), sheet(), target, options).results) {
+        EXPECT_FALSE(is_failure(one)) << "load " << load << ": " << words_of(one);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Run, UnderRandomLoad, testing::Range<std::size_t>(0, runs_under_load));
+
+TEST(Zoo, CasesNoticeTheFaultsAndNameTheService) {
+    const Faults faults = chosen_faults(all_faults());
+    const bool all_cases = runs_all() || faults.size() == 1;
+    std::size_t caught = 0;
+    std::string missed;
+    for (const Fault& fault : faults) {
+        const Catch found = catch_fault(fault, all_cases);
+        fmt::print("{:<32} {:<10} {} | {}\n{}", fault.id, fault.service, fmt::join(found.of_service, " "),
+                   fmt::join(found.others, " "), faults.size() == 1 ? found.words : "");
+        if (found.of_service.empty()) {
+            missed += fmt::format("  {} ({}): {}\n{}", fault.id, fault.service, fault.what, found.words);
+        } else {
+            ++caught;
+        }
+    }
+    fmt::print("{} of {} faults are noticed by a case of their service; not noticed:\n{}", caught, faults.size(),
+               missed);
+    ASSERT_FALSE(faults.empty()) << "there is no fault of that name";
+    EXPECT_GE(static_cast<double>(caught), least_detected * static_cast<double>(faults.size())) << missed;
+}
+
+}  // namespace canproof::test::zoo
