@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "generated/version.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/make_bus.hpp"
@@ -144,7 +145,7 @@ int run_conform(const ConformCommandOptions& options) {
     const std::unique_ptr<conform::Target> target =
         options.bus.empty() ? virtual_target(options, sheet) : bus_target(options, sheet);
     conform::ConformReport report = conform::run_cases(book, sheet, *target, run_options(options));
-    report.program = "canproof";
+    report.program = fmt::format("canproof {}", generated::canproof_version);
     if (options.json) {
         fmt::print("{}", conform::write_json(report));
     } else {

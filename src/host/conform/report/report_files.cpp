@@ -30,6 +30,9 @@ std::string summary_lines(const ConformReport& report) {
         }
     }
     text.back() = '\n';
+    for (const std::string& one : report.troubles) {
+        text += "before the first case: " + one + "\n";
+    }
     for (const std::string& one : report.left) {
         text += "not put back: " + one + "\n";
     }

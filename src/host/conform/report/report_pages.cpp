@@ -82,6 +82,9 @@ std::string summary_page(const ConformReport& report) {
     }
     body += "<h2>What did not pass</h2>\n";
     body += failed.empty() ? "<p>Nothing.</p>\n" : html_table({{"Case"}, {"Verdict"}, {"Why"}}, failed);
+    for (const std::string& one : report.troubles) {
+        body += "<p>Before the first case: " + escaped(one) + "</p>\n";
+    }
     for (const std::string& one : report.left) {
         body += "<p>Not put back: " + escaped(one) + "</p>\n";
     }

@@ -58,6 +58,7 @@ std::string write_json(const ConformReport& report) {
     json["identity"] = report.identity;
     json["us"] = report.time.us;
     json["interrupted"] = report.interrupted;
+    json["troubles"] = report.troubles;
     json["not_put_back"] = report.left;
     json["exit_status"] = report.exit_status();
     for (const Verdict verdict : {Verdict::passed, Verdict::failed, Verdict::unstable, Verdict::skipped,
@@ -71,6 +72,41 @@ std::string write_json(const ConformReport& report) {
     return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+namespace {
+
+void add_case(pugi::xml_node suite, const CaseResult& one) {
+    auto node = suite.append_child("testcase");
+    node.append_attribute("classname") = one.group.c_str();
+    node.append_attribute("name") = one.id.c_str();
+    if (one.verdict == Verdict::skipped || one.verdict == Verdict::not_run) {
+        node.append_child("skipped").append_attribute("message") = one.why.c_str();
+    } else if (one.verdict != Verdict::passed) {
+        auto failure = node.append_child(one.verdict == Verdict::broken ? "error" : "failure");
+        failure.append_attribute("type") = words_of(one.verdict);
+        failure.append_attribute("message") = one.why.c_str();
+        failure.append_child(pugi::node_pcdata).set_value(one.step.c_str());
+    }
+}
+
+void add_suite(pugi::xml_node suites, const std::string& group, const std::vector<const CaseResult*>& cases) {
+    const auto count = [&](std::initializer_list<Verdict> verdicts) {
+        return std::count_if(cases.begin(), cases.end(), [&](const CaseResult* one) {
+            return std::find(verdicts.begin(), verdicts.end(), one->verdict) != verdicts.end();
+        });
+    };
+    auto suite = suites.append_child("testsuite");
+    suite.append_attribute("name") = group.c_str();
+    suite.append_attribute("tests") = cases.size();
+    suite.append_attribute("failures") = count({Verdict::failed, Verdict::unstable, Verdict::no_answer});
+    suite.append_attribute("errors") = count({Verdict::broken});
+    suite.append_attribute("skipped") = count({Verdict::skipped, Verdict::not_run});
+    for (const CaseResult* const one : cases) {
+        add_case(suite, *one);
+    }
+}
+
+}  // namespace
+
 std::string write_junit_xml(const ConformReport& report) {
     pugi::xml_document document;
     auto head = document.append_child(pugi::node_declaration);
@@ -78,27 +114,14 @@ std::string write_junit_xml(const ConformReport& report) {
     head.append_attribute("encoding") = "UTF-8";
     auto suites = document.append_child("testsuites");
     for (const std::string& group : case_groups()) {
-        pugi::xml_node suite;
+        std::vector<const CaseResult*> cases;
         for (const CaseResult& one : report.results) {
-            if (one.group != group) {
-                continue;
+            if (one.group == group) {
+                cases.push_back(&one);
             }
-            if (!suite) {
-                suite = suites.append_child("testsuite");
-                suite.append_attribute("name") = group.c_str();
-            }
-            auto node = suite.append_child("testcase");
-            node.append_attribute("classname") = group.c_str();
-            node.append_attribute("name") = one.id.c_str();
-            const bool skipped = one.verdict == Verdict::skipped || one.verdict == Verdict::not_run;
-            if (skipped) {
-                node.append_child("skipped").append_attribute("message") = one.why.c_str();
-            } else if (one.verdict != Verdict::passed) {
-                auto failure = node.append_child(one.verdict == Verdict::broken ? "error" : "failure");
-                failure.append_attribute("type") = words_of(one.verdict);
-                failure.append_attribute("message") = one.why.c_str();
-                failure.append_child(pugi::node_pcdata).set_value(one.step.c_str());
-            }
+        }
+        if (!cases.empty()) {
+            add_suite(suites, group, cases);
         }
     }
     std::ostringstream out;

@@ -17,6 +17,7 @@ constexpr Duration silent_boot_limit = milliseconds(500);  // of a slave that ha
 constexpr std::uint16_t first_application_index = 0x2000;
 constexpr std::uint16_t identity_index = 0x1018;
 constexpr std::uint16_t store_index = 0x1010;
+constexpr std::uint16_t restore_index = 0x1011;
 constexpr std::uint8_t highest_node = 127;
 
 std::set<std::uint32_t> listened_to(const ConformSheet& sheet) {
@@ -52,7 +53,9 @@ void CaseRunner::note_sent(const Frame& frame) {
     if (frame.id == 0x600U + sheet_.node_id && !frame.extended && !frame.remote) {
         if (command == 1U || (command == 6U && (frame.data[0] & 1U) == 0U)) {
             const Bytes bytes = data_of(frame);
-            written_.insert({static_cast<std::uint16_t>(from_little_endian(bytes, 1, 2)), frame.data[3]});
+            const auto index = static_cast<std::uint16_t>(from_little_endian(bytes, 1, 2));
+            written_.insert({index, frame.data[3]});
+            store_changed_ = store_changed_ || (may_store_ && (index == store_index || index == restore_index));
         }
     } else if (frame.id != 0U && function != 0x600U) {
         sent_other_ = true;
@@ -216,6 +219,7 @@ CaseResult CaseRunner::run(const Case& one) {
 
 void CaseRunner::run_once(const Case& one, CaseResult& result) {
     ++result.runs;
+    may_store_ = one.risk == Risk::store;
     result.verdict = Verdict::passed;
     result.why.clear();
     result.step.clear();
@@ -315,6 +319,8 @@ void CaseRunner::check_unasked(const Case& one) {
 void CaseRunner::save_parameters() {
     const std::string signature = "save";
     sdo_.write({store_index, 1}, Bytes(signature.begin(), signature.end()), Transfer::automatic);
+    store_changed_ = false;
+    fresh_ = Fresh::no;
 }
 
 void CaseRunner::clean_up(const Case& one, CaseResult& result) {
@@ -342,12 +348,12 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     const Fresh fresh = fresh_;
     const std::vector<std::string> left = snapshot_.put_back(sdo_, written);
     result.left.insert(result.left.end(), left.begin(), left.end());
-    if (one.risk == Risk::store && written.lower_bound({store_index, 0}) != written.end()) {
+    fresh_ = snapshot_.has_written() ? Fresh::no : fresh;
+    if (store_changed_) {
         const auto all = snapshot_.put_back(sdo_, snapshot_.places());
         result.left.insert(result.left.end(), all.begin(), all.end());
         save_parameters();
     }
-    fresh_ = snapshot_.has_written() || one.risk == Risk::store ? Fresh::no : fresh;
 }
 
 std::vector<std::string> CaseRunner::put_everything_back() {
@@ -357,7 +363,11 @@ std::vector<std::string> CaseRunner::put_everything_back() {
         return {"the slave does not answer; its parameters could not be put back"};
     }
     try {
-        return snapshot_.put_back(sdo_, snapshot_.places());
+        const std::vector<std::string> left = snapshot_.put_back(sdo_, snapshot_.places());
+        if (store_changed_) {
+            save_parameters();
+        }
+        return left;
     } catch (const SlaveFailed& failed) {
         return {fmt::format("its parameters could not be put back: {}", failed.what())};
     }

@@ -54,7 +54,9 @@ class CaseRunner {
     SdoClient sdo_;
     Snapshot snapshot_;
     std::set<ObjectPlace> written_;
-    bool sent_other_{false};  ///< a frame that may have changed more than parameters
+    bool sent_other_{false};     ///< a frame that may have changed more than parameters
+    bool may_store_{false};      ///< the case's risk is to store
+    bool store_changed_{false};  ///< what the slave has stored may not be the snapshot
     Fresh fresh_{Fresh::no};
     bool alive_{true};
     bool boots_silently_{false};  ///< it answered after a reset without a boot-up message

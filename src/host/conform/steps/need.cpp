@@ -138,16 +138,16 @@ Unmet parse_key(Scanner& line) {
     };
 }
 
-unsigned hex_word(Scanner& line) {
+unsigned hex_word(Scanner& line, std::size_t digits) {
     const std::string word = line.word();
-    if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
+    if (word.size() != digits || word.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
         line.fail(fmt::format("`{}` is no need", line.line()), known);
     }
     return static_cast<unsigned>(std::stoul(word, nullptr, 16));
 }
 
 Unmet parse_absent(Scanner& line) {
-    const auto index = static_cast<std::uint16_t>(hex_word(line));
+    const auto index = static_cast<std::uint16_t>(hex_word(line, 4));
     line.finish();
     return [index](Context& context) {
         return context.sheet.object(index) == nullptr ? std::string{} : fmt::format("the EDS has {:04X}h", index);
@@ -155,7 +155,7 @@ Unmet parse_absent(Scanner& line) {
 }
 
 Unmet parse_object_need(Scanner& line) {
-    const auto index = static_cast<std::uint16_t>(hex_word(line));
+    const auto index = static_cast<std::uint16_t>(hex_word(line, 4));
     if (line.at_end()) {
         return [index](Context& context) {
             return context.sheet.object(index) != nullptr ? std::string{}
@@ -163,7 +163,7 @@ Unmet parse_object_need(Scanner& line) {
         };
     }
     line.want(":", "write 1017:00");
-    const ObjectPlace place{index, static_cast<std::uint8_t>(hex_word(line))};
+    const ObjectPlace place{index, static_cast<std::uint8_t>(hex_word(line, 2))};
     Filter filter;
     if (line.take(":")) {
         filter = parse_filter(line, "");

@@ -1,0 +1,33 @@
+// The cases that the program carries.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "host/app/cli/built_in.hpp"
+#include "host/conform/run/cases.hpp"
+
+namespace canproof::host::conform::test {
+
+TEST(BuiltInCases, NameRequirementsThatExist) {
+    std::set<std::string> ids;
+    const Part& shared = built_in_register().parts.front();
+    built_in_register().for_each_item(shared, [&](const Item& item, const char*) { ids.insert(item.id); });
+    for (const Case& one : built_in_cases().cases) {
+        for (const std::string& id : one.tests) {
+            EXPECT_EQ(ids.count(id), 1U) << one.place.file << ':' << one.place.line << ": " << one.id << " tests "
+                                         << id;
+        }
+    }
+}
+
+TEST(BuiltInCases, NameEachNumberOfThePublicTranscriptOnce) {
+    std::set<std::string> numbers;
+    for (const Case& one : built_in_cases().cases) {
+        for (const std::string& number : one.numbers) {
+            EXPECT_TRUE(numbers.insert(number).second) << one.id << " has " << number << " as well";
+        }
+    }
+    EXPECT_EQ(numbers.count("2.1"), 1U);
+}
+
+}  // namespace canproof::host::conform::test
