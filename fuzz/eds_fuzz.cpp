@@ -1,12 +1,16 @@
 // EDS files of any bytes: refused with lines and mends, or a device that switches on, runs and is written and read back
-// the same.
+// the same. The check finds lines that are there, and its safe fixes end and keep the device.
 #include <algorithm>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/require.hpp"
+#include "host/base/input_error.hpp"
+#include "host/datasheet/check/check_eds.hpp"
+#include "host/datasheet/check/fix_eds.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/datasheet/write_dbc.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 
@@ -37,6 +41,26 @@ void run(const host::Part& part) {
     }
 }
 
+std::vector<host::EdsFinding> findings_in(const std::string& text) {
+    try {
+        return host::check_eds(text, "fuzz.eds");
+    } catch (const host::InputError&) {
+        return {};
+    }
+}
+
+void check(const std::string& text, const host::Part& part) {
+    const auto lines = static_cast<unsigned>(std::count(text.begin(), text.end(), '\n') + 1);
+    const std::vector<host::EdsFinding> found = findings_in(text);
+    for (const host::EdsFinding& one : found) {
+        require(one.line > 0 && one.line <= lines && !one.what.empty() && !one.fix.empty());
+    }
+    if (!found.empty()) {
+        const host::EdsResult fixed = host::read_eds(host::fix_eds(text, "fuzz.eds").text, "fuzz.eds");
+        require(fixed.faults.empty() && host::write_eds({}, fixed.part) == host::write_eds({}, part));
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -50,6 +74,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     run(read.part);
+    check({data, data + size}, read.part);
+    require(!host::write_dbc(read.part, 5).empty());
     // The first writing settles what a data sheet cannot say in two ways.
     const host::EdsResult again = host::read_eds(host::write_eds({}, read.part), "fuzz.eds");
     require(again.faults.empty());

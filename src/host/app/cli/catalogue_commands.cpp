@@ -8,10 +8,12 @@
 
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
+#include "host/app/cli/eds_device.hpp"
 #include "host/app/cli/factory_options.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 #include "host/datasheet/eds_values.hpp"
+#include "host/datasheet/write_dbc.hpp"
 #include "host/datasheet/write_dictionary.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
@@ -82,8 +84,30 @@ int list_signals(const std::string& device) {
     return 0;
 }
 
-int print_eds(const std::string& device, const std::string& format) {
-    const Part& part = described_device(device);
+namespace {
+
+bool names_file(const std::string& word) {
+    return word.find_first_of("./") != std::string::npos;
+}
+
+int print_dbc(const Part& part, int node) {
+    const int shipped = part.info.node_id >= 1 && part.info.node_id <= 127 ? part.info.node_id : 1;
+    std::cout << write_dbc(part, static_cast<unsigned>(node == 0 ? shipped : node));
+    return 0;
+}
+
+}  // namespace
+
+int print_eds(const EdsOptions& options) {
+    if (options.format == "dbc") {
+        return names_file(options.device) ? print_dbc(read_eds_part(options.device), options.node)
+                                          : print_dbc(described_device(options.device), options.node);
+    }
+    if (options.node != 0) {
+        throw InputError{"--node is for --format dbc: a data sheet is the same for every node-ID"};
+    }
+    const Part& part = described_device(options.device);
+    const std::string& format = options.format;
     std::cout << (format == "json"       ? write_object_json(part)
                   : format == "md"       ? write_object_markdown(part)
                   : format == "xdd"      ? write_xdd(built_in_register(), part)

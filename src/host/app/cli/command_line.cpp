@@ -12,6 +12,7 @@
 #include "host/app/cli/command.hpp"
 #include "host/app/cli/conform_command.hpp"
 #include "host/app/cli/demo_command.hpp"
+#include "host/app/cli/eds_check_command.hpp"
 #include "host/app/cli/figures_command.hpp"
 #include "host/app/cli/new_command.hpp"
 #include "host/app/cli/panel_command.hpp"
@@ -50,17 +51,45 @@ class CatalogueCommands : Command {
         signals->add_option("DEVICE", shown_)->required();
         signals->callback([this, &chosen] { chosen = [this] { return list_signals(shown_); }; });
 
-        auto* eds = app.add_subcommand("eds", "electronic data sheet of a device");
-        eds->add_option("DEVICE", printed_)->required();
-        eds->add_option("--format", format_, "eds, eds-lely (reals as bits, for Lely's tools), xdd, json or md")
-            ->check(CLI::IsMember({"eds", "eds-lely", "xdd", "json", "md"}));
-        eds->callback([this, &chosen] { chosen = [this] { return print_eds(printed_, format_); }; });
+        add_eds(app, chosen);
     }
 
   private:
+    void add_eds(CLI::App& app, Chosen& chosen) {
+        auto* eds = app.add_subcommand("eds", "electronic data sheet of a device, or its frames as DBC");
+        eds->add_option("DEVICE", printed_.device, "device; for dbc an EDS, DCF or XDD file as well");
+        eds->add_option("--format", printed_.format,
+                        "eds, eds-lely (reals as bits, for Lely's tools), xdd, json, md, or dbc (its frames, "
+                        "for tools that decode logs)")
+            ->check(CLI::IsMember({"eds", "eds-lely", "xdd", "json", "md", "dbc"}));
+        eds->add_option("--node", printed_.node, "node-ID of the frames in a DBC; as shipped without it")
+            ->check(CLI::Range(1, 127));
+        auto* check = eds->add_subcommand("check", "what is wrong in an EDS or DCF file, with line, fix and source");
+        check->add_option("FILE", checked_.file);
+        check->add_option("--fix", checked_.fix, "file to write with all safe fixes; may be FILE itself");
+        check->add_flag("--json", checked_.json, "findings as JSON");
+        check->add_flag("--strict", checked_.strict, "warnings end with 1 as errors do");
+        check->add_flag("--rules", checked_.rules, "every rule with its fix and source, without a file");
+        check->callback([this, &chosen] {
+            if (checked_.file.empty() && !checked_.rules) {
+                throw CLI::RequiredError{"FILE"};
+            }
+            chosen = [this] { return check_eds_file(checked_); };
+        });
+        eds->callback([this, check, &chosen] {
+            if (check->parsed()) {
+                return;  // it has chosen
+            }
+            if (printed_.device.empty()) {
+                throw CLI::RequiredError{"DEVICE"};
+            }
+            chosen = [this] { return print_eds(printed_); };
+        });
+    }
+
     std::string shown_;
-    std::string printed_;
-    std::string format_{"eds"};
+    EdsOptions printed_;
+    EdsCheckOptions checked_;
 };
 
 class SpecCommands : Command {

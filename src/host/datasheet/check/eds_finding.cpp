@@ -1,0 +1,9 @@
+#include "host/datasheet/check/eds_finding.hpp"
+
+namespace canproof::host {
+
+const char* to_text(EdsSeverity severity) {
+    return severity == EdsSeverity::error ? "error" : "warning";
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,40 @@
+// Where the rules put what they find.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/datasheet/check/eds_finding.hpp"
+
+namespace canproof::host {
+
+class EdsFindings {
+  public:
+    /// `rules` by id; they outlive the findings.
+    explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
+
+    /// Adds a finding of the rule. Throws std::out_of_range for a rule that no table has. Beyond Faults::most, findings
+    /// are dropped.
+    void add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits = {});
+    /// The findings, ascending by line.
+    std::vector<EdsFinding> take();
+
+  private:
+    const std::map<std::string, EdsRule>& rules_;
+    std::vector<EdsFinding> all_;
+};
+
+/// Edits of one line.
+inline std::vector<EdsEdit> replace_line(unsigned line, std::string text) {
+    return {{EdsEdit::Kind::replace, line, std::move(text)}};
+}
+inline std::vector<EdsEdit> insert_after_line(unsigned line, std::string text) {
+    return {{EdsEdit::Kind::insert_after, line, std::move(text)}};
+}
+inline std::vector<EdsEdit> erase_line(unsigned line) {
+    return {{EdsEdit::Kind::erase, line, {}}};
+}
+
+}  // namespace canproof::host

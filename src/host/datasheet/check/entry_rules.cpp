@@ -1,0 +1,187 @@
+// Entries: DataType, AccessType, PDOMapping, and what of it fits together.
+#include "host/datasheet/check/entry_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/datasheet/eds_numbers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr auto error = EdsSeverity::error;
+constexpr auto warning = EdsSeverity::warning;
+constexpr const char* type_source = "CiA 306, DataType; CiA 301, data types";
+constexpr const char* access_source = "CiA 306, AccessType";
+constexpr const char* mapping_source = "CiA 306, PDOMapping";
+
+using Kind = EdsDataType::Kind;
+
+class EntryCheck {
+  public:
+    EntryCheck(const EdsSheet& sheet, const EdsSheetEntry& entry, EdsFindings& findings)
+        : sheet_{sheet}, entry_{entry}, findings_{findings} {}
+
+    void run() {
+        check_type();
+        check_access();
+        check_flag();
+        if (entry_.type != nullptr) {
+            check_domain();
+            check_mappable();
+        }
+        if (entry_.access == "const" && entry_.value == nullptr && !is_domain()) {
+            findings_.add("const-default", entry_.section->line, entry_.title() + " is const, but has no default");
+        }
+    }
+
+  private:
+    const IniValue* text(const char* key) const { return entry_.section->filled(key); }
+    bool is_domain() const {
+        const IniValue* code = text("ObjectType");
+        return (code != nullptr && eds_unsigned(code->text) == std::uint64_t{2}) ||
+               (entry_.type != nullptr && entry_.type->kind == Kind::domain);
+    }
+
+    void check_type() {
+        const IniValue* given = text("DataType");
+        if (given == nullptr) {
+            if (!is_domain()) {
+                findings_.add("data-type-missing", entry_.line_of("DataType"), entry_.title() + " has no DataType");
+            }
+            return;
+        }
+        const auto number = eds_unsigned(given->text);
+        const auto described = number && *number <= 0xFFFF ? sheet_.object(static_cast<unsigned>(*number)) : nullptr;
+        if (entry_.type == nullptr && described == nullptr) {
+            findings_.add("data-type-unknown", given->line,
+                          fmt::format("DataType {} of {} is unknown", given->text, entry_.title()));
+        } else if (entry_.type != nullptr && entry_.type->kind == Kind::record) {
+            findings_.add("data-type-record", given->line,
+                          fmt::format("{} is a single value of type {}", entry_.title(), entry_.type->name));
+        }
+    }
+
+    void check_access() {
+        const IniValue* given = text("AccessType");
+        if (given == nullptr) {
+            if (!is_domain()) {
+                findings_.add("access-missing", entry_.line_of("AccessType"), entry_.title() + " has no AccessType");
+            }
+            return;
+        }
+        constexpr std::array<const char*, 6> known{"ro", "wo", "rw", "rwr", "rww", "const"};
+        if (std::find(known.begin(), known.end(), entry_.access) == known.end()) {
+            findings_.add("access-unknown", given->line,
+                          fmt::format("AccessType {} of {} is unknown", given->text, entry_.title()));
+        } else if (entry_.access != given->text) {
+            findings_.add("access-case", given->line,
+                          fmt::format("AccessType {} is written {}", given->text, entry_.access),
+                          replace_line(given->line, "AccessType=" + entry_.access));
+        }
+    }
+
+    void check_flag() {
+        const IniValue* given = text("PDOMapping");
+        if (given != nullptr && eds_unsigned(given->text).value_or(2) > 1) {
+            findings_.add("mapping-flag", given->line,
+                          fmt::format("PDOMapping {} of {} is neither 0 nor 1", given->text, entry_.title()));
+        }
+    }
+
+    void check_domain() {
+        const IniValue* code = text("ObjectType");
+        const bool is_object = code != nullptr && eds_unsigned(code->text) == std::uint64_t{2};
+        const bool is_type = entry_.type->kind == Kind::domain;
+        if (is_object && !is_type) {
+            findings_.add("domain-type", entry_.line_of("DataType"),
+                          fmt::format("{} is a DOMAIN of type {}", entry_.title(), entry_.type->name));
+        } else if (is_type && !is_object && !entry_.compact) {
+            findings_.add("domain-object", entry_.line_of("DataType"),
+                          fmt::format("{} is of type DOMAIN, but ObjectType is not 0x2", entry_.title()));
+        }
+        if (is_type && entry_.value != nullptr) {
+            findings_.add("domain-default", entry_.value->line, entry_.title() + " is a DOMAIN with a default");
+        }
+    }
+
+    void check_mappable() {
+        if (!entry_.mappable) {
+            if (entry_.access == "rwr" || entry_.access == "rww") {
+                findings_.add("mapping-direction-unused", entry_.line_of("AccessType"),
+                              fmt::format("{} is {}, but cannot be mapped", entry_.title(), entry_.access));
+            }
+            return;
+        }
+        if (!entry_.type->fits_pdo()) {
+            findings_.add("mapping-type", entry_.line_of("PDOMapping"),
+                          fmt::format("{} can be mapped, but {} has no fixed length up to 64 bits", entry_.title(),
+                                      entry_.type->name));
+        }
+        if (entry_.access == "const") {
+            findings_.add("mapping-const", entry_.line_of("PDOMapping"),
+                          fmt::format("{} can be mapped, but is const", entry_.title()));
+        }
+        if (entry_.access == "rw") {
+            findings_.add("mapping-no-direction", entry_.line_of("AccessType"),
+                          fmt::format("{} can be mapped, but rw names no direction", entry_.title()));
+        }
+        const bool parameters = entry_.index >= 0x1200 && entry_.index <= 0x1FFF;
+        if (parameters) {
+            findings_.add("mapping-parameter", entry_.line_of("PDOMapping"),
+                          fmt::format("{} is a communication parameter, but can be mapped", entry_.title()));
+        }
+    }
+
+    const EdsSheet& sheet_;
+    const EdsSheetEntry& entry_;
+    EdsFindings& findings_;
+};
+
+}  // namespace
+
+const std::vector<EdsRule>& entry_rules() {
+    static const std::vector<EdsRule> rules{
+        {"data-type-missing", error, "an entry lacks DataType", "add the number of the type", type_source},
+        {"data-type-unknown", error, "a DataType is unknown",
+         "write a type of CiA 301, or describe the type in a section", type_source},
+        {"data-type-record", error, "a single value has the type of a RECORD", "write the type of the entry",
+         type_source},
+        {"access-missing", error, "an entry lacks AccessType", "add ro, wo, rw, rwr, rww or const", access_source},
+        {"access-unknown", error, "an AccessType is unknown", "write ro, wo, rw, rwr, rww or const", access_source},
+        {"access-case", warning, "an AccessType has capital letters", "write small letters", access_source},
+        {"const-default", error, "a constant has no default", "add its value", access_source},
+        {"domain-type", error, "a DOMAIN has the type of a value", "write DataType 0x000F", type_source},
+        {"domain-object", warning, "an entry of type DOMAIN has another ObjectType", "write ObjectType 0x2",
+         type_source},
+        {"domain-default", warning, "a DOMAIN has a default", "remove the value", "CiA 306, DefaultValue"},
+        {"mapping-flag", error, "PDOMapping is neither 0 nor 1", "write 0 or 1", mapping_source},
+        {"mapping-type", error, "an entry without fixed length can be mapped", "write PDOMapping=0", mapping_source},
+        {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or ro", mapping_source},
+        {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction",
+         "write rwr for a transmit PDO, rww for a receive PDO", access_source},
+        {"mapping-direction-unused", warning, "the access of an entry that cannot be mapped names a direction",
+         "write rw, or PDOMapping=1", access_source},
+        {"mapping-parameter", warning, "a communication parameter can be mapped", "write PDOMapping=0",
+         mapping_source}};
+    return rules;
+}
+
+void check_entry(const EdsSheet& sheet, EdsFindings& findings) {
+    for (const auto& [index, object] : sheet.objects()) {
+        const bool is_type = object.code == std::uint64_t{5} || object.code == std::uint64_t{6};
+        const EdsSheetEntry* described = nullptr;  // compact entries are described once
+        for (const EdsSheetEntry& entry : object.entries) {
+            const bool again = entry.compact && described != nullptr && described->compact;
+            if (!is_type && !again) {
+                EntryCheck{sheet, entry, findings}.run();
+            }
+            described = &entry;
+        }
+    }
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,239 @@
+// The three lists of objects.
+#include "host/datasheet/check/list_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "host/datasheet/eds_numbers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr auto error = EdsSeverity::error;
+constexpr auto warning = EdsSeverity::warning;
+constexpr const char* source = "CiA 306, object lists";
+
+constexpr std::array<const char*, 3> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
+constexpr unsigned first_object = 0x1000;  // below lie data types
+
+/// Which list an object belongs to.
+std::size_t list_of(unsigned index) {
+    const bool mandatory = index == 0x1000 || index == 0x1001 || index == 0x1018;
+    return mandatory ? 0 : index >= 0x2000 && index <= 0x5FFF ? 2 : 1;
+}
+
+struct ListEntry {
+    unsigned key{0};
+    unsigned index{0};
+    const IniValue* value{nullptr};
+};
+
+struct List {
+    const IniSection* section{nullptr};
+    std::vector<ListEntry> entries;  ///< ascending by key
+    bool all_known{true};            ///< every line was understood: the list can be written again
+};
+
+class ListCheck {
+  public:
+    ListCheck(const EdsSheet& sheet, EdsFindings& findings) : sheet_{sheet}, findings_{findings} {}
+
+    void run() {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            read(i);
+        }
+        make_fix();
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (lists_[i].section == nullptr) {
+                findings_.add("list-missing", 1, fmt::format("there is no section [{}]", names[i]), fix_);
+            } else {
+                check_numbers(i);
+                check_entries(i);
+            }
+        }
+        check_unlisted();
+    }
+
+  private:
+    void read(std::size_t at) {
+        List& list = lists_[at];
+        list.section = sheet_.section(names[at]);
+        if (list.section == nullptr) {
+            return;
+        }
+        for (const auto& [key, value] : list.section->values) {
+            if (key == "supportedobjects") {
+                continue;
+            }
+            const bool numbered = key.size() <= 6 && key.find_first_not_of("0123456789") == std::string::npos;
+            const auto index = eds_unsigned(value.text);
+            if (!numbered) {
+                findings_.add("list-key", value.line,
+                              fmt::format("{} is no number of a list entry", sheet_.line(value.line).name));
+            } else if (!index || *index == 0 || *index > 0xFFFF) {
+                findings_.add("list-no-index", value.line, fmt::format("{} is no index", value.text));
+            } else {
+                list.entries.push_back({static_cast<unsigned>(std::stoul(key)), static_cast<unsigned>(*index), &value});
+                continue;
+            }
+            list.all_known = false;
+        }
+        std::sort(list.entries.begin(), list.entries.end(),
+                  [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
+    }
+
+    /// All three lists as they should be. One fix serves every finding of the lists.
+    void make_fix() {
+        std::array<std::set<unsigned>, 3> right;
+        for (const List& list : lists_) {
+            if (!list.all_known) {
+                return;
+            }
+            for (const ListEntry& entry : list.entries) {
+                right[list_of(entry.index)].insert(entry.index);
+            }
+        }
+        for (const auto& [index, object] : sheet_.objects()) {
+            if (object.section != nullptr && index >= first_object) {
+                right[list_of(index)].insert(index);
+            }
+        }
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            std::string text = fmt::format("SupportedObjects={}", right[i].size());
+            unsigned number = 0;
+            for (const unsigned index : right[i]) {
+                text += fmt::format("\n{}=0x{:04X}", ++number, index);
+            }
+            const IniSection* section = lists_[i].section;
+            if (section == nullptr) {
+                fix_.push_back({EdsEdit::Kind::insert_after, static_cast<unsigned>(sheet_.lines().size()),
+                                fmt::format("[{}]\n{}", names[i], text)});
+                continue;
+            }
+            for (const auto& [key, value] : section->values) {
+                fix_.push_back({EdsEdit::Kind::erase, value.line, {}});
+            }
+            fix_.push_back({EdsEdit::Kind::insert_after, section->line, text});
+        }
+    }
+
+    void check_numbers(std::size_t at) {
+        const List& list = lists_[at];
+        const IniValue* said = list.section->find("SupportedObjects");
+        const auto count = said == nullptr ? std::nullopt : eds_unsigned(said->text);
+        if (!count) {
+            findings_.add("list-count-missing", said == nullptr ? list.section->line : said->line,
+                          fmt::format("[{}] has no number SupportedObjects", names[at]), fix_);
+        } else if (*count != list.entries.size()) {
+            findings_.add("list-count", said->line,
+                          fmt::format("SupportedObjects is {}, but [{}] lists {} object(s)", *count, names[at],
+                                      list.entries.size()),
+                          fix_);
+        }
+        unsigned due = 0;
+        unsigned last = 0;
+        bool in_order = true;
+        bool numbered = true;
+        for (const ListEntry& entry : list.entries) {
+            if (numbered && entry.key != ++due) {
+                numbered = false;
+                findings_.add("list-numbering", entry.value->line,
+                              fmt::format("the number {} stands where {} is due", entry.key, due), fix_);
+            }
+            if (in_order && entry.index < last) {
+                in_order = false;
+                findings_.add("list-order", entry.value->line,
+                              fmt::format("{} stands behind {}", eds_index_text(entry.index), eds_index_text(last)),
+                              fix_);
+            }
+            last = entry.index;
+        }
+    }
+
+    void check_entries(std::size_t at) {
+        for (const ListEntry& entry : lists_[at].entries) {
+            const std::string title = eds_index_text(entry.index);
+            const auto [first, is_new] = listed_.emplace(entry.index, Listed{at, entry.value->line});
+            if (!is_new) {
+                const bool same = first->second.list == at;
+                findings_.add(same ? "list-duplicate" : "list-two", entry.value->line,
+                              fmt::format("{} is listed already in line {}", title, first->second.line), fix_);
+            }
+            const std::string digits = lower_case(entry.value->text);
+            if (digits.rfind("0x", 0) != 0) {
+                findings_.add("list-form", entry.value->line,
+                              fmt::format("{} is not written in hexadecimal", entry.value->text), fix_);
+            }
+            const EdsSheetObject* object = sheet_.object(entry.index);
+            if (object == nullptr || object->section == nullptr) {
+                findings_.add("list-no-section", entry.value->line,
+                              fmt::format("{} is listed, but there is no [{:04X}]", title, entry.index));
+            }
+            if (entry.index < first_object) {
+                findings_.add("list-data-type", entry.value->line,
+                              fmt::format("{} is the index of a data type", title));
+            } else if (list_of(entry.index) != at) {
+                findings_.add(
+                    "list-wrong", entry.value->line,
+                    fmt::format("{} stands in [{}], not in [{}]", title, names[at], names[list_of(entry.index)]), fix_);
+            }
+        }
+    }
+
+    void check_unlisted() {
+        for (const auto& [index, object] : sheet_.objects()) {
+            if (object.section != nullptr && index >= first_object && listed_.count(index) == 0) {
+                findings_.add("list-none", object.section->line,
+                              fmt::format("[{}] is in none of the lists", object.section->name), fix_);
+            }
+        }
+    }
+
+    struct Listed {
+        std::size_t list{0};
+        unsigned line{0};
+    };
+
+    const EdsSheet& sheet_;
+    EdsFindings& findings_;
+    std::array<List, 3> lists_;
+    std::map<unsigned, Listed> listed_;
+    std::vector<EdsEdit> fix_;
+};
+
+}  // namespace
+
+const std::vector<EdsRule>& list_rules() {
+    static const std::vector<EdsRule> rules{
+        {"list-missing", error, "a list of objects is missing",
+         "add the section, with SupportedObjects=0 when it is empty", source},
+        {"list-count-missing", error, "a list lacks SupportedObjects", "add the number of its objects", source},
+        {"list-count", error, "SupportedObjects differs from the objects that are listed",
+         "write the number of objects", source},
+        {"list-key", warning, "a key of a list is no number", "write the entries as 1=0x1000, 2=0x1001 …", source},
+        {"list-no-index", error, "an entry of a list is no index", "write an index from 0x1000 to 0xFFFF", source},
+        {"list-numbering", error, "the entries of a list are not numbered from 1 without gap", "number them again",
+         source},
+        {"list-order", warning, "a list is not ascending", "list the objects by ascending index", source},
+        {"list-duplicate", error, "an object stands twice in a list", "list it once", source},
+        {"list-two", error, "an object stands in two lists", "list it once, in the list of its kind", source},
+        {"list-form", warning, "an index is not hexadecimal", "write it as 0x and four digits", source},
+        {"list-no-section", error, "an object is listed but not described", "describe it, or remove it from the list",
+         source},
+        {"list-data-type", error, "a data type is listed as an object", "remove it from the list", source},
+        {"list-wrong", error, "an object stands in a list of another kind",
+         "1000h, 1001h and 1018h are mandatory, 2000h to 5FFFh the manufacturer's, all others optional", source},
+        {"list-none", error, "an object is described but not listed", "add it to the list of its kind", source}};
+    return rules;
+}
+
+void check_list(const EdsSheet& sheet, EdsFindings& findings) {
+    ListCheck{sheet, findings}.run();
+}
+
+}  // namespace canproof::host

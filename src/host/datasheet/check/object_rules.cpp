@@ -1,0 +1,349 @@
+// Objects and their sub-objects: ObjectType, SubNumber, sub-index 0, CompactSubObj.
+#include "host/datasheet/check/object_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/datasheet/check/known_names.hpp"
+#include "host/datasheet/eds_numbers.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr auto error = EdsSeverity::error;
+constexpr auto warning = EdsSeverity::warning;
+constexpr const char* source = "CiA 306, object sections";
+constexpr const char* compact_source = "CiA 306, CompactSubObj";
+constexpr const char* types_source = "CiA 306, ObjectType; CiA 301, object codes";
+
+constexpr unsigned first_object = 0x1000;
+constexpr std::size_t longest_name = 241;  // CiA 306, ParameterName
+
+bool is_mapping(unsigned index) {
+    return (index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U;
+}
+
+class ObjectCheck {
+  public:
+    ObjectCheck(const EdsSheet& sheet, EdsFindings& findings) : sheet_{sheet}, findings_{findings} {}
+
+    void run() {
+        for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
+            if (sheet_.object(index) == nullptr) {
+                findings_.add("object-mandatory", 1, fmt::format("there is no object {}", eds_index_text(index)));
+            }
+        }
+        for (const auto& [index, object] : sheet_.objects()) {
+            if (object.section == nullptr) {
+                findings_.add("sub-alone", object.line(),
+                              fmt::format("[{}] stands without [{:04X}]", object.subs.begin()->second->name, index));
+                continue;
+            }
+            check_object(object);
+            if (object.is_several()) {
+                check_sub_number(object);
+                check_sub_zero(object);
+                check_subs(object);
+            }
+        }
+        check_sections();
+        check_compact_lists();
+    }
+
+  private:
+    void check_object(const EdsSheetObject& object) {
+        const IniSection& section = *object.section;
+        const IniValue* type = section.filled("ObjectType");
+        const IniValue* flags = section.filled("ObjFlags");
+        if (type == nullptr) {
+            findings_.add("object-type-missing", section.line, fmt::format("[{}] has no ObjectType", section.name),
+                          object.subs.empty() && section.filled("DataType") != nullptr
+                              ? insert_after_line(section.line, "ObjectType=0x7")
+                              : std::vector<EdsEdit>{});
+        }
+        const std::uint64_t code = object.code.value_or(UINT64_MAX);
+        if (code != 2 && (code < 5 || code > 9)) {
+            findings_.add("object-type-unknown", type == nullptr ? section.line : type->line,
+                          fmt::format("ObjectType {} is unknown", type == nullptr ? "" : type->text));
+        }
+        if ((code == 5 || code == 6) && object.index >= first_object) {
+            findings_.add("object-type-place", type->line,
+                          fmt::format("{} is described as a data type", object.title()));
+        } else if (object.index < first_object && code != 5 && code != 6) {
+            findings_.add("object-data-type", section.line,
+                          fmt::format("[{}] is at the index of a data type, but is none", section.name));
+        }
+        if (object.is_single() && !object.subs.empty()) {
+            findings_.add("object-single-subs", section.line,
+                          fmt::format("{} is a single value, but has sub-objects", object.title()));
+        }
+        if (object.index >= 0xC000) {
+            findings_.add("object-reserved", section.line, fmt::format("{} is reserved", object.title()));
+        }
+        if (flags != nullptr && eds_unsigned(flags->text).value_or(4) > 3) {
+            findings_.add("object-flags", flags->line,
+                          fmt::format("ObjFlags {} is no number from 0 to 3", flags->text));
+        }
+        const IniValue* subs = section.filled("SubNumber");
+        if (object.is_single() && subs != nullptr && eds_unsigned(subs->text) != std::uint64_t{0}) {
+            findings_.add("object-single-number", subs->line,
+                          fmt::format("{} is a single value with SubNumber {}", object.title(), subs->text),
+                          object.subs.empty() ? erase_line(subs->line) : std::vector<EdsEdit>{});
+        }
+        check_compact(object);
+        check_own_values(object);
+    }
+
+    void check_compact(const EdsSheetObject& object) {
+        const IniValue* compact = object.section->filled("CompactSubObj");
+        if (compact == nullptr) {
+            return;
+        }
+        const auto count = eds_unsigned(compact->text);
+        if (!count || *count > 254) {
+            findings_.add("compact-count", compact->line,
+                          fmt::format("CompactSubObj {} is no number from 0 to 254", compact->text));
+        } else if (*count != 0 && !object.is_several()) {
+            findings_.add("compact-single", compact->line,
+                          fmt::format("{} is a single value with CompactSubObj", object.title()));
+        } else if (*count != 0 && !object.subs.empty()) {
+            findings_.add(
+                "compact-subs", compact->line,
+                fmt::format("{} has CompactSubObj and [{}]", object.title(), object.subs.begin()->second->name));
+        }
+    }
+
+    /// Values of the object itself say something of CompactSubObj alone.
+    void check_own_values(const EdsSheetObject& object) {
+        if (!object.is_several() || object.compact != 0 || object.subs.empty()) {
+            return;
+        }
+        for (const char* key : {"DefaultValue", "LowLimit", "HighLimit", "PDOMapping", "AccessType"}) {
+            const IniValue* value = object.section->filled(key);
+            if (value != nullptr) {
+                findings_.add("object-own-value", value->line,
+                              fmt::format("{} of [{}] is that of no entry", key, object.section->name));
+            }
+        }
+    }
+
+    void check_sub_number(const EdsSheetObject& object) {
+        if (object.compact != 0) {
+            return;
+        }
+        if (object.subs.empty()) {
+            findings_.add("object-no-subs", object.section->line, fmt::format("{} has no sub-objects", object.title()));
+            return;
+        }
+        const std::string right = fmt::format("SubNumber={}", object.subs.size());
+        const IniValue* said = object.section->filled("SubNumber");
+        if (said == nullptr) {
+            const IniValue* empty = object.section->find("SubNumber");
+            findings_.add(
+                "subnumber-missing", object.section->line, fmt::format("[{}] has no SubNumber", object.section->name),
+                empty == nullptr ? insert_after_line(object.section->line, right) : replace_line(empty->line, right));
+        } else if (eds_unsigned(said->text) != object.subs.size()) {
+            findings_.add(
+                "subnumber", said->line,
+                fmt::format("SubNumber is {}, but {} sub-object(s) are described", said->text, object.subs.size()),
+                replace_line(said->line, right));
+        }
+    }
+
+    void check_sub_zero(const EdsSheetObject& object) {
+        if (object.compact != 0 || object.subs.empty()) {
+            return;
+        }
+        const EdsSheetEntry* zero = object.entry(0);
+        if (zero == nullptr) {
+            findings_.add("sub0-missing", object.section->line, fmt::format("{} has no sub-index 0", object.title()));
+            return;
+        }
+        if (zero->type != nullptr && zero->type->number != 5) {
+            findings_.add("sub0-type", zero->line_of("DataType"),
+                          fmt::format("{} is {}", zero->title(), zero->type->name));
+        }
+        const bool counts = is_mapping(object.index) || object.index == 0x1003;
+        const bool communication = object.index < 0x2000;
+        if (zero->access == "wo" || (communication && !counts && zero->access != "ro" && zero->access != "const" &&
+                                     object.index != 0x1016 && !zero->access.empty())) {
+            findings_.add("sub0-access", zero->line_of("AccessType"),
+                          fmt::format("{} is {}", zero->title(), zero->access));
+        }
+        const auto value = zero->number();
+        if (zero->value == nullptr) {
+            findings_.add("sub0-default-missing", zero->section->line, fmt::format("{} has no default", zero->title()));
+            return;
+        }
+        const unsigned highest = object.entries.back().sub;
+        const bool fixed = zero->access == "ro" || zero->access == "const";
+        const bool multiplexed = is_mapping(object.index) && value && value->bits >= 254;
+        if (value && !counts && !multiplexed && (fixed ? value->bits != highest : value->bits > highest)) {
+            findings_.add(
+                "sub0-value", zero->value->line,
+                fmt::format("{} is {}, but the highest sub-index is {}", zero->title(), value->bits, highest));
+        }
+    }
+
+    void check_subs(const EdsSheetObject& object) {
+        if (object.code != std::uint64_t{8}) {
+            return;
+        }
+        const EdsSheetEntry* first = nullptr;
+        unsigned due = 0;
+        for (const EdsSheetEntry& entry : object.entries) {
+            if (entry.sub == 0) {
+                continue;
+            }
+            if (entry.sub != ++due) {
+                findings_.add("array-gap", entry.section->line,
+                              fmt::format("{} stands where sub-index {:02X} is due", entry.title(), due));
+                due = entry.sub;
+            }
+            first = first == nullptr ? &entry : first;
+            if (entry.type != nullptr && first->type != nullptr && entry.type != first->type) {
+                findings_.add("array-types", entry.line_of("DataType"),
+                              fmt::format("{} is {}, {} is {}", entry.title(), entry.type->name, first->title(),
+                                          first->type->name));
+            }
+        }
+    }
+
+    /// Names and keys of every section of an object.
+    void check_sections() {
+        for (const auto& [name, section] : sheet_.ini().sections) {
+            const auto object = eds_object_name(name);
+            if (!object) {
+                continue;
+            }
+            const bool is_list =
+                object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
+            for (const auto& [key, value] : section.values) {
+                if (known_key(name, key).empty()) {
+                    findings_.add("object-key-unknown", value.line,
+                                  fmt::format("{} is no key of [{}]", sheet_.line(value.line).name, section.name));
+                }
+            }
+            const IniValue* title = is_list ? nullptr : section.filled("ParameterName");
+            if (!is_list && title == nullptr) {
+                findings_.add("object-name-missing", section.line,
+                              fmt::format("[{}] has no ParameterName", section.name));
+            } else if (title != nullptr && title->text.size() > longest_name) {
+                findings_.add(
+                    "object-name-long", title->line,
+                    fmt::format("ParameterName has {} characters; {} are allowed", title->text.size(), longest_name));
+            }
+            const IniValue* type = section.filled("ObjectType");
+            if (object->kind == EdsObjectName::Kind::sub && type != nullptr) {
+                const std::uint64_t code = eds_unsigned(type->text).value_or(UINT64_MAX);
+                if (code != 7 && code != 2) {
+                    findings_.add("sub-object-type", type->line,
+                                  fmt::format("[{}] has ObjectType {}", section.name, type->text));
+                }
+            }
+        }
+    }
+
+    /// [1018Name] and [1018Value]
+    void check_compact_lists() {
+        for (const auto& [name, section] : sheet_.ini().sections) {
+            const auto found = eds_object_name(name);
+            if (!found || (found->kind != EdsObjectName::Kind::name && found->kind != EdsObjectName::Kind::value)) {
+                continue;
+            }
+            const EdsSheetObject* object = sheet_.object(found->index);
+            if (object == nullptr || object->compact == 0) {
+                findings_.add("compact-alone", section.line,
+                              fmt::format("[{}] stands without CompactSubObj", section.name));
+                continue;
+            }
+            std::size_t count = 0;
+            for (const auto& [key, value] : section.values) {
+                const auto sub = key == "nrofentries" ? std::nullopt : eds_unsigned(key);
+                count += key == "nrofentries" ? 0 : 1;
+                if (sub && (*sub == 0 || *sub > object->compact)) {
+                    findings_.add(
+                        "compact-beyond", value.line,
+                        fmt::format("[{}] has an entry {}; CompactSubObj is {}", section.name, *sub, object->compact));
+                }
+            }
+            const IniValue* said = section.find("NrOfEntries");
+            const std::string right = fmt::format("NrOfEntries={}", count);
+            if (said == nullptr || eds_unsigned(said->text) != count) {
+                findings_.add(
+                    "compact-entries", said == nullptr ? section.line : said->line,
+                    fmt::format("NrOfEntries of [{}] is not {}", section.name, count),
+                    said == nullptr ? insert_after_line(section.line, right) : replace_line(said->line, right));
+            }
+        }
+    }
+
+    const EdsSheet& sheet_;
+    EdsFindings& findings_;
+};
+
+}  // namespace
+
+const std::vector<EdsRule>& object_rules() {
+    static const std::vector<EdsRule> rules{
+        {"object-mandatory", error, "a mandatory object is missing",
+         "describe 1000h (device type), 1001h (error register) and 1018h (identity)", "CiA 301, mandatory objects"},
+        {"object-name-missing", error, "a section of an object lacks ParameterName", "add the name", source},
+        {"object-name-long", warning, "ParameterName is longer than 241 characters", "shorten the name", source},
+        {"object-key-unknown", warning, "an object has a key that CiA 306 does not know", "correct or remove the key",
+         source},
+        {"object-type-missing", warning, "ObjectType is missing",
+         "add 0x7 for a single value, 0x8 for an ARRAY, 0x9 for a RECORD", types_source},
+        {"object-type-unknown", error, "ObjectType is unknown", "write 0x2, 0x5, 0x6, 0x7, 0x8 or 0x9", types_source},
+        {"object-type-place", error, "an object is described as a data type",
+         "move the data type below 1000h, or write the ObjectType of an object", types_source},
+        {"object-data-type", error, "the index of a data type has no data type",
+         "write ObjectType 0x5 (DEFTYPE) or 0x6 (DEFSTRUCT), or move the object to 1000h or above", types_source},
+        {"object-reserved", warning, "the index is reserved", "move the object", "CiA 301, object dictionary areas"},
+        {"object-flags", error, "ObjFlags is no number from 0 to 3", "write 0 to 3", source},
+        {"object-single-subs", error, "a single value has sub-objects",
+         "write ObjectType 0x8 or 0x9, or remove the sub-objects", types_source},
+        {"object-single-number", warning, "a single value has SubNumber", "remove the line", source},
+        {"object-no-subs", error, "an ARRAY or RECORD has no sub-objects", "describe them, or use CompactSubObj",
+         source},
+        {"object-own-value", warning, "an ARRAY or RECORD has a value of its own beside its sub-objects",
+         "move it to the sub-object", source},
+        {"sub-alone", error, "a sub-object stands without its object", "describe the object", source},
+        {"sub-object-type", error, "a sub-object is no single value", "write ObjectType 0x7, or 0x2 for a DOMAIN",
+         types_source},
+        {"subnumber-missing", error, "an ARRAY or RECORD lacks SubNumber", "add the number of sub-objects", source},
+        {"subnumber", error, "SubNumber differs from the sub-objects that are described",
+         "write the number of sub-objects, sub-index 0 included", source},
+        {"sub0-missing", error, "an ARRAY or RECORD lacks sub-index 0", "describe it: the highest sub-index",
+         "CiA 301, sub-index 0"},
+        {"sub0-type", error, "sub-index 0 is not UNSIGNED8", "write DataType 0x0005", "CiA 301, sub-index 0"},
+        {"sub0-access", warning, "sub-index 0 can be written", "write ro or const", "CiA 301, sub-index 0"},
+        {"sub0-default-missing", warning, "sub-index 0 has no default", "write the highest sub-index",
+         "CiA 301, sub-index 0"},
+        {"sub0-value", error, "the default of sub-index 0 is not the highest sub-index", "write the highest sub-index",
+         "CiA 301, sub-index 0"},
+        {"array-gap", error, "the sub-indices of an ARRAY have a gap", "describe every sub-index, or write a RECORD",
+         "CiA 301, ARRAY"},
+        {"array-types", error, "the entries of an ARRAY have several data types", "write one type, or a RECORD",
+         "CiA 301, ARRAY"},
+        {"compact-count", error, "CompactSubObj is no number from 0 to 254", "write the number of entries",
+         compact_source},
+        {"compact-single", error, "a single value has CompactSubObj", "write ObjectType 0x8 or 0x9", compact_source},
+        {"compact-subs", warning, "an object has CompactSubObj and sub-sections", "describe the entries in one way",
+         compact_source},
+        {"compact-alone", error, "names or values stand without CompactSubObj", "add CompactSubObj to the object",
+         compact_source},
+        {"compact-beyond", error, "a name or value is beyond CompactSubObj", "correct its number", compact_source},
+        {"compact-entries", error, "NrOfEntries differs from the entries", "write the number of entries",
+         compact_source}};
+    return rules;
+}
+
+void check_object(const EdsSheet& sheet, EdsFindings& findings) {
+    ObjectCheck{sheet, findings}.run();
+}
+
+}  // namespace canproof::host

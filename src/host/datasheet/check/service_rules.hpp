@@ -1,0 +1,16 @@
+// Rules of one kind: see the table in service_rules.cpp.
+#pragma once
+
+#include <vector>
+
+#include "host/datasheet/check/eds_findings.hpp"
+#include "host/datasheet/check/eds_sheet.hpp"
+
+namespace canproof::host {
+
+/// The rules of this group.
+const std::vector<EdsRule>& service_rules();
+/// Adds what they find in the sheet.
+void check_service(const EdsSheet& sheet, EdsFindings& findings);
+
+}  // namespace canproof::host

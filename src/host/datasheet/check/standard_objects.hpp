@@ -1,0 +1,19 @@
+// Objects of the communication area as CiA 301 describes them.
+#pragma once
+
+#include <vector>
+
+namespace canproof::host {
+
+struct StandardObject301 {
+    enum class Access { any, read, write };
+
+    unsigned index;
+    unsigned code;  ///< 7 VAR, 8 ARRAY, 9 RECORD
+    unsigned type;  ///< of the value, or of each entry from sub-index 1 on; 0: several
+    Access access;  ///< the same
+};
+
+const std::vector<StandardObject301>& standard_objects_301();
+
+}  // namespace canproof::host

@@ -1,0 +1,277 @@
+#include "host/datasheet/write_dbc.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "host/datasheet/dbc_text.hpp"
+#include "host/register/literals.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::uint32_t switched_off = 0x80000000;
+constexpr std::uint32_t extended_frame = 0x20000000;
+constexpr unsigned multiplexed_pdo = 254;
+constexpr unsigned pdo_bits = 64;
+
+struct Named {
+    const Object* object{nullptr};
+    const Entry* entry{nullptr};
+};
+
+/// Bits of a value in a PDO or SDO; 0 for a length that varies.
+unsigned bits_of(const Entry& entry) {
+    return entry.type == "BOOLEAN" ? 1U : static_cast<unsigned>(type_size(entry.type) * 8U);
+}
+
+DbcSignal::Number number_kind(const std::string& type) {
+    return type == "REAL32"                 ? DbcSignal::Number::single_real
+           : type == "REAL64"               ? DbcSignal::Number::double_real
+           : type.rfind("INTEGER", 0) == 0U ? DbcSignal::Number::integer
+                                            : DbcSignal::Number::natural;
+}
+
+/// Object and entry in one name; the entry alone where it repeats the object's name.
+std::string name_of(const Named& named) {
+    const std::string& object = named.object->name;
+    const std::string& entry = named.entry->name;
+    const bool single = named.object->kind == Object::Kind::var;
+    return single ? object : entry.rfind(object, 0) == 0 ? entry : object + " " + entry;
+}
+
+std::string title_of(const Named& named) {
+    const std::string index = fmt::format("{:04X}h", named.object->index);
+    return named.object->kind == Object::Kind::var ? index : fmt::format("{}:{:02X}", index, named.entry->subindex);
+}
+
+/// Signal of an entry, without its place.
+DbcSignal signal_of(const Named& named) {
+    DbcSignal signal;
+    const Entry& entry = *named.entry;
+    signal.number = number_kind(entry.type);
+    const bool counts = named.object->kind != Object::Kind::var && entry.subindex == 0;
+    signal.unit = counts ? "" : named.object->unit;
+    signal.comment = fmt::format("{} {}", title_of(named), name_of(named));
+    const Range& range = entry.range;
+    if (range.minimum.kind == Limit::Kind::number && range.maximum.kind == Limit::Kind::number) {
+        signal.minimum = number_of(range.minimum.number).value_or(0.0);
+        signal.maximum = number_of(range.maximum.number).value_or(0.0);
+    }
+    return signal;
+}
+
+DbcSignal plain_signal(const char* name, unsigned start, unsigned length, DbcWords words = {}) {
+    DbcSignal signal;
+    signal.name = name;
+    signal.start = start;
+    signal.length = length;
+    signal.words = std::move(words);
+    return signal;
+}
+
+class DbcWriter {
+  public:
+    DbcWriter(const Part& part, unsigned node_id) : part_{part}, node_id_{node_id} {
+        for (const Object& object : part.objects) {
+            for (const Entry& entry : object.entries) {
+                entries_[key(object.index, entry.subindex)] = {&object, &entry};
+            }
+        }
+        DbcNames nodes;
+        host_ = nodes.take("Host");
+        device_ = nodes.take(part.name);
+    }
+
+    std::string text() {
+        file_.nodes = {host_, device_};
+        add_network();
+        for (unsigned number = 0; number < 512; ++number) {
+            add_pdo(0x1400 + number);
+        }
+        for (unsigned number = 0; number < 512; ++number) {
+            add_pdo(0x1800 + number);
+        }
+        add_sdo();
+        file_.comment = fmt::format("{} at node-ID {}, written by canproof", part_.name, node_id_);
+        if (!left_out_.empty()) {
+            file_.comment += fmt::format("; left out: {}", fmt::join(left_out_, ", "));
+        }
+        return dbc_text(file_);
+    }
+
+  private:
+    static unsigned key(unsigned index, unsigned sub) { return (index << 8U) | sub; }
+
+    const Named* named(unsigned index, unsigned sub) const {
+        const auto found = entries_.find(key(index, sub));
+        return found == entries_.end() ? nullptr : &found->second;
+    }
+
+    /// Default of an entry at this node-ID; nothing without the entry or a whole number.
+    std::optional<std::uint32_t> number(unsigned index, unsigned sub) const {
+        const Named* found = named(index, sub);
+        const auto* whole = found == nullptr ? nullptr : std::get_if<std::int64_t>(&found->entry->value);
+        return whole == nullptr
+                   ? std::nullopt
+                   : std::optional{static_cast<std::uint32_t>(*whole) + (found->entry->node_id ? node_id_ : 0U)};
+    }
+
+    /// A message by its COB-ID; nullptr when it is switched off or another has the identifier.
+    DbcMessage* add(std::uint32_t cob_id, const std::string& name, unsigned length, bool from_device) {
+        const bool extended = (cob_id & extended_frame) != 0;
+        const std::uint32_t id = cob_id & (extended ? 0x1FFFFFFFU : 0x7FFU);
+        const bool off = (cob_id & switched_off) != 0;
+        if (off || !ids_.insert({id, extended}).second) {
+            left_out_.push_back(fmt::format("{} {}", name, off ? "is switched off" : "has an identifier twice"));
+            return nullptr;
+        }
+        DbcMessage message;
+        message.id = id;
+        message.is_extended = extended;
+        message.name = messages_.take(device_ + " " + name);
+        message.length = length;
+        message.sender = from_device ? device_ : host_;
+        message.receiver = from_device ? host_ : device_;
+        file_.messages.push_back(std::move(message));
+        return &file_.messages.back();
+    }
+
+    void add_network() {
+        if (DbcMessage* nmt = add(0, "NMT", 2, false)) {
+            nmt->signals = {plain_signal("Command", 0, 8,
+                                         {{0x01, "start"},
+                                          {0x02, "stop"},
+                                          {0x80, "enter pre-operational"},
+                                          {0x81, "reset node"},
+                                          {0x82, "reset communication"}}),
+                            plain_signal("NodeId", 8, 8, {{0, "all"}})};
+        }
+        if (const auto sync = number(0x1005, 0)) {
+            const bool counts = number(0x1019, 0).value_or(0) > 1;
+            DbcMessage* message = add(*sync, "SYNC", counts ? 1 : 0, false);
+            if (message != nullptr && counts) {
+                message->signals = {plain_signal("Counter", 0, 8)};
+            }
+        }
+        // Without 1014h the identifier is the pre-defined one.
+        if (DbcMessage* emcy = add(number(0x1014, 0).value_or(0x80 + node_id_), "EMCY", 8, true)) {
+            emcy->signals = {plain_signal("ErrorCode", 0, 16,
+                                          {{0x0000, "no error"},
+                                           {0x8110, "CAN overrun"},
+                                           {0x8120, "error passive"},
+                                           {0x8130, "heartbeat or life guarding"},
+                                           {0x8140, "recovered from bus-off"},
+                                           {0x8210, "PDO too short"},
+                                           {0x8220, "PDO too long"},
+                                           {0x8240, "length of SYNC"},
+                                           {0x8250, "RPDO time-out"}}),
+                             plain_signal("ErrorRegister", 16, 8), plain_signal("Manufacturer", 24, 40)};
+        }
+        if (DbcMessage* heartbeat = add(0x700 + node_id_, "Heartbeat", 1, true)) {
+            heartbeat->signals = {
+                plain_signal("State", 0, 7,
+                             {{0x00, "boot-up"}, {0x04, "stopped"}, {0x05, "operational"}, {0x7F, "pre-operational"}}),
+                plain_signal("Toggle", 7, 1)};
+        }
+    }
+
+    void add_pdo(unsigned index) {
+        const auto cob_id = number(index, 1);
+        const auto count = number(index + 0x200, 0);
+        if (!cob_id || !count || *count == 0 || *count >= multiplexed_pdo) {
+            return;
+        }
+        const bool is_rpdo = index < 0x1800;
+        std::vector<DbcSignal> signals;
+        DbcNames names;
+        unsigned at = 0;
+        for (unsigned sub = 1; sub <= *count && at <= pdo_bits; ++sub) {
+            const std::uint32_t mapped = number(index + 0x200, sub).value_or(0);
+            const unsigned length = mapped & 0xFFU;
+            const Named* target = named(mapped >> 16U, (mapped >> 8U) & 0xFFU);
+            if (target != nullptr && length != 0 && at + length <= pdo_bits) {
+                DbcSignal signal = signal_of(*target);
+                signal.name = names.take(name_of(*target));
+                signal.start = at;
+                signal.length = length;
+                const bool whole = bits_of(*target->entry) == length;
+                const bool integer = signal.number == DbcSignal::Number::integer;
+                signal.number = whole || integer ? signal.number : DbcSignal::Number::natural;
+                signals.push_back(std::move(signal));
+            }
+            at += length;  // a data type is mapped as a gap
+        }
+        const std::string name = fmt::format("{}PDO{}", is_rpdo ? "R" : "T", (index & 0x1FFU) + 1);
+        if (DbcMessage* pdo = add(*cob_id, name, std::min(at, pdo_bits) / 8 + (at % 8 == 0 ? 0 : 1), !is_rpdo)) {
+            pdo->signals = std::move(signals);
+            pdo->comment = fmt::format("{:04X}h, as mapped by default", index);
+        }
+    }
+
+    void add_sdo() {
+        const DbcWords requests{{0x22, "download"},
+                                {0x23, "download 4 bytes"},
+                                {0x27, "download 3 bytes"},
+                                {0x2B, "download 2 bytes"},
+                                {0x2F, "download 1 byte"},
+                                {0x40, "upload"},
+                                {0x80, "abort"}};
+        const DbcWords responses{{0x43, "upload 4 bytes"}, {0x47, "upload 3 bytes"}, {0x4B, "upload 2 bytes"},
+                                 {0x4F, "upload 1 byte"},  {0x60, "download done"},  {0x80, "abort"}};
+        if (DbcMessage* request = add(0x600 + node_id_, "SDO request", 8, false)) {
+            fill_sdo(*request, requests,
+                     [](const Entry& entry) { return entry.access == "rw" || entry.access == "wo"; });
+        }
+        if (DbcMessage* response = add(0x580 + node_id_, "SDO response", 8, true)) {
+            fill_sdo(*response, responses, [](const Entry& entry) { return entry.access != "wo"; });
+        }
+    }
+
+    template <typename Carried>
+    void fill_sdo(DbcMessage& message, const DbcWords& commands, const Carried& carried) const {
+        DbcNames names;
+        message.signals.push_back(plain_signal(names.take("Command").c_str(), 0, 8, commands));
+        DbcSignal object = plain_signal(names.take("Object").c_str(), 8, 24);
+        object.multiplex = DbcSignal::Multiplex::switches;
+        message.signals.push_back(object);
+        DbcWords titles;
+        for (const auto& [number, found] : entries_) {
+            const std::size_t bytes = type_size(found.entry->type);
+            if (bytes == 0 || bytes > 4 || !carried(*found.entry)) {
+                continue;
+            }
+            DbcSignal signal = signal_of(found);
+            signal.name = names.take(
+                fmt::format("x{:04X}_{:02X}_{}", found.object->index, found.entry->subindex, name_of(found)));
+            signal.start = 32;
+            signal.length = static_cast<unsigned>(bytes * 8U);
+            signal.multiplex = DbcSignal::Multiplex::switched;
+            signal.switched_by = (number >> 8U) | ((number & 0xFFU) << 16U);
+            titles.emplace_back(signal.switched_by, title_of(found));
+            message.signals.push_back(std::move(signal));
+        }
+        message.signals[1].words = std::move(titles);
+    }
+
+    const Part& part_;
+    unsigned node_id_;
+    std::map<unsigned, Named> entries_;  ///< by index and sub-index
+    std::string host_;
+    std::string device_;
+    DbcFile file_;
+    DbcNames messages_;
+    std::set<std::pair<std::uint32_t, bool>> ids_;
+    std::vector<std::string> left_out_;
+};
+
+}  // namespace
+
+std::string write_dbc(const Part& part, unsigned node_id) {
+    return DbcWriter{part, node_id}.text();
+}
+
+}  // namespace canproof::host

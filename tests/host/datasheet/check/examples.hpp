@@ -1,0 +1,20 @@
+// A bad and a good example of every rule, as patches of the good sheet (good_sheet.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace canproof::host::test {
+
+struct RuleExample {
+    std::string rule;
+    std::string bad;   ///< the rule finds it, in a line that a patch touches
+    std::string good;  ///< the rule finds nothing; empty: in the good sheet itself
+};
+
+std::vector<RuleExample> file_examples();     ///< text, [FileInfo], [DeviceInfo], [DummyUsage], [Comments], DCF
+std::vector<RuleExample> object_examples();   ///< lists, objects, sub-objects
+std::vector<RuleExample> entry_examples();    ///< types, access, values, limits
+std::vector<RuleExample> service_examples();  ///< mapping, PDOs, the communication area
+
+}  // namespace canproof::host::test
