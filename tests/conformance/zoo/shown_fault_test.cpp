@@ -91,8 +91,8 @@ TEST_P(ShownFault, TheTalkDiffersByWhatTheEntrySays) {
     EXPECT_EQ(only_in_first(wrong, right), sorted(fault.wrong)) << fault.id << ": the wrong slave alone";
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, ShownFault, testing::Range<std::size_t>(0, all_faults().size()), [](const auto& info) {
-    std::string name = all_faults()[info.param].id;
+INSTANTIATE_TEST_SUITE_P(Zoo, ShownFault, testing::Range<std::size_t>(0, all_faults().size()), [](const auto& one) {
+    std::string name = all_faults()[one.param].id;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });
