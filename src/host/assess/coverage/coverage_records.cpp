@@ -56,6 +56,7 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
         }
     }
     verdict.conditions = totals_of(files).conditions;
+    verdict.host_conditions = host_totals_of(files).conditions;
     return verdict;
 }
 
