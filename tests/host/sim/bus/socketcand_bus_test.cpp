@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
-constexpr int most_looks = 12000;  // only a broken test waits so long
+constexpr int most_looks = 500;    // only a broken test waits so long
 constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
 
 class SocketcandServer : public testing::Test {
@@ -187,6 +187,43 @@ TEST_F(SocketcandServer, ClientForWhomThereIsNoPlaceIsToldSo) {
     TcpClient next{bus.port()};
     next.say(join);
     EXPECT_TRUE(until([&] { return next.heard() == joined; }));
+    TcpClient too_late{bus.port()};
+    ASSERT_TRUE(until([&] { return too_late.ended(); }));
+    EXPECT_THAT(notices, SizeIs(2));  // told again, for it is another crowd
+}
+
+TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
+    const auto idle = clients_that("", SocketcandBus::most_clients);
+    pass(Duration{SocketcandBus::patience.us - 1});
+    TcpClient late{bus.port()};
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_THAT(late.heard(), HasSubstr("32 clients have joined"));
+    EXPECT_FALSE(idle.front()->ended());
+}
+
+TEST_F(SocketcandServer, StatisticsComeWhenTheyAreDue) {
+    TcpClient client{bus.port()};
+    client.say(join + "< send 123 2 01 02 >< statistics 700 >");
+    ASSERT_TRUE(until([&] { return log.size() == 1 && bus.next_deadline() != never; }));
+    EXPECT_LE(bus.next_deadline(), now + milliseconds(700));
+    pass(Duration{elapsed(now, bus.next_deadline()).us - 1});
+    client.say("< echo >");
+    ASSERT_TRUE(until([&] { return client.heard() == joined + "< echo >"; }));
+    pass(microseconds(1));
+    ASSERT_TRUE(until([&] { return client.heard() == joined + "< echo >< stat 0 0 2 1 >"; }));
+    EXPECT_EQ(bus.next_deadline(), now + milliseconds(700));
+}
+
+TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {
+    {
+        TcpClient client{bus.port()};
+        client.say(join + "< statistics 700 >");
+        ASSERT_TRUE(until([&] { return client.heard() == joined && bus.next_deadline() != never; }));
+    }
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_EQ(bus.next_deadline(), never);
+    EXPECT_THAT(bus.watches(), SizeIs(1));
+    EXPECT_THAT(notices, SizeIs(0));
 }
 
 TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
