@@ -92,7 +92,8 @@ class Player {
     /// When the log's or the stimuli's next line comes, in the log's time.
     Instant next_line() const {
         const Instant line = earliest(has_frame_ ? frame_.time : never, has_stimulus() ? stimulus().time : never);
-        return input_.until && *input_.until < line ? never : line;
+        const bool is_over = input_.until && *input_.until < line;
+        return is_over ? never : line;
     }
 
     /// … in the device's time: after a silence no longer than longest_silence.

@@ -125,10 +125,11 @@ TEST(AcceptanceEntries, EveryProducerThatIsWatchedIsHeard) {
 }
 
 TEST(AcceptanceEntries, All127ProducersMayBeWatched) {
-    std::vector<std::uint32_t> watched(127);
+    std::vector<std::uint32_t> watched(128);  // the last one is beyond what CiA 301 has
     for (std::uint32_t i = 0; i < watched.size(); ++i) {
         watched[i] = (i + 1U) << 16U | 100U;
     }
+    watched.back() = 0x00050064U;
     const Names all = names(filters_with({{0x1016, record(0x1016, watched)}}));
     EXPECT_EQ(all.size(), 4U + 126U);  // 705h is the node's own guarding as well
     EXPECT_EQ(all.back(), "77F");

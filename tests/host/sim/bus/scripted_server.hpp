@@ -53,6 +53,13 @@ class ScriptedServer {
         }
         return heard_;
     }
+    /// Resets the connection: the client's next call fails.
+    void reset_connection() {
+        const linger at_once{1, 0};
+        EXPECT_EQ(setsockopt(client_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once), 0);
+        close(client_);
+        client_ = -1;
+    }
     /// Closes the connection with nothing unread: what was said before still arrives.
     void hang_up() {
         if (client_ >= 0) {

@@ -82,6 +82,18 @@ TEST_F(SocketCan, FramesOfOneTurnAreTakenInTheirOrder_BeforeWhatIsHeld) {
     EXPECT_THAT(a.heard, IsEmpty());
 }
 
+TEST_F(SocketCan, RunThatOnlyHoldsFramesOfTheFutureReadsOn) {
+    start();
+    constexpr std::size_t count = SocketCanBus::most_arrived + 10;
+    for (std::size_t i = 0; i < count; ++i) {
+        system.arrive(monitor, "080#", system.realtime_us + 1000000);
+    }
+    for (int turn = 0; turn < 20; ++turn) {
+        bus->poll(now);
+    }
+    EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
+}
+
 TEST_F(SocketCan, NothingIsReadWhileTheInterfaceIsDown) {
     start();
     system.up = false;

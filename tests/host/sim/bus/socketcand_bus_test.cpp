@@ -214,6 +214,55 @@ TEST_F(SocketcandServer, StatisticsComeWhenTheyAreDue) {
     EXPECT_EQ(bus.next_deadline(), now + milliseconds(700));
 }
 
+TEST_F(SocketcandServer, WaitsForAClientOnlyWhereItCanGoOn) {
+    TcpClient flood{bus.port()};
+    flood.say(join);
+    ASSERT_TRUE(until([&] { return flood.heard() == joined; }));
+    EXPECT_THAT(bus.watches(), SizeIs(2));
+    std::string much;
+    for (int i = 0; i < 1000; ++i) {
+        much += "< send 123 0 >";
+    }
+    flood.say(much);
+    for (int turn = 0; turn < 4; ++turn) {
+        bus.poll(now);  // no time passes: its door is full, and so is what is held of its text
+    }
+    EXPECT_THAT(bus.watches(), SizeIs(1));
+    flood.hang_up();
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_THAT(log, SizeIs(1000));
+}
+
+TEST_F(SocketcandServer, ClientThatDoesNotReadIsWaitedForToWrite) {
+    TcpClient slow{bus.port()};
+    slow.say(join);
+    ASSERT_TRUE(until([&] { return slow.heard() == joined; }));
+    const auto waits = [&] { return bus.watches().back().writable; };
+    for (int i = 0; i < 200000 && !waits(); ++i) {
+        node.send("583#4300100091010800");
+        bus.advance(now);
+        now = bus.next_deadline();
+        bus.advance(now);
+    }
+    EXPECT_TRUE(waits());
+    EXPECT_EQ(bus.clients(), 1U);
+}
+
+TEST_F(SocketcandServer, ClientWhoseConnectionIsResetIsGone) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    client.reset();
+    for (int i = 0; i < 3; ++i) {  // sending finds it out, before anything is read
+        node.send("703#05");
+        bus.advance(now);
+        now = bus.next_deadline();
+        bus.advance(now);
+    }
+    EXPECT_EQ(bus.clients(), 1U);
+    EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
+}
+
 TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {
     {
         TcpClient client{bus.port()};
@@ -312,6 +361,8 @@ TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
         bus.poll(now);
         bus.advance(now);  // on the wire, and not yet over it
     }
+    bus.poll(now);
+    EXPECT_THAT(bus.watches(), SizeIs(1));  // it sends no more, and nothing waits for it
     EXPECT_TRUE(until([&] { return bus.clients() == 0; }));
     EXPECT_THAT(log, ElementsAre("123#AA"));
 }
@@ -325,7 +376,8 @@ TEST_F(SocketcandServer, ListensOnTheLoopbackUnlessTold) {
     EXPECT_EQ(parse_listen_address("0.0.0.0:1234").port, 1234);
     EXPECT_EQ(parse_listen_address("[::1]:1234").host, "::1");
     EXPECT_EQ(parse_listen_address("[::1]").host, "::1");
-    for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:-1"}) {
+    EXPECT_EQ(parse_listen_address("[::1").host, "[:");  // no bracket that closes
+    for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:100000", "127.0.0.1:-1"}) {
         EXPECT_THROW(parse_listen_address(wrong), InputError) << wrong;
     }
     EXPECT_THROW((SocketcandBus{{"127.0.0.1", bus.port()}, 125000, {}, 0}), InputError);  // taken

@@ -264,6 +264,29 @@ TEST_F(ScriptedBus, ServerThatRefusesTheSecondTimeIsLookedForAgain) {
     EXPECT_THAT(notices, SizeIs(1));
 }
 
+TEST_F(ScriptedBus, ServerThatResetsTheConnectionIsGone) {
+    join();
+    server.reset_connection();
+    hear();
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("is gone (Connection reset by peer)")));
+    EXPECT_THAT(a.states, ElementsAre("1000000 3"));
+}
+
+TEST_F(ScriptedBus, ServerThatIsGoneIsFoundOutBySendingAsWell) {
+    join();
+    server.reset_connection();
+    a.send("703#05");
+    bus->advance(now);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("is gone (")));
+    EXPECT_FALSE(bus->has_joined());
+    EXPECT_THAT(b.states, ElementsAre("1000000 3"));
+}
+
+TEST_F(ScriptedBus, AddressThatNobodyCanHaveIsRefusedAtOnce) {
+    // The broadcast address takes no connection.
+    EXPECT_THROW((SocketcandClientBus{{"255.255.255.255", 29536, "can0"}, 125000, now}), InputError);
+}
+
 TEST_F(ScriptedBus, RemoteFrameIsToldOnceAndNotSent) {
     join();
     bus->put(parse_frame("703#R", "test"), now);

@@ -122,6 +122,9 @@ TEST_F(SocketcandLimits, OpenNamesABus_AndLeavesItOpenWhenItNamesNone) {
     EXPECT_EQ(say("< open >"), "< error could not open bus >");
     EXPECT_TRUE(session.has_joined());
     EXPECT_EQ(say("< rawmode >"), "< ok >");
+    EXPECT_EQ(say("< open >"), "< error could not open bus >");
+    arrives("123#");
+    EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // still in raw mode
 }
 
 TEST_F(SocketcandLimits, SubscriptionsAreOfTheirModeAndFormat) {
