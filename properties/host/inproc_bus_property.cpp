@@ -3,6 +3,7 @@
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -153,6 +154,7 @@ class TwoBuses {
         RC_ASSERT(bus_.report(now_).frames == expected.size());
         RC_ASSERT(bus_.report(now_).errors == naive_.errors());
         RC_ASSERT(bus_.report(now_).worst_latency.us == naive_.worst_latency());
+        RC_ASSERT(std::abs(bus_.report(now_).load - naive_.load(now_.us)) < 1.0e-9);
     }
 
   private:

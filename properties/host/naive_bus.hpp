@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/canopen/frame.hpp"
@@ -138,6 +139,16 @@ class NaiveBus {
     const std::vector<Sent>& sent() const { return sent_; }
     std::uint64_t errors() const { return errors_; }
     std::uint64_t worst_latency() const { return worst_latency_; }
+    /// The share of the time up to `now`, of the last second at most, in which a frame or its intermission took the
+    /// bus.
+    double load(std::uint64_t now) const {
+        const std::uint64_t from = now < 1000000U ? 0U : now - 1000000U;
+        std::uint64_t used = on_wire_ ? now - std::max(start_, from) : 0U;
+        for (const auto& [first, last] : taken_) {  // one after another: none overlaps the next
+            used += last > from ? std::min(last, now) - std::max(first, from) : 0U;
+        }
+        return now == 0U ? 0.0 : static_cast<double>(used) / static_cast<double>(now - from);
+    }
 
   private:
     bool happens(double probability) {
@@ -188,6 +199,7 @@ class NaiveBus {
             }
         }
         on_wire_ = true;
+        start_ = at;
         const unsigned length = naive_frame_bits(stations_.at(sender_).queue.front().second);
         corrupted_ = happens(faults_.corrupted);
         const std::uint64_t used = corrupted_ ? 1U + draws_() % length + 20U : length;  // 20: error flags and delimiter
@@ -201,6 +213,7 @@ class NaiveBus {
         }
         on_wire_ = false;
         free_from_ = end_ + 3U * bit_;
+        taken_.emplace_back(start_, free_from_);
         Station& from = stations_.at(sender_);
         const bool waits_longer = from.gateway || from.state >= 2;
         from.suspended_until = waits_longer ? free_from_ + 8U * bit_ : 0U;
@@ -223,6 +236,7 @@ class NaiveBus {
         ++errors_;
         end_ = now;
         free_from_ = now + 23U * bit_;
+        taken_.emplace_back(start_, free_from_);
         tell_error(&stations_.at(sender_));
     }
 
@@ -294,7 +308,10 @@ class NaiveBus {
     bool on_wire_{false};
     bool corrupted_{false};
     int sender_{0};
+    std::uint64_t start_{0};
     std::uint64_t end_{0};
+    std::vector<std::pair<std::uint64_t, std::uint64_t>>
+        taken_;  ///< from the start of a frame to the end of its intermission
     std::uint64_t free_from_{0};
     std::uint64_t errors_{0};
     std::uint64_t worst_latency_{0};

@@ -58,6 +58,12 @@ class TcpClient {
         pollfd waiting{descriptor_, POLLIN, 0};
         ::poll(&waiting, 1, milliseconds);
     }
+    /// Ends the connection as a machine does that was switched off and is back: with a reset.
+    void reset() {
+        const linger at_once{1, 0};
+        EXPECT_EQ(setsockopt(descriptor_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once), 0);
+        hang_up();
+    }
     void hang_up() {
         if (descriptor_ >= 0) {
             close(descriptor_);

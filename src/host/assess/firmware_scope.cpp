@@ -11,6 +11,8 @@ namespace fs = std::filesystem;
 const std::string shared = "src/firmware/";
 const std::string devices = "src/devices/";
 const std::string part = "/firmware/";
+const std::string host_bus = "src/host/sim/bus/";
+const std::string host_replay = "src/host/sim/replay/";
 const std::string device_tests = "tests/devices/";
 const std::string simulation = "/simulation/";
 
@@ -24,17 +26,33 @@ bool is_firmware(const std::string& path) {
            path.compare(name_end, part.size(), part) == 0 && path.size() > name_end + part.size();
 }
 
-}  // namespace
+/// Whether a path from the project's folder names a file of the host that is judged as the firmware is.
+bool is_judged_host(const std::string& path) {
+    const auto below = [&path](const std::string& folder) {
+        return path.rfind(folder, 0) == 0 && path.size() > folder.size();
+    };
+    return below(host_replay) || (below(host_bus) && path.rfind(host_bus + "linux_can_system.", 0) != 0);
+}
 
-std::string firmware_path(const std::string& file) {
-    // The last `src/` that fits: the project's own folder may lie below another `src/`.
+/// The last part of `file` from a `src/` on that fits: the project's own folder may lie below another `src/`.
+std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {
-        if ((at == 0 || file[at - 1] == '/') && is_firmware(file.substr(at))) {
+        if ((at == 0 || file[at - 1] == '/') && fits(file.substr(at))) {
             return file.substr(at);
         }
     }
     return "";
+}
+
+}  // namespace
+
+std::string firmware_path(const std::string& file) {
+    return path_that(is_firmware, file);
+}
+
+std::string judged_host_path(const std::string& file) {
+    return path_that(is_judged_host, file);
 }
 
 std::vector<std::string> firmware_folders(const fs::path& root) {

@@ -1,4 +1,5 @@
-// Which files are firmware: src/firmware/** and src/devices/NAME/firmware/**. What judges it asks here.
+// Which files are firmware: src/firmware/** and src/devices/NAME/firmware/**. What judges it asks here. The host's
+// buses and replay are judged beside it.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,10 @@ namespace canproof::host {
 /// `src/devices/ax130751/firmware/ramp.cpp`. `file` is that path or ends with it behind a `/`, as compilers write it.
 /// Empty for every other file.
 std::string firmware_path(const std::string& file);
+
+/// The same for a file of src/host/sim/bus or src/host/sim/replay, without the system calls of SocketCAN
+/// (linux_can_system): only a kernel answers those.
+std::string judged_host_path(const std::string& file);
 
 /// The folders of the firmware that exist in the project: `src/firmware` and each `src/devices/NAME/firmware`, in
 /// alphabetical order of the devices.

@@ -12,6 +12,17 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+TEST(FirmwareScope, HostsBusesAndReplayAreJudgedBesideIt) {
+    EXPECT_EQ(judged_host_path("src/host/sim/bus/candump.cpp"), "src/host/sim/bus/candump.cpp");
+    EXPECT_EQ(judged_host_path("/w/build/../src/host/sim/replay/replay.hpp"), "src/host/sim/replay/replay.hpp");
+    for (const char* other :
+         {"src/host/sim/run/pace.cpp", "src/host/sim/bus/", "src/host/sim/bus/linux_can_system.cpp",
+          "src/host/sim/bus/linux_can_system.hpp", "src/firmware/base/crc.cpp", "xsrc/host/sim/bus/a.cpp"}) {
+        EXPECT_EQ(judged_host_path(other), "") << other;
+    }
+    EXPECT_EQ(firmware_path("src/host/sim/bus/candump.cpp"), "");
+}
+
 TEST(FirmwareScope, HoldsTheSharedCodeAndThatOfEachDevice) {
     EXPECT_EQ(firmware_path("src/firmware/base/crc.cpp"), "src/firmware/base/crc.cpp");
     EXPECT_EQ(firmware_path("src/devices/ax130751/firmware/ramp.cpp"), "src/devices/ax130751/firmware/ramp.cpp");

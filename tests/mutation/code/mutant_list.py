@@ -1,9 +1,9 @@
-"""The files of the firmware that get mutants, and the list of all mutants as C++."""
+"""The files that get mutants, and the list of all mutants as C++."""
 import glob
 import json
 import os
 
-LIST = """// Written by tests/mutation/code/schemata.py: the mutants of the firmware.
+LIST = """// Written by tests/mutation/code/schemata.py: the mutants.
 #include <iterator>
 
 #include "host/codegen/alteration.hpp"
@@ -37,6 +37,13 @@ def firmware_files(source):
     roots = [os.path.join(src, "firmware"), *sorted(glob.glob(os.path.join(src, "devices", "*", "firmware")))]
     return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
             if file.endswith((".cpp", ".hpp"))]
+
+
+def host_files(source):
+    """The sources and headers of the host's buses and replay, without the system calls of SocketCAN: only a kernel answers those."""
+    roots = [os.path.join(source, "src", "host", "sim", part) for part in ("bus", "replay")]
+    return [path for root in roots for path in sorted(glob.glob(os.path.join(root, "*.[ch]pp")))
+            if not os.path.basename(path).startswith("linux_can_system.")]
 
 
 def number_text(text, first):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the firmware anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
+"""Writes the code anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
 
 A comparison becomes true, false, and the one with equality moved, unless it chooses between two values that are then the
 same, as in `a < b ? a : b`; any other condition true and false; && becomes || and
@@ -8,8 +8,8 @@ What stands in a constant expression stays: a mutant there would not be one of t
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Reads src/firmware and src/devices/NAME/firmware, writes them below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list for
-tests/mutation/main.cpp."""
+Reads src/firmware, src/devices/NAME/firmware, src/host/sim/bus and src/host/sim/replay, writes them below OUTPUT_FOLDER, and
+OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
 import collections
 import os
 import re
@@ -20,7 +20,7 @@ import clang.cindex
 from clang.cindex import CursorKind as K
 
 sys.dont_write_bytecode = True
-from mutant_list import LIST, firmware_files, lines_of, number_text, write_changed  # noqa: E402
+from mutant_list import LIST, firmware_files, host_files, lines_of, number_text, write_changed  # noqa: E402
 from statements import SCOPES, Statements, plain_type  # noqa: E402
 
 COMPARISONS = {"<": ("less", "<="), "<=": ("less_equal", "<"), ">": ("greater", ">="), ">=": ("greater_equal", ">")}
@@ -343,7 +343,7 @@ def rewrite(job):
 
 def main():
     source, output, *arguments = sys.argv[1:]
-    jobs = [(path, os.path.relpath(path, source), arguments) for path in firmware_files(source)]
+    jobs = [(path, os.path.relpath(path, source), arguments) for path in firmware_files(source) + host_files(source)]
     lines, first = [], 1
     with ProcessPoolExecutor(max_workers=2) as pool:
         for name, text, mutants in pool.map(rewrite, jobs, chunksize=4):

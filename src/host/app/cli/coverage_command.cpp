@@ -1,4 +1,5 @@
-// coverage: what no test reached in the firmware, and whether each such place has its reason.
+// coverage: what no test reached in the firmware, and in the host's buses and replay, and whether each such place has
+// its reason.
 #include "host/app/cli/coverage_command.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +38,22 @@ void print_counts(const std::vector<FileCoverage>& files) {
     for (const auto& [folder, counts] : folders) {
         print_row(folder, counts);
     }
-    print_row("all", totals_of(files));
+    print_row("all firmware", totals_of(files));
+    if (const CoverageTotals host = host_totals_of(files); host.lines.total != 0) {
+        print_row("all of the host's", host);
+    }
+}
+
+void print_verdict(const CoverageVerdict& verdict) {
+    fmt::print("{} place(s) not reached, {} with a reason, {} open, {} record(s) unused; MC/DC {:.2f} %, {}{:.0f} %\n",
+               verdict.gaps.size(), verdict.gaps.size() - verdict.open(), verdict.open(), verdict.unused.size(),
+               verdict.conditions.percent(), verdict.enough_conditions() ? "at least " : "less than ",
+               CoverageVerdict::least_conditions);
+    if (verdict.host_conditions.total != 0) {
+        fmt::print("the host's buses and replay: MC/DC {:.2f} %, {}{:.0f} %\n", verdict.host_conditions.percent(),
+                   verdict.enough_host_conditions() ? "at least " : "less than ",
+                   CoverageVerdict::least_host_conditions);
+    }
 }
 
 /// Without a measurement: whether each record still names something in the sources.
@@ -73,10 +89,7 @@ int check_coverage(const CoverageOptions& options) {
     if (!options.cobertura.empty()) {
         write_file(options.cobertura, write_cobertura(files));
     }
-    fmt::print("{} place(s) not reached, {} with a reason, {} open, {} record(s) unused; MC/DC {:.2f} %, {}{:.0f} %\n",
-               verdict.gaps.size(), verdict.gaps.size() - verdict.open(), verdict.open(), verdict.unused.size(),
-               verdict.conditions.percent(), verdict.enough_conditions() ? "at least " : "less than ",
-               CoverageVerdict::least_conditions);
+    print_verdict(verdict);
     return verdict.holds() ? 0 : 1;
 }
 

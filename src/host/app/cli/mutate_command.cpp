@@ -1,5 +1,5 @@
-// mutate: every generated cell altered, or every operator and condition of the firmware, one at a time; survivors
-// without a recorded reason by item.
+// mutate: every generated cell altered, or every operator and condition of the firmware and of the host's buses and
+// replay, one at a time; survivors without a recorded reason by item.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format("no file of the firmware with mutants has `{}` in its path", file)};
+        throw InputError{fmt::format("no file with mutants has `{}` in its path", file)};
     }
     return mutants;
 }
@@ -82,6 +82,25 @@ void show_progress(std::size_t done, std::size_t all) {
     if (isatty(STDERR_FILENO) != 0) {
         fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
     }
+}
+
+void print_count(const std::string& what, const MutationCount& count) {
+    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", count.altered, what, count.noticed,
+               count.justified, count.open());
+}
+
+/// Of mutants of code those of the host stand by themselves.
+void print_counts(const CountsByItem& counts, bool code) {
+    const MutationCount host = total_of(counts, true);
+    if (!code || host.altered == 0) {
+        print_count(code ? "places" : "cells", total(counts));
+        return;
+    }
+    if (const MutationCount firmware = total_of(counts, false); firmware.altered != 0) {
+        print_count("places", firmware);
+    }
+    print_count("places of the host's buses and replay", host);
+    fmt::print("of the host's {:.1f} % are noticed\n", host.share_noticed());
 }
 
 /// Renews reports/kills.csv, and leaves what is known by then when it is interrupted.
@@ -145,10 +164,9 @@ int mutate(const MutateOptions& options) {
                        record->line);
         }
     }
-    const MutationCount counted = total(count_by_item(outcomes));
-    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", counted.altered,
-               options.code ? "places" : "cells", counted.noticed, counted.justified, counted.open());
-    return counted.open() == 0 && idle.empty() && (!whole || unneeded.empty()) ? 0 : 1;
+    const CountsByItem counts = count_by_item(outcomes);
+    print_counts(counts, options.code);
+    return total(counts).open() == 0 && idle.empty() && (!whole || unneeded.empty()) ? 0 : 1;
 }
 
 }  // namespace canproof::host

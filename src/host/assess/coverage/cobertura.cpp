@@ -66,7 +66,9 @@ std::string write_cobertura(const std::vector<FileCoverage>& files) {
     package.append_attribute("complexity") = "0";
     auto classes = package.append_child("classes");
     for (const auto& file : files) {
-        add_class(classes, file);
+        if (!file.is_host()) {
+            add_class(classes, file);
+        }
     }
     std::ostringstream out;
     document.save(out, "  ");

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// In the form of Cobertura, which build servers read.
+/// The firmware's in the form of Cobertura, which build servers read.
 std::string write_cobertura(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

@@ -21,18 +21,36 @@ CoverageCount FileCoverage::line_count() const {
     return count;
 }
 
+bool FileCoverage::is_host() const {
+    return file.rfind("src/host/", 0) == 0;
+}
+
 void CoverageTotals::add(const FileCoverage& file) {
     lines.add(file.line_count());
     branches.add(file.branches);
     conditions.add(file.conditions);
 }
 
-CoverageTotals totals_of(const std::vector<FileCoverage>& files) {
+namespace {
+
+CoverageTotals totals_where(const std::vector<FileCoverage>& files, bool host) {
     CoverageTotals totals;
     for (const auto& file : files) {
-        totals.add(file);
+        if (file.is_host() == host) {
+            totals.add(file);
+        }
     }
     return totals;
+}
+
+}  // namespace
+
+CoverageTotals totals_of(const std::vector<FileCoverage>& files) {
+    return totals_where(files, false);
+}
+
+CoverageTotals host_totals_of(const std::vector<FileCoverage>& files) {
+    return totals_where(files, true);
 }
 
 }  // namespace canproof::host

@@ -1,4 +1,5 @@
-// Structural coverage of the firmware: what llvm-cov measured, and what no run reached.
+// Structural coverage of the firmware, and of the host's buses and replay beside it: what llvm-cov measured, and what
+// no run reached.
 #pragma once
 
 #include <map>
@@ -37,6 +38,8 @@ struct FileCoverage {
     std::vector<CoverageGap> gaps;
 
     CoverageCount line_count() const;
+    /// Of the host's buses and replay, not of the firmware.
+    bool is_host() const;
 };
 
 /// Over several files.
@@ -48,6 +51,9 @@ struct CoverageTotals {
     void add(const FileCoverage& file);
 };
 
+/// Over the files of the firmware.
 CoverageTotals totals_of(const std::vector<FileCoverage>& files);
+/// Over the others.
+CoverageTotals host_totals_of(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

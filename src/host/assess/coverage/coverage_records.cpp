@@ -40,6 +40,9 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
     std::vector<bool> used(records.size(), false);
     for (const auto& file : files) {
         for (const auto& gap : file.gaps) {
+            if (file.is_host() && gap.kind != "condition") {
+                continue;  // judged by its MC/DC alone
+            }
             JudgedGap judged{gap, ""};
             for (std::size_t i = 0; i < records.size(); ++i) {
                 if (matches(records[i], gap)) {
@@ -56,6 +59,7 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
         }
     }
     verdict.conditions = totals_of(files).conditions;
+    verdict.host_conditions = host_totals_of(files).conditions;
     return verdict;
 }
 

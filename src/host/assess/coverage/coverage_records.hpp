@@ -30,15 +30,19 @@ struct JudgedGap {
 struct CoverageVerdict {
     /// MC/DC that is asked for, in percent: records explain no more than the rest.
     static constexpr double least_conditions = 99.0;
+    /// The same of the host's buses and replay.
+    static constexpr double least_host_conditions = 95.0;
 
     std::vector<JudgedGap> gaps;
     std::vector<CoverageRecord> unused;  ///< records that match nothing: the code has moved on
-    CoverageCount conditions;
+    CoverageCount conditions;            ///< of the firmware
+    CoverageCount host_conditions;       ///< of the host's buses and replay
 
     std::size_t open() const;
     bool enough_conditions() const { return conditions.percent() >= least_conditions; }
-    /// No open gap, no unused record, and enough conditions.
-    bool holds() const { return open() == 0 && unused.empty() && enough_conditions(); }
+    bool enough_host_conditions() const { return host_conditions.percent() >= least_host_conditions; }
+    /// No open gap, no unused record, and enough conditions of both.
+    bool holds() const { return open() == 0 && unused.empty() && enough_conditions() && enough_host_conditions(); }
 };
 
 CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std::vector<CoverageRecord>& records);

@@ -306,7 +306,8 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
         for (const auto& source : data.at("files")) {
             const std::filesystem::path path = source.at("filename").get<std::string>();
             const std::string whole = path.generic_string();
-            const std::string name = firmware_path(whole);
+            const std::string of_host = judged_host_path(whole);
+            const std::string name = of_host.empty() ? firmware_path(whole) : of_host;
             if (name.empty()) {
                 continue;
             }
@@ -317,7 +318,7 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
     } catch (const Json::exception& error) {
         throw InputError{fmt::format("{} is no export of llvm-cov ({}); measure again", file.string(), error.what())};
     }
-    if (files.empty()) {
+    if (std::all_of(files.begin(), files.end(), [](const FileCoverage& one) { return one.is_host(); })) {
         throw InputError{fmt::format("{} measures no file of the firmware; measure again", file.string())};
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.file < b.file; });

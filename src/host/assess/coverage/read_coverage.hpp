@@ -8,8 +8,9 @@
 
 namespace canproof::host {
 
-/// Reads what `llvm-cov export --format=text` wrote, for the files below root/src/firmware. Instantiations of a
-/// template count together. Throws InputError when the file is no such export or a source is missing.
+/// Reads what `llvm-cov export --format=text` wrote, for the files of the firmware, and for those of the host
+/// that are judged beside it (firmware_scope.hpp). Instantiations of a template count together. Throws InputError when
+/// the file is no such export or a source is missing.
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root);
 
 }  // namespace canproof::host

@@ -21,12 +21,17 @@ std::string cell(const CoverageCount& count) {
 std::string coverage_page(const MeasuredCoverage& coverage) {
     std::vector<std::vector<std::string>> files;
     const CoverageTotals totals = totals_of(coverage.files);
+    const CoverageTotals host = host_totals_of(coverage.files);
     for (const auto& file : coverage.files) {
         files.push_back({fmt::format("<code>{}</code>", escaped(file.file)), cell(file.line_count()),
                          cell(file.branches), cell(file.conditions)});
     }
     files.insert(files.begin(),
                  {"<b>all firmware</b>", cell(totals.lines), cell(totals.branches), cell(totals.conditions)});
+    if (host.lines.total != 0) {
+        files.insert(files.begin() + 1, {"<b>the host's buses and replay</b>", cell(host.lines), cell(host.branches),
+                                         cell(host.conditions)});
+    }
     std::vector<std::vector<std::string>> gaps;
     for (const auto& [gap, reason] : coverage.verdict.gaps) {
         gaps.push_back({fmt::format("<code>{}:{}</code>", escaped(gap.file), gap.line), gap.kind,

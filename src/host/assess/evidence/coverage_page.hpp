@@ -1,4 +1,4 @@
-// The coverage of the firmware as a page of the pack.
+// The coverage of the firmware, and of the host's buses and replay, as a page of the pack.
 #pragma once
 
 #include <string>

@@ -130,6 +130,7 @@ Exhibit socketcan_exhibit(const Evidence& runs) {
 
 Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
     const CoverageTotals totals = totals_of(coverage.files);
+    const CoverageTotals host = host_totals_of(coverage.files);
     const std::size_t open = coverage.verdict.open();
     Exhibit made = exhibit(
         "coverage", "Structural coverage", coverage.verdict.holds(),
@@ -138,12 +139,19 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
                     totals.lines.percent(), totals.branches.percent(), totals.conditions.percent(),
                     coverage.verdict.gaps.size(), open),
         "coverage.html");
+    if (host.lines.total != 0) {
+        made.says += fmt::format("; the host's buses and replay: MC/DC {:.1f} %", host.conditions.percent());
+    }
     if (open != 0) {
-        made.open.push_back(fmt::format("{} places in the firmware that no test reaches, without a reason", open));
+        made.open.push_back(fmt::format("{} places in the code that no test reaches, without a reason", open));
     }
     if (!coverage.verdict.enough_conditions()) {
         made.open.push_back(fmt::format("MC/DC {:.1f} %, less than the {:.0f} % that are asked for",
                                         totals.conditions.percent(), CoverageVerdict::least_conditions));
+    }
+    if (!coverage.verdict.enough_host_conditions()) {
+        made.open.push_back(fmt::format("MC/DC of the host's buses and replay {:.1f} %, less than {:.0f} %",
+                                        host.conditions.percent(), CoverageVerdict::least_host_conditions));
     }
     for (const auto& record : coverage.verdict.unused) {
         made.open.push_back(

@@ -19,6 +19,11 @@ std::string reason_of(const MutationOutcome& outcome) {
     return outcome.claimed ? "open" : "open: in no test would it compute anything else";
 }
 
+std::string sentence(const char* of_what, const MutationCount& count) {
+    return fmt::format("{} mutants of {}, {:.1f} % noticed by a test; {} survive without a reason.", count.altered,
+                       of_what, count.share_noticed(), count.open());
+}
+
 std::string survivors_csv(const std::vector<MutationOutcome>& outcomes) {
     std::string text = csv_line({"file", "place", "change", "reason"});
     for (const MutationOutcome& outcome : outcomes) {
@@ -42,18 +47,23 @@ std::string files_csv(const CountsByItem& counts) {
 
 std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcome>& outcomes) {
     const CountsByItem counts = count_by_item(outcomes);
-    const MutationCount all = total(counts);
-    const double share = 100.0 * static_cast<double>(all.noticed) / static_cast<double>(all.altered);
-    const nlohmann::ordered_json exhibit{
-        {"title", "Mutation of the firmware's code"},
-        {"state", all.open() == 0 ? "holds" : "open"},
-        {"says", fmt::format("{} mutants of the firmware, {:.1f} % noticed by a test; {} survive without a reason.",
-                             all.altered, share, all.open())},
-        {"figures",
-         {{"mutants", all.altered},
-          {"noticed by a test", all.noticed},
-          {"survive with a reason", all.justified},
-          {"survive without", all.open()}}}};
+    const MutationCount all = total_of(counts, false);
+    const MutationCount host = total_of(counts, true);
+    nlohmann::ordered_json exhibit{{"title", "Mutation of the firmware's code"},
+                                   {"state", all.open() + host.open() == 0 ? "holds" : "open"},
+                                   {"says", sentence("the firmware", all)},
+                                   {"figures",
+                                    {{"mutants", all.altered},
+                                     {"noticed by a test", all.noticed},
+                                     {"survive with a reason", all.justified},
+                                     {"survive without", all.open()}}}};
+    if (host.altered != 0) {
+        exhibit["says"] = sentence("the firmware", all) + " " + sentence("the host's buses and replay", host);
+        exhibit["figures"]["mutants of the host"] = host.altered;
+        exhibit["figures"]["of these noticed"] = host.noticed;
+        exhibit["figures"]["survive with a reason on the host"] = host.justified;
+        exhibit["figures"]["survive without on the host"] = host.open();
+    }
     return {{"exhibit.json", exhibit.dump(1) + "\n"},
             {"survivors.csv", survivors_csv(outcomes)},
             {"files.csv", files_csv(counts)},

@@ -1,4 +1,4 @@
-// What the evidence pack shows of the mutants of the firmware's code: figures by file, and each survivor with its
+// What the evidence pack shows of the mutants of code: figures by file, and each survivor with its
 // reason.
 #pragma once
 

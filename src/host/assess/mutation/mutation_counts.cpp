@@ -1,5 +1,7 @@
 #include "host/assess/mutation/mutation_counts.hpp"
 
+#include "host/assess/mutation/mutation_table.hpp"
+
 namespace canproof::host {
 
 MutationCount& MutationCount::operator+=(const MutationCount& more) {
@@ -7,6 +9,10 @@ MutationCount& MutationCount::operator+=(const MutationCount& more) {
     noticed += more.noticed;
     justified += more.justified;
     return *this;
+}
+
+double MutationCount::share_noticed() const {
+    return altered == 0 ? 100.0 : 100.0 * static_cast<double>(noticed) / static_cast<double>(altered);
 }
 
 CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes) {
@@ -21,6 +27,16 @@ MutationCount total(const CountsByItem& counts) {
     MutationCount all;
     for (const auto& [item, count] : counts) {
         all += count;
+    }
+    return all;
+}
+
+MutationCount total_of(const CountsByItem& counts, bool host) {
+    MutationCount all;
+    for (const auto& [file, count] : counts) {
+        if (is_host(file) == host) {
+            all += count;
+        }
     }
     return all;
 }

@@ -16,11 +16,15 @@ struct MutationCount {
     std::size_t noticed{0};
     std::size_t justified{0};
     std::size_t open() const { return altered - noticed - justified; }
+    /// In percent of all; 100 where there are none.
+    double share_noticed() const;
     MutationCount& operator+=(const MutationCount& more);
 };
 
 using CountsByItem = std::map<std::string, MutationCount>;
 CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes);
 MutationCount total(const CountsByItem& counts);
+/// Of mutants of code by file: those of the host's buses and replay, or the others.
+MutationCount total_of(const CountsByItem& counts, bool host);
 
 }  // namespace canproof::host

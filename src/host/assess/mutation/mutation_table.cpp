@@ -7,6 +7,8 @@ namespace canproof::host {
 namespace {
 
 constexpr const char* all = "all";
+constexpr const char* host = "host";
+constexpr const char* host_folder = "src/host/sim/";
 constexpr std::array<const char*, 4> harnesses{"conformance", "units", "properties", "otherwise"};
 
 bool begins(const std::string& text, const std::string& with) {
@@ -43,7 +45,14 @@ std::string operator_of(const std::string& change) {
     return begins(mutated, "variable ") ? "variable" : "operator";
 }
 
+bool is_host(const std::string& file) {
+    return begins(file, host_folder);
+}
+
 std::string layer_of(const std::string& file) {
+    if (is_host(file)) {
+        return std::string{host} + "/" + folder_after(file, host_folder);
+    }
     const std::string device = folder_after(file, "src/devices/");
     return device.empty() ? folder_after(file, "src/firmware/") : device;
 }
@@ -64,8 +73,9 @@ std::map<std::pair<std::string, std::string>, OperatorCount> count_by_operator(
     for (const MutationOutcome& outcome : outcomes) {
         const std::string layer = layer_of(outcome.cell.item);
         const std::string kind = operator_of(outcome.cell.change);
+        const char* const sum = is_host(outcome.cell.item) ? host : all;
         for (const auto& key :
-             {std::pair<std::string, std::string>{layer, kind}, {layer, all}, {all, kind}, {all, all}}) {
+             {std::pair<std::string, std::string>{layer, kind}, {layer, all}, {sum, kind}, {sum, all}}) {
             OperatorCount& count = counts[key];
             ++count.mutants;
             count.justified += outcome.killed_by.empty() && outcome.record != nullptr ? 1U : 0U;

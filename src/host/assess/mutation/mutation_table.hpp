@@ -16,8 +16,12 @@ namespace canproof::host {
 /// literal.
 std::string operator_of(const std::string& change);
 
-/// `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for src/devices/ax130751/firmware/relay.cpp.
+/// `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for src/devices/ax130751/firmware/relay.cpp, `host/bus` for
+/// src/host/sim/bus/candump.cpp.
 std::string layer_of(const std::string& file);
+
+/// Of the host's buses and replay, not of the firmware.
+bool is_host(const std::string& file);
 
 /// `conformance`, `units` or `properties`, from the source of the test that noticed; `otherwise` without one.
 std::string harness_of(const std::string& test_file);
@@ -30,7 +34,8 @@ struct OperatorCount {
     std::size_t open{0};
 };
 
-/// By layer and operator; the layer `all` and the operator `all` hold the sums.
+/// By layer and operator. The operator `all` holds the sums, and so do the layers `all` of the firmware, `host` of the
+/// host's buses and replay.
 std::map<std::pair<std::string, std::string>, OperatorCount> count_by_operator(
     const std::vector<MutationOutcome>& outcomes);
 

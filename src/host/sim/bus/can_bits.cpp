@@ -22,7 +22,7 @@ void append_identifier(std::vector<bool>& bits, const Frame& frame) {
     if (frame.extended) {
         append(bits, frame.id >> extension_bits, base_id_bits);
         append(bits, 0b11U, 2U);  // SRR and IDE, recessive
-        append(bits, frame.id & ((1U << extension_bits) - 1U), extension_bits);
+        append(bits, frame.id, extension_bits);
         append(bits, frame.remote ? 1U : 0U, 1U);
         append(bits, 0U, 2U);  // r1, r0
     } else {

@@ -20,20 +20,20 @@ namespace {
 }
 
 bool all_of(const std::string& text, const char* allowed) {
-    return !text.empty() && text.find_first_not_of(allowed) == std::string::npos;
+    return text.find_first_not_of(allowed) == std::string::npos;
 }
 
 constexpr const char* hex_digits = "0123456789abcdefABCDEF";
 
 /// By hand: a log has thousands of frames a second.
 void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
-    for (unsigned shift = digits * 4U; shift > 0U; shift -= 4U) {
-        text += "0123456789ABCDEF"[(value >> (shift - 4U)) & 0xFU];
+    for (unsigned left = digits; left > 0U; --left) {
+        text += "0123456789ABCDEF"[(value >> (4U * (left - 1U))) & 0xFU];
     }
 }
 
 void read_data(Frame& frame, const std::string& data, const std::string& where) {
-    if (data.size() % 2 != 0 || data.size() > 2 * max_frame_length || (!data.empty() && !all_of(data, hex_digits))) {
+    if (data.size() % 2 != 0 || data.size() > 2 * max_frame_length || !all_of(data, hex_digits)) {
         refuse(where, fmt::format("data `{}` is not up to eight bytes in hexadecimal", data));
     }
     frame.length = static_cast<std::uint8_t>(data.size() / 2);
@@ -72,7 +72,7 @@ Frame parse_frame(const std::string& text, const std::string& where) {
         refuse(where, fmt::format("identifier {} is too large", id));
     }
     const std::string data = without_length_code(text.substr(hash + 1), where);
-    if (!data.empty() && (data[0] == 'R' || data[0] == 'r')) {
+    if (data.find_first_of("Rr") == 0) {
         frame.remote = true;
         const std::string length = data.substr(1);
         if (length.size() > 1 || (length.size() == 1 && (length[0] < '0' || length[0] > '8'))) {

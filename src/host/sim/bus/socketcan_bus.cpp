@@ -34,9 +34,7 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     open_socket(ports_.front());
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
-    if (!system_.is_up(interface_)) {
-        lose_interface(now);
-    }
+    lose_interface(now);  // unless it is up
 }
 
 SocketCanBus::~SocketCanBus() {
@@ -66,7 +64,7 @@ bool SocketCanBus::put(const Frame& frame, Instant) {
 std::vector<Watch> SocketCanBus::watches() const {
     std::vector<Watch> all;
     for (const Port& port : ports_) {
-        if (port.descriptor >= 0 && !down_) {
+        if (!down_) {
             all.push_back({port.descriptor, true, false});
         }
     }
@@ -103,7 +101,7 @@ Instant SocketCanBus::poll(Instant now) {
 Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     Port& from = ports_[port];
     Instant last = now;
-    for (std::size_t read = 0; read < reads_at_once && from.descriptor >= 0; read += received_.size()) {
+    for (std::size_t read = 0; read < reads_at_once; read += received_.size()) {
         received_.clear();
         const int error = system_.receive(from.descriptor, received_);
         for (const CanReception& got : received_) {
@@ -122,10 +120,11 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     return last;
 }
 
-/// The kernel's stamp on the run's clock; one that lies before what was already delivered is due at once.
+/// The kernel's stamp on the run's clock, now when there is none; one that lies before what was already delivered is
+/// due at once.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
     const std::int64_t us = static_cast<std::int64_t>(stamp_ns / 1000) + clock_offset_us_;
-    const Instant stamped = stamp_ns == 0 || us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
+    const Instant stamped = us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
     return stamped < advanced_to_ ? advanced_to_ : stamped;
 }
 
@@ -218,7 +217,7 @@ const Frame* SocketCanBus::next_frame(const Port& port) const {
 }
 
 void SocketCanBus::send_waiting(Port& port, Instant now) {
-    for (const Frame* next = next_frame(port); next != nullptr && port.descriptor >= 0; next = next_frame(port)) {
+    for (const Frame* next = next_frame(port); next != nullptr; next = next_frame(port)) {
         const Frame frame = *next;
         const int error = system_.send(port.descriptor, to_kernel(frame));
         if (error == ENOBUFS || error == EAGAIN) {
@@ -244,7 +243,6 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             tell(BusFrame{now, frame, nullptr});
         }
         port.pause = Duration{};
-        port.retry = never;
     }
     port.retry = never;
 }

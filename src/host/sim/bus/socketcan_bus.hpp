@@ -122,7 +122,6 @@ class SocketCanBus final : public Bus {
         std::uint64_t us;
     };
     std::deque<Busy> busy_;
-    std::uint64_t busy_us_{0};
 };
 
 }  // namespace canproof::host

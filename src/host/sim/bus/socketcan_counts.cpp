@@ -43,10 +43,8 @@ void SocketCanBus::count(const Frame& frame, Instant now) {
     if (bit_rate_ != 0) {
         const std::uint64_t us = (std::uint64_t{frame_bits(frame)} + intermission_bits) * 1000000U / bit_rate_;
         busy_.push_back({now, us});
-        busy_us_ += us;
     }
     while (!busy_.empty() && busy_.front().end + load_window < now) {
-        busy_us_ -= busy_.front().us;
         busy_.pop_front();
     }
 }

@@ -88,7 +88,7 @@ void SocketCanBus::change_bit_rate(const Port& port) {
 /// The kernel reports a change of the interface even when it is over: what counts is how things are now.
 void SocketCanBus::lose_interface(Instant now) {
     const bool same = system_.interface_number(interface_) == number_;
-    if (down_ || (same && system_.is_up(interface_))) {
+    if (same && system_.is_up(interface_)) {
         return;
     }
     down_ = true;

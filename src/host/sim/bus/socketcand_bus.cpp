@@ -44,8 +44,9 @@ int listen_at(const ListenAddress& address) {
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
-                       bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
+    // Best effort: without it a port is free again a minute later.
+    static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on));
+    const bool sound = descriptor >= 0 && bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
                        listen(descriptor, waiting_connections) == 0;
     const int error = errno;
     freeaddrinfo(found);
@@ -86,7 +87,7 @@ std::uint16_t port_of(int descriptor) {
 ListenAddress parse_listen_address(const std::string& text) {
     ListenAddress address;
     const auto colon = text.rfind(':');
-    const bool bare_host = colon == std::string::npos || (!text.empty() && text.back() == ']');
+    const bool bare_host = colon == std::string::npos || text.back() == ']';
     std::string host = bare_host ? text : text.substr(0, colon);
     const std::string port = bare_host ? "" : text.substr(colon + 1);
     if (host.size() >= 2 && host.front() == '[' && host.back() == ']') {
@@ -200,7 +201,7 @@ void SocketcandBus::end_idle_clients(Instant now) {
         if (client.is_idle() && client.joined_at + open_limit <= now) {
             send_away(client, fmt::format("the bus was not opened within {} s", open_limit.us / 1000000U), now);
         }
-        client.gone = client.gone || client.closes_at <= now;
+        client.gone = client.closes_at <= now;
     }
     const auto leaving = static_cast<std::size_t>(
         std::count_if(clients_.begin(), clients_.end(), [](const Client& one) { return one.leaves(); }));
@@ -229,7 +230,7 @@ void SocketcandBus::read_client(Client& client, Instant now) {
     std::array<char, SocketcandSession::input_limit> piece{};
     if (client.session->wants_input() && !client.ended) {
         const ssize_t count = recv(client.descriptor, piece.data(), piece.size(), 0);
-        client.ended = count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
+        client.ended = count == 0 || (count < 0 && errno != EAGAIN);
         got = count > 0 ? std::string_view{piece.data(), static_cast<std::size_t>(count)} : got;
     }
     client.session->receive(got, now);
@@ -239,7 +240,7 @@ void SocketcandBus::write_client(Client& client) {
     const std::string& text = client.session->output();
     if (!client.deaf && !text.empty()) {
         const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
-        client.deaf = count < 0 && errno != EAGAIN && errno != EINTR;
+        client.deaf = count < 0 && errno != EAGAIN;
         client.session->sent(count > 0 ? static_cast<std::size_t>(count) : 0U);
     }
     if (client.deaf) {
@@ -247,7 +248,7 @@ void SocketcandBus::write_client(Client& client) {
     } else if (client.leaves() && text.empty()) {
         shutdown(client.descriptor, SHUT_WR);  // it reads why, and closes
     }
-    if (client.session->is_dropped() && !client.gone) {
+    if (client.session->is_dropped()) {
         notice(fmt::format("{} was dropped: {}", client.name, client.session->dropped_because()));
         client.gone = true;
     }

@@ -38,7 +38,7 @@ std::string name_of(const SocketcandPlace& place) {
 }
 
 bool must_wait() {
-    return errno == EAGAIN || errno == EINTR || errno == EINPROGRESS;
+    return errno == EAGAIN || errno == EINPROGRESS;
 }
 
 }  // namespace
@@ -88,8 +88,9 @@ void SocketcandClientBus::connect_to_server(Instant now) {
     client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({polled_at_, frame}); });
     descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
+    static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // best effort
     const bool sound =
-        descriptor_ >= 0 && setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on) == 0 &&
+        descriptor_ >= 0 &&
         (connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait());
     connecting_ = sound;
     if (!sound) {
@@ -179,7 +180,7 @@ void SocketcandClientBus::read_server(Instant now) {
 }
 
 void SocketcandClientBus::look_at_joining(Instant now) {
-    if (join_by_ == never || !client_) {
+    if (join_by_ == never) {  // no server is asked to
         return;
     }
     if (client_->has_joined()) {
@@ -207,7 +208,7 @@ void SocketcandClientBus::write_server() {
     const ssize_t count = ::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL);
     if (count > 0) {
         client_->sent(static_cast<std::size_t>(count));
-    } else if (count < 0 && !must_wait()) {
+    } else if (!must_wait()) {
         lose_server(std::strerror(errno), polled_at_);
     }
 }

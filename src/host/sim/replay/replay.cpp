@@ -92,13 +92,12 @@ class Player {
     /// When the log's or the stimuli's next line comes, in the log's time.
     Instant next_line() const {
         const Instant line = earliest(has_frame_ ? frame_.time : never, has_stimulus() ? stimulus().time : never);
-        return input_.until && *input_.until < line ? never : line;
+        const bool is_over = input_.until && *input_.until < line;
+        return is_over ? never : line;
     }
 
     /// … in the device's time: after a silence no longer than longest_silence.
-    Instant due_of(Instant line) const {
-        return line == never ? never : earliest(Instant{line.us - shift_}, last_line_ + longest_silence);
-    }
+    Instant due_of(Instant line) const { return earliest(Instant{line.us - shift_}, last_line_ + longest_silence); }
 
     Instant next() const {
         const Instant line = next_line();
@@ -127,7 +126,6 @@ class Player {
     void pass_silence(Instant line, Instant now) {
         const std::uint64_t shift = std::max(shift_, line.us - std::min(now.us, line.us));
         if (shift > shift_) {
-            release_all();
             tell(fmt::format("nothing happens before {}: {} s of it are left out", format_seconds(line),
                              (shift - shift_) / 1000000U));
         }
@@ -159,7 +157,7 @@ class Player {
         while (!device_.queue().empty()) {
             const Frame frame = device_.queue().pop();
             own_.sent(frame, time_.now());
-            if (is_marked_ && has_frame_) {
+            if (is_marked_) {
                 held_.push_back({now, interface_, frame});
             } else {
                 write({now, interface_, frame});
@@ -189,7 +187,6 @@ class Player {
         for (const LoggedFrame& one : held_) {
             write(one);
         }
-        held_.clear();
     }
 
     void write(const LoggedFrame& frame) { frames_out_ << format_candump_line(frame) << '\n'; }

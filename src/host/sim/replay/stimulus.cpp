@@ -35,7 +35,7 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         }
         const std::string where = lines.where();
         const auto first = line.find(',');
-        const auto second = first == std::string::npos ? first : line.find(',', first + 1);
+        const auto second = line.find(',', first + 1);  // npos + 1 is 0: without a first there is no second
         if (second == std::string::npos) {
             throw InputError{fmt::format("{}: `{}` has no three fields; write seconds,signal,value", where, line)};
         }

@@ -122,6 +122,34 @@ TEST_F(Coverage, MeasuresTheFirmwareOfADeviceAndNotItsSimulation) {
     EXPECT_THAT(told("measured.json"), HasSubstr("measures no file of the firmware"));
 }
 
+TEST_F(Coverage, HostsBusesAndReplayHaveTheirOwnFigure) {
+    std::string text = measured;
+    const std::string firmware = text.substr(
+        text.find("{\"filename\""), text.find("  {\"filename\": \"/elsewhere/tests") - text.find("{\"filename\""));
+    std::string host = firmware;
+    host.replace(host.find("src/firmware/base/one.cpp"), std::string{"src/firmware/base/one.cpp"}.size(),
+                 "src/host/sim/bus/one.cpp");
+    text.insert(text.find(firmware), host);
+    std::filesystem::create_directories(root_ / "src/host/sim/bus");
+    write("src/host/sim/bus/one.cpp", source);
+    write("measured.json", text);
+    const auto files = read();
+    ASSERT_THAT(files, SizeIs(2));
+    EXPECT_FALSE(files[0].is_host());
+    EXPECT_TRUE(files[1].is_host());
+    EXPECT_EQ(files[1].file, "src/host/sim/bus/one.cpp");
+    EXPECT_EQ(totals_of(files).conditions.total, 2U);
+    EXPECT_EQ(host_totals_of(files).conditions.total, 2U);
+    EXPECT_EQ(judge_coverage(files, {}).host_conditions.total, 2U);
+    EXPECT_EQ(judge_coverage(files, {}).conditions.total, 2U);
+    EXPECT_EQ(write_cobertura(files).find("src/host/"), std::string::npos);
+    CoverageVerdict verdict;
+    verdict.host_conditions = {95, 100};
+    EXPECT_TRUE(verdict.holds());
+    verdict.host_conditions = {94, 99};  // 94.95 %
+    EXPECT_FALSE(verdict.holds());
+}
+
 TEST_F(Coverage, CountsLinesBranchesConditionsAndFunctions) {
     const FileCoverage one = read().at(0);
     // All twelve lines hold code. Run: 1, 2, 5, 6, 7. Line 4 closes what never ran, 9 what never ran to its end.

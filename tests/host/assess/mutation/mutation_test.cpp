@@ -286,6 +286,32 @@ TEST(CodeMutation, CountsByLayerAndOperatorWhichHarnessNoticed) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
+TEST(CodeMutation, HostStandsByItselfInTableAndExhibit) {
+    EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
+    EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
+    EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));
+    EXPECT_FALSE(is_host("src/firmware/canopen/node.cpp"));
+    const std::vector<MutationOutcome> outcomes{
+        {{0, "src/firmware/canopen/a.cpp", "f, line 1", "x -> true"}, "S.T", true, nullptr, "tests/x_test.cpp"},
+        {{1, "src/host/sim/bus/b.cpp", "f, line 1", "x -> true"}, "S.T", true, nullptr, "properties/host/x.cpp"},
+        {{2, "src/host/sim/bus/b.cpp", "f, line 1", "x -> false"}, "S.T", true, nullptr, "tests/x_test.cpp"},
+        {{3, "src/host/sim/replay/c.cpp", "f, line 1", "x -> true"}, "", true, nullptr, ""}};
+    const std::string table = operators_csv(outcomes);
+    EXPECT_THAT(table, HasSubstr("all,all,1,0,1,0,0,0,0\r\n"));
+    EXPECT_THAT(table, HasSubstr("host,all,3,0,1,1,0,0,1\r\n"));
+    EXPECT_THAT(table, HasSubstr("host/bus,all,2,0,1,1,0,0,0\r\n"));
+    EXPECT_THAT(table, HasSubstr("host/replay,all,1,0,0,0,0,0,1\r\n"));
+    const std::string exhibit = code_exhibit(outcomes).at("exhibit.json");
+    EXPECT_THAT(exhibit, HasSubstr("1 mutants of the firmware, 100.0 % noticed by a test; 0 survive without a reason. "
+                                   "3 mutants of the host's buses and replay, 66.7 % noticed by a test; 1 survive"));
+    EXPECT_THAT(exhibit, HasSubstr(R"("state": "open")"));
+    EXPECT_THAT(exhibit, HasSubstr(R"("mutants": 1)"));
+    EXPECT_THAT(exhibit, HasSubstr(R"("mutants of the host": 3)"));
+    EXPECT_EQ(total_of(count_by_item(outcomes), true).altered, 3U);
+    EXPECT_EQ(total_of(count_by_item(outcomes), false).altered, 1U);
+    EXPECT_DOUBLE_EQ(MutationCount{}.share_noticed(), 100.0);
+}
+
 TEST(CodeMutation, ExhibitSaysWhatSurvives) {
     const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
     std::vector<MutationOutcome> outcomes{

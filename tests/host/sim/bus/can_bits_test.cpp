@@ -92,6 +92,8 @@ TEST(CanBits, FieldsStandInTheOrderOfTheStandard) {
 
 TEST(CanBits, FiveEqualBitsGetASixthOfTheOtherLevelWhichCounts) {
     EXPECT_EQ(count_stuff_bits(bits_of("0000")), 0U);
+    EXPECT_EQ(count_stuff_bits(bits_of("1111")), 0U);
+    EXPECT_EQ(count_stuff_bits(bits_of("11111")), 1U);
     EXPECT_EQ(count_stuff_bits(bits_of("00000")), 1U);
     EXPECT_EQ(count_stuff_bits(bits_of("000001")), 1U);
     // the stuffed 1 and four more make five: stuffed again
@@ -137,6 +139,14 @@ TEST(CanBits, ArbitrationGoesToTheDominantBit) {
     EXPECT_TRUE(wins("001#R", "00040000#R"));  // RTR meets SRR, then IDE decides
     EXPECT_TRUE(wins("0003FFFF#", "001#"));    // base identifier 0 is lower
     EXPECT_TRUE(wins("00040000#", "00040001#"));
+}
+
+TEST(CanBits, RankIsTheArbitrationFieldFromTheHighestBitOn) {
+    const auto rank = [](const char* text) { return arbitration_rank(frame(text)); };
+    EXPECT_EQ(rank("703#"), 0xE0600000U);       // 11100000011 0, then IDE dominant
+    EXPECT_EQ(rank("703#R"), 0xE0700000U);      // RTR is the twelfth bit
+    EXPECT_EQ(rank("00040001#"), 0x00380002U);  // 00000000001 1 1 000000000000000001 0
+    EXPECT_EQ(rank("1FFFFFFF#R"), 0xFFFFFFFFU);
 }
 
 }  // namespace canproof::host::test

@@ -27,7 +27,9 @@ class FakeCanSystem : public CanSystem {
         std::uint32_t dropped{0};
         std::deque<int> send_answers;  ///< one a call; then 0
         std::vector<std::string> sent;
+        std::vector<std::size_t> filters_when_sent;  ///< how many it had, one for each of `sent`
         int send_calls{0};
+        int closed{0};  ///< how often
     };
 
     CanOpening open(const std::string&, bool error_frames) override {
@@ -36,9 +38,12 @@ class FakeCanSystem : public CanSystem {
         }
         const int descriptor = next_descriptor++;
         sockets[descriptor].error_frames = error_frames;
-        return {descriptor, 0, roomy};
+        return {descriptor, 0, roomy && descriptor >= first_roomy};
     }
-    void close(int descriptor) override { sockets[descriptor].open = false; }
+    void close(int descriptor) override {
+        sockets[descriptor].open = false;
+        ++sockets[descriptor].closed;
+    }
     int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
         sockets[descriptor].filters = filters;
         return 0;
@@ -53,6 +58,7 @@ class FakeCanSystem : public CanSystem {
         }
         if (answer == 0) {
             socket.sent.push_back(format_frame(from_kernel(frame)));
+            socket.filters_when_sent.push_back(socket.filters.size());
         }
         return answer;
     }
@@ -84,7 +90,7 @@ class FakeCanSystem : public CanSystem {
     }
     bool restart(const std::string&) override {
         ++restarts;
-        return true;
+        return restart_answer;
     }
     std::uint64_t realtime_ns() override { return realtime_us * 1000; }
 
@@ -112,12 +118,14 @@ class FakeCanSystem : public CanSystem {
     int next_descriptor{100};
     int open_error{0};
     bool roomy{true};
+    int first_roomy{0};  ///< sockets before this one are not
     unsigned number{3};
     bool up{true};
     std::uint32_t rate{0};
     std::string rate_refusal;
     std::vector<std::uint32_t> rates_set;
     int restarts{0};
+    bool restart_answer{true};
     std::uint64_t realtime_us{5000000};
 };
 

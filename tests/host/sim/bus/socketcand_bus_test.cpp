@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
-constexpr int most_looks = 12000;  // only a broken test waits so long
+constexpr int most_looks = 500;    // only a broken test waits so long
 constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
 
 class SocketcandServer : public testing::Test {
@@ -187,6 +187,92 @@ TEST_F(SocketcandServer, ClientForWhomThereIsNoPlaceIsToldSo) {
     TcpClient next{bus.port()};
     next.say(join);
     EXPECT_TRUE(until([&] { return next.heard() == joined; }));
+    TcpClient too_late{bus.port()};
+    ASSERT_TRUE(until([&] { return too_late.ended(); }));
+    EXPECT_THAT(notices, SizeIs(2));  // told again, for it is another crowd
+}
+
+TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
+    const auto idle = clients_that("", SocketcandBus::most_clients);
+    pass(Duration{SocketcandBus::patience.us - 1});
+    TcpClient late{bus.port()};
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_THAT(late.heard(), HasSubstr("32 clients have joined"));
+    EXPECT_FALSE(idle.front()->ended());
+}
+
+TEST_F(SocketcandServer, StatisticsComeWhenTheyAreDue) {
+    TcpClient client{bus.port()};
+    client.say(join + "< send 123 2 01 02 >< statistics 700 >");
+    ASSERT_TRUE(until([&] { return log.size() == 1 && bus.next_deadline() != never; }));
+    EXPECT_LE(bus.next_deadline(), now + milliseconds(700));
+    pass(Duration{elapsed(now, bus.next_deadline()).us - 1});
+    client.say("< echo >");
+    ASSERT_TRUE(until([&] { return client.heard() == joined + "< echo >"; }));
+    pass(microseconds(1));
+    ASSERT_TRUE(until([&] { return client.heard() == joined + "< echo >< stat 0 0 2 1 >"; }));
+    EXPECT_EQ(bus.next_deadline(), now + milliseconds(700));
+}
+
+TEST_F(SocketcandServer, WaitsForAClientOnlyWhereItCanGoOn) {
+    TcpClient flood{bus.port()};
+    flood.say(join);
+    ASSERT_TRUE(until([&] { return flood.heard() == joined; }));
+    EXPECT_THAT(bus.watches(), SizeIs(2));
+    std::string much;
+    for (int i = 0; i < 1000; ++i) {
+        much += "< send 123 0 >";
+    }
+    flood.say(much);
+    for (int turn = 0; turn < 4; ++turn) {
+        bus.poll(now);  // no time passes: its door is full, and so is what is held of its text
+    }
+    EXPECT_THAT(bus.watches(), SizeIs(1));
+    flood.hang_up();
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_THAT(log, SizeIs(1000));
+}
+
+TEST_F(SocketcandServer, ClientThatDoesNotReadIsWaitedForToWrite) {
+    TcpClient slow{bus.port()};
+    slow.say(join);
+    ASSERT_TRUE(until([&] { return slow.heard() == joined; }));
+    const auto waits = [&] { return bus.watches().back().writable; };
+    for (int i = 0; i < 200000 && !waits(); ++i) {
+        node.send("583#4300100091010800");
+        bus.advance(now);
+        now = bus.next_deadline();
+        bus.advance(now);
+    }
+    EXPECT_TRUE(waits());
+    EXPECT_EQ(bus.clients(), 1U);
+}
+
+TEST_F(SocketcandServer, ClientWhoseConnectionIsResetIsGone) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    client.reset();
+    for (int i = 0; i < 3; ++i) {  // sending finds it out, before anything is read
+        node.send("703#05");
+        bus.advance(now);
+        now = bus.next_deadline();
+        bus.advance(now);
+    }
+    EXPECT_EQ(bus.clients(), 1U);
+    EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
+}
+
+TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {
+    {
+        TcpClient client{bus.port()};
+        client.say(join + "< statistics 700 >");
+        ASSERT_TRUE(until([&] { return client.heard() == joined && bus.next_deadline() != never; }));
+    }
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_EQ(bus.next_deadline(), never);
+    EXPECT_THAT(bus.watches(), SizeIs(1));
+    EXPECT_THAT(notices, SizeIs(0));
 }
 
 TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
@@ -275,6 +361,8 @@ TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
         bus.poll(now);
         bus.advance(now);  // on the wire, and not yet over it
     }
+    bus.poll(now);
+    EXPECT_THAT(bus.watches(), SizeIs(1));  // it sends no more, and nothing waits for it
     EXPECT_TRUE(until([&] { return bus.clients() == 0; }));
     EXPECT_THAT(log, ElementsAre("123#AA"));
 }
@@ -288,7 +376,8 @@ TEST_F(SocketcandServer, ListensOnTheLoopbackUnlessTold) {
     EXPECT_EQ(parse_listen_address("0.0.0.0:1234").port, 1234);
     EXPECT_EQ(parse_listen_address("[::1]:1234").host, "::1");
     EXPECT_EQ(parse_listen_address("[::1]").host, "::1");
-    for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:-1"}) {
+    EXPECT_EQ(parse_listen_address("[::1").host, "[:");  // no bracket that closes
+    for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:100000", "127.0.0.1:-1"}) {
         EXPECT_THROW(parse_listen_address(wrong), InputError) << wrong;
     }
     EXPECT_THROW((SocketcandBus{{"127.0.0.1", bus.port()}, 125000, {}, 0}), InputError);  // taken

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
@@ -33,6 +35,62 @@ TEST(OwnFrames, EveryPartOfAFrameCounts) {
         EXPECT_FALSE(own.match(frame(other), Instant{})) << other;
     }
     EXPECT_TRUE(own.match(frame("703#7F00"), Instant{}));
+}
+
+TEST(OwnFrames, EachByteHasItsPlace) {
+    for (const auto& [sent, other] : {std::pair{"123#8000", "123#0001"},
+                                      {"123#0000000000000002", "123#0000000000000000"},
+                                      {"123#100000", "123#000001"},
+                                      {"123#0102", "123#0201"}}) {
+        OwnFrames own;
+        own.sent(frame(sent), Instant{});
+        EXPECT_FALSE(own.match(frame(other), Instant{})) << sent;
+        EXPECT_TRUE(own.match(frame(sent), Instant{})) << sent;
+    }
+}
+
+TEST(OwnFrames, BytesOfARemoteFrameDoNotCount) {
+    OwnFrames own;
+    Frame request = frame("123#R2");
+    request.data[0] = 0xAA;
+    own.sent(request, Instant{});
+    EXPECT_TRUE(own.match(frame("123#R2"), Instant{}));
+}
+
+TEST(OwnFrames, DifferentFramesOfTheSameHashAreDifferent) {
+    // The hash is data x S xor (head x S / 2), head = identifier x 2^32 + length, S odd. Of two frames with different
+    // identifiers it is the same where their data times S differ by what their heads make: data = difference / S,
+    // modulo 2^64.
+    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;
+    std::uint64_t inverse = spread;
+    for (int i = 0; i < 6; ++i) {
+        inverse *= 2U - spread * inverse;  // each step doubles the bits that are right
+    }
+    const auto head = [](std::uint64_t id) { return ((id << 32U) | 8U) * spread >> 1U; };
+    std::uint64_t data = (head(0x100) ^ head(0x101)) * inverse;
+    Frame other = frame("101#0000000000000000");
+    for (std::uint8_t& byte : other.data) {
+        byte = static_cast<std::uint8_t>(data & 0xFFU);
+        data >>= 8U;
+    }
+    OwnFrames own;
+    own.sent(frame("100#0000000000000000"), Instant{});
+    EXPECT_FALSE(own.match(other, Instant{}));
+    EXPECT_TRUE(own.match(frame("100#0000000000000000"), Instant{}));
+}
+
+TEST(OwnFrames, SeenOnesAreForgottenOneByOne) {
+    OwnFrames own;
+    own.sent(frame("703#7F"), Instant{0});
+    own.sent(frame("703#7F"), Instant{1000000});
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{2000000}));
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{2000000}));
+    EXPECT_FALSE(own.match(frame("703#7F"), Instant{60000001}));  // the first is forgotten
+    own.sent(frame("703#7F"), Instant{60500000});
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{61000001}));  // the second as well, the third is there
+    EXPECT_FALSE(own.match(frame("703#7F"), Instant{61000001}));
+    own.sent(frame("703#7F"), Instant{130000000});
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{130000000}));
 }
 
 TEST(OwnFrames, WhatDoesNotComeWithinAMinuteIsForgotten) {

@@ -1,0 +1,79 @@
+// A socketcand server on the loopback that says what a test tells it.
+#pragma once
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace canproof::host::test {
+
+class ScriptedServer {
+  public:
+    /// Listens at a port that the kernel chooses.
+    ScriptedServer() : listener_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+        EXPECT_EQ(listen(listener_, 4), 0);
+        EXPECT_EQ(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+        port_ = ntohs(address.sin_port);
+    }
+    ~ScriptedServer() {
+        hang_up();
+        close(listener_);
+    }
+    ScriptedServer(const ScriptedServer&) = delete;
+    ScriptedServer& operator=(const ScriptedServer&) = delete;
+
+    std::uint16_t port() const { return port_; }
+    /// Waits for the next client.
+    void accept_one() {
+        hang_up();
+        client_ = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+        EXPECT_GE(client_, 0);
+        heard_.clear();
+    }
+    void say(const std::string& text) const {
+        EXPECT_EQ(send(client_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    }
+    /// What the client has said so far.
+    const std::string& heard() {
+        std::array<char, 4096> piece{};
+        for (ssize_t count = 1; count > 0;) {
+            count = recv(client_, piece.data(), piece.size(), MSG_DONTWAIT);
+            heard_.append(piece.data(), count > 0 ? static_cast<std::size_t>(count) : 0U);
+        }
+        return heard_;
+    }
+    /// Resets the connection: the client's next call fails.
+    void reset_connection() {
+        const linger at_once{1, 0};
+        EXPECT_EQ(setsockopt(client_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once), 0);
+        close(client_);
+        client_ = -1;
+    }
+    /// Closes the connection with nothing unread: what was said before still arrives.
+    void hang_up() {
+        if (client_ >= 0) {
+            heard();
+            close(client_);
+            client_ = -1;
+        }
+    }
+
+  private:
+    int listener_;
+    int client_{-1};
+    std::uint16_t port_{0};
+    std::string heard_;
+};
+
+}  // namespace canproof::host::test

@@ -1,0 +1,205 @@
+// SocketCAN without a kernel: what comes before what, and what one port leaves to another.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/sim/bus/can_bits.hpp"
+#include "tests/host/sim/bus/socketcan_case.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int monitor = 100;
+constexpr int first = 101;
+constexpr int second = 102;
+constexpr int third = 103;
+
+/// Says what it was told in one list; asks for one identifier more with each frame, and answers it.
+class AskingNode : public PlainNode {
+  public:
+    using PlainNode::PlainNode;
+    void receive(const Frame& frame, Instant) override {
+        told.push_back(format_frame(frame));
+        accepted.push_back({frame.id + 1U, 0x7FF, false});
+        send("583#60");
+    }
+    void set_overrun(bool lost, Instant) override { told.emplace_back(lost ? "overrun" : "no overrun"); }
+
+    std::vector<std::string> told;
+};
+
+}  // namespace
+
+TEST_F(SocketCan, NodeHearsOfAnOverrunBeforeTheFrame_AndHasItsNewFiltersBeforeItsAnswer) {
+    start();
+    AskingNode asking{"asking"};
+    bus->attach(asking);
+    system.arrive(third, "603#40", system.realtime_us, 1);
+    step(10);
+    EXPECT_THAT(asking.told, ElementsAre("overrun", "603#40"));
+    EXPECT_THAT(system.sockets[third].filters_when_sent, ElementsAre(3U));  // two that let all through, and its own
+}
+
+TEST_F(SocketCan, UsersLineIsLoggedBehindWhatCameBefore) {
+    start();
+    bus->put(parse_frame("000#0100", "test"), now);
+    system.arrive(monitor, "080#", system.realtime_us + 100);
+    system.arrive(monitor, "081#", system.realtime_us + 200);
+    step(300);
+    EXPECT_THAT(log, ElementsAre("1000100 - 080#", "1000200 - 081#", "1000300 - 000#0100"));
+}
+
+TEST_F(SocketCan, UsersLineIsNoEchoOfANode) {
+    start();
+    bus->put(parse_frame("703#05", "test"), now);
+    step(10);
+    a.send("703#05");
+    step(10);
+    system.arrive(monitor, "703#05", system.realtime_us);
+    step(10);
+    EXPECT_THAT(log, ElementsAre("1000010 - 703#05", "1000020 a 703#05"));
+}
+
+TEST_F(SocketCan, FramesOfOneTurnAreTakenInTheirOrder_BeforeWhatIsHeld) {
+    start();
+    now.us += 1000;
+    system.realtime_us += 1000;
+    for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
+        system.arrive(monitor, "080#", us);
+    }
+    bus->poll(now);
+    system.arrive(first, "603#01", 5000400);
+    system.arrive(second, "604#02", 5000200);
+    bus->poll(now);
+    bus->advance(Instant{1000250});
+    EXPECT_THAT(log, ElementsAre("1000100 - 080#"));
+    EXPECT_THAT(b.heard, ElementsAre("1000200 604#02"));
+    EXPECT_THAT(a.heard, IsEmpty());
+}
+
+TEST_F(SocketCan, RunThatOnlyHoldsFramesOfTheFutureReadsOn) {
+    start();
+    constexpr std::size_t count = SocketCanBus::most_arrived + 10;
+    for (std::size_t i = 0; i < count; ++i) {
+        system.arrive(monitor, "080#", system.realtime_us + 1000000);
+    }
+    for (int turn = 0; turn < 20; ++turn) {
+        bus->poll(now);
+    }
+    EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
+}
+
+TEST_F(SocketCan, NothingIsReadWhileTheInterfaceIsDown) {
+    start();
+    system.up = false;
+    system.fail(monitor, ENETDOWN);
+    system.arrive(first, "603#40", system.realtime_us);
+    step(10);
+    step(10);
+    EXPECT_THAT(a.heard, IsEmpty());
+    system.up = true;
+    step(100000);
+    step(10);
+    EXPECT_THAT(a.heard, SizeIs(1));
+}
+
+TEST_F(SocketCan, ClocksThatAreNearlyTheSameKeepTheirDistance) {
+    system.realtime_us = 1020000;  // 20 ms before the run's
+    start();
+    system.arrive(first, "603#40", 1020010);
+    step(100);
+    EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
+}
+
+TEST_F(SocketCan, FrameOfTheRunsTimeZeroIsDueThen) {
+    start();
+    system.arrive(first, "603#40", 4000000);
+    bus->poll(now);
+    EXPECT_EQ(bus->next_deadline(), Instant{0});
+}
+
+TEST_F(SocketCan, NodeThatDropsItsFrameWhileItWaitsHasNothingDue) {
+    start();
+    a.send("703#05");
+    system.sockets[first].send_answers = {ENOBUFS};
+    step(10);
+    a.waiting.clear();
+    step(1000);
+    EXPECT_EQ(bus->next_deadline(), never);
+    EXPECT_EQ(system.sockets[first].send_calls, 1);
+}
+
+TEST_F(SocketCan, InterfaceThatIsDownIsLookedForAndNothingElseIsDue) {
+    start();
+    a.send("703#05");
+    b.send("704#05");
+    system.sockets[second].send_answers = {ENOBUFS};
+    step(10);
+    a.send("703#05");
+    system.up = false;
+    step(10);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
+}
+
+TEST_F(SocketCan, InterfaceThatCameBackUnderANewNumberKeepsIt) {
+    start();
+    system.number = 9;
+    system.fail(first, ENODEV);
+    step(10);
+    system.number = 0;  // no number: it is not there, whatever its flags say
+    step(100000);
+    EXPECT_THAT(notices, SizeIs(1));
+    system.number = 9;
+    step(100000);
+    EXPECT_THAT(notices, SizeIs(2));
+    system.fail(first + 3, ENETDOWN);  // reported late: it is up
+    step(10);
+    EXPECT_THAT(notices, SizeIs(2));
+    EXPECT_THAT(a.states, SizeIs(2));
+}
+
+TEST_F(SocketCan, BitRateThatANodeBeginsWithIsNoNews) {
+    a.rate = 125000;
+    start(InterfaceControl::granted);
+    step(10);
+    EXPECT_THAT(notices, IsEmpty());
+    EXPECT_THAT(system.rates_set, IsEmpty());
+}
+
+TEST_F(SocketCan, LossOfOneSocketIsToldThoughAnotherHasNone) {
+    a.rate = 125000;
+    start();
+    system.arrive(first, "603#40", system.realtime_us);
+    step(10);
+    EXPECT_THAT(notices, IsEmpty());
+    system.arrive(monitor, "603#40", system.realtime_us, 3);
+    system.arrive(first, "603#40", system.realtime_us);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("3 frames came faster")));
+    step(2000000);
+    EXPECT_THAT(notices, SizeIs(1));  // nothing new
+}
+
+TEST_F(SocketCan, OneSocketWithoutRoomIsEnoughForTheRemedy) {
+    system.first_roomy = first;  // not the monitor
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 1);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("are lost to a"), HasSubstr("net.core.rmem_max")));
+}
+
+TEST_F(SocketCan, LoadAtALowBitRateIsExact) {
+    system.rate = 20;  // 50 ms a bit
+    start();
+    system.arrive(monitor, "703#05", system.realtime_us);
+    step(10);
+    const double seconds = (frame_bits(parse_frame("703#05", "test")) + 3.0) / 20.0;
+    EXPECT_NEAR(bus->report(now).load, seconds, 1.0e-9);
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,354 @@
+// SocketCAN without a kernel: load, what sending and reading may answer, and when a controller is restarted.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/can/error.h>
+
+#include "host/sim/bus/can_bits.hpp"
+#include "tests/host/sim/bus/socketcan_case.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int monitor = 100;
+constexpr int first = 101;
+constexpr int second = 102;
+
+}  // namespace
+
+TEST_F(SocketCan, LoadIsThatOfTheLastSecondAtTheInterfacesBitRate) {
+    system.rate = 500000;  // 2 us a bit
+    start();
+    EXPECT_EQ(bus->report(now).bit_rate, 500000U);
+    EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
+    system.arrive(monitor, "703#05", system.realtime_us + 10);
+    step(10);
+    const double one = 2.0 * (frame_bits(parse_frame("703#05", "test")) + 3.0) / 1.0e6;
+    EXPECT_NEAR(bus->report(now).load, one, 1.0e-9);
+    system.arrive(monitor, "703#05", system.realtime_us + 600000);
+    step(600000);
+    EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
+    EXPECT_NEAR(bus->report(Instant{2000010}).load, 2.0 * one, 1.0e-9);
+    EXPECT_NEAR(bus->report(Instant{2000011}).load, one, 1.0e-9);  // the first is older than a second
+    system.arrive(monitor, "703#05", system.realtime_us + 500000);
+    step(500000);
+    EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
+    EXPECT_EQ(bus->report(now).frames, 3U);
+}
+
+TEST_F(SocketCan, InterfaceWithoutABitRateHasNoLoad) {
+    start();
+    system.arrive(monitor, "703#05", system.realtime_us);
+    step(10);
+    EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
+    EXPECT_EQ(bus->report(now).frames, 1U);
+}
+
+TEST_F(SocketCan, FrameThatIsRefusedIsToldAndTheNextOneGoesOut) {
+    start();
+    a.send("703#05");
+    a.send("704#05");
+    system.sockets[first].send_answers = {EINVAL};
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 did not take 703#05 (Invalid argument)"));
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("704#05"));
+    system.arrive(monitor, "703#05", system.realtime_us);  // of somebody else
+    system.arrive(monitor, "704#05", system.realtime_us);
+    step(10);
+    EXPECT_THAT(log, ElementsAre("1000010 - 703#05", "1000010 a 704#05"));
+    EXPECT_EQ(bus->next_deadline(), never);
+}
+
+TEST_F(SocketCan, SendingThatMustWaitByEagainWaitsAsWell) {
+    start();
+    a.send("703#05");
+    system.sockets[first].send_answers = {EAGAIN};
+    step(10);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);
+    step(1000);
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST_F(SocketCan, SendingThatFindsTheInterfaceGoneForAMomentIsTriedAgain) {
+    for (const int error : {ENETDOWN, ENODEV, ENXIO, ENOENT}) {
+        start();
+        const int socket_of_a = system.next_descriptor - 2;
+        a.send("703#05");
+        system.sockets[socket_of_a].send_answers = {error};  // and yet it is up
+        step(10);
+        EXPECT_THAT(a.states, IsEmpty()) << error;
+        EXPECT_EQ(bus->next_deadline().us, now.us + 16000) << error;
+        step(16000);
+        EXPECT_THAT(system.sockets[socket_of_a].sent, ElementsAre("703#05")) << error;
+        EXPECT_EQ(bus->next_deadline(), never) << error;
+    }
+}
+
+TEST_F(SocketCan, FrameThatWaitsIsSentAfterItsPauseAndNotBecauseAnotherArrived) {
+    start();
+    a.send("703#05");
+    system.sockets[first].send_answers = {ENOBUFS, ENOBUFS};
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us + 100);
+    step(100);
+    EXPECT_EQ(system.sockets[first].send_calls, 1);
+    EXPECT_THAT(a.heard, SizeIs(1));
+    step(900);
+    EXPECT_EQ(system.sockets[first].send_calls, 2);
+}
+
+TEST_F(SocketCan, LinesOfTheUserAreTakenUpTo256AndCountedAsFrames) {
+    start();
+    system.sockets[monitor].send_answers = {ENOBUFS};
+    int taken = 0;
+    while (taken < 1000 && bus->put(parse_frame("000#0100", "test"), now)) {
+        ++taken;
+    }
+    EXPECT_EQ(taken, 256);
+    step(10);
+    EXPECT_THAT(log, IsEmpty());
+    EXPECT_EQ(bus->report(now).frames, 0U);
+    step(1000);
+    EXPECT_EQ(bus->report(now).frames, 256U);
+    EXPECT_TRUE(bus->put(parse_frame("000#0100", "test"), now));
+}
+
+TEST_F(SocketCan, FrameWithoutAStampIsDueNowAndOneFromBeforeTheRunAsWell) {
+    start();
+    step(10);
+    CanReception got;
+    got.frame = to_kernel(parse_frame("603#40", "test"));
+    system.sockets[first].arriving.push_back({got});  // no stamp
+    step(10);
+    EXPECT_THAT(a.heard, ElementsAre("1000020 603#40"));
+    system.arrive(first, "603#41", 3999999);  // before the run's time 0
+    step(10);
+    EXPECT_EQ(a.heard.back(), "1000030 603#41");
+    system.arrive(first, "603#42", 5000001);  // what was delivered since is later
+    now.us += 10;
+    system.realtime_us += 10;
+    bus->poll(now);
+    EXPECT_EQ(bus->next_deadline().us, 1000030U);
+    bus->advance(now);
+    EXPECT_EQ(a.heard.back(), "1000030 603#42");
+}
+
+TEST_F(SocketCan, SmallDriftOfTheClocksIsNoClockThatWasSet) {
+    start();
+    step(10);
+    now.us += 100000;
+    system.realtime_us += 150000;  // 50 ms more: as much as is tolerated
+    system.arrive(first, "603#40", system.realtime_us - 100);
+    bus->poll(now);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 49900);  // by the clocks as they stood at first: 4 s apart
+    now.us += 100000;
+    bus->advance(now);
+    now.us += 1000;
+    system.realtime_us += 101001;  // 1 us more
+    system.arrive(first, "603#41", system.realtime_us - 100);
+    bus->poll(now);
+    EXPECT_EQ(bus->next_deadline().us, now.us - 100);  // the new distance
+}
+
+TEST_F(SocketCan, ErrorFramesCountOnceHoweverManyNodesHearThem) {
+    start();
+    system.arrive_error(first, CAN_ERR_PROT, 0);
+    system.arrive_error(second, CAN_ERR_PROT, 0);
+    step(10);
+    EXPECT_EQ(bus->report(now).errors, 1U);
+    EXPECT_THAT(a.states, IsEmpty());
+    EXPECT_THAT(a.overruns, IsEmpty());
+    system.arrive_error(monitor, CAN_ERR_BUSOFF, 0);  // the monitor asks for none
+    step(10);
+    EXPECT_EQ(bus->report(now).errors, 1U);
+    EXPECT_THAT(log, IsEmpty());
+}
+
+TEST_F(SocketCan, SameStateIsToldOnce) {
+    start();
+    for (int i = 0; i < 3; ++i) {
+        system.arrive_error(first, CAN_ERR_CRTL, 0x08);
+        system.arrive_error(first, CAN_ERR_CRTL, 0x01);
+    }
+    step(10);
+    EXPECT_THAT(a.states, ElementsAre("1000000 1"));
+    EXPECT_THAT(a.overruns, ElementsAre(true));
+    EXPECT_THAT(b.states, IsEmpty());
+}
+
+TEST_F(SocketCan, ControllerThatRecoversByItselfIsNotRestarted) {
+    start(InterfaceControl::granted);
+    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+    step(10);
+    EXPECT_EQ(bus->next_deadline().us, 1500000U);  // half a second after the error frame
+    system.arrive_error(first, CAN_ERR_RESTARTED, 0);
+    step(10);
+    EXPECT_EQ(bus->next_deadline(), never);
+    step(600000);
+    EXPECT_EQ(system.restarts, 0);
+}
+
+TEST_F(SocketCan, RestartThatFailsIsTriedAgain) {
+    start(InterfaceControl::granted);
+    system.restart_answer = false;
+    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+    step(10);
+    step(500000);
+    EXPECT_EQ(system.restarts, 1);
+    EXPECT_EQ(bus->next_deadline().us, now.us + 500000);
+    system.restart_answer = true;
+    step(500000);
+    EXPECT_EQ(system.restarts, 2);
+    EXPECT_EQ(bus->next_deadline(), never);
+    step(500000);
+    EXPECT_EQ(system.restarts, 2);
+}
+
+TEST_F(SocketCan, RestartThatIsNotGrantedIsToldOnce) {
+    start();
+    system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+    step(10);
+    step(500000);
+    EXPECT_EQ(bus->next_deadline(), never);
+    step(500000);
+    EXPECT_THAT(notices, SizeIs(1));
+}
+
+TEST_F(SocketCan, InterfaceThatIsDownAtTheStartIsBusOffToItsNodes) {
+    system.up = false;
+    start();
+    EXPECT_THAT(a.states, ElementsAre("0 3"));
+    EXPECT_THAT(bus->watches(), IsEmpty());
+    EXPECT_EQ(bus->next_deadline().us, 1100000U);
+    a.send("703#05");
+    step(10);
+    EXPECT_EQ(system.sockets[first].send_calls, 0);
+    system.up = true;
+    step(100000);
+    EXPECT_THAT(a.states, SizeIs(2));
+    EXPECT_THAT(notices, ElementsAre("vcan0 is up again"));
+    EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
+}
+
+TEST_F(SocketCan, InterfaceThatComesBackWithoutSocketsIsLookedForAgain) {
+    start();
+    system.number = 0;
+    system.up = false;
+    system.fail(first, ENODEV);
+    step(10);
+    system.number = 9;
+    step(100000);  // there, but down
+    EXPECT_THAT(notices, SizeIs(1));
+    system.up = true;
+    system.open_error = ENODEV;
+    step(100000);  // gone between two calls
+    a.accepted = {{0x604, 0x7FF, false}};
+    step(100000);
+    EXPECT_THAT(notices, SizeIs(1));
+    EXPECT_THAT(system.sockets, SizeIs(3));  // none was asked for that is not there
+    EXPECT_EQ(system.sockets[first].closed, 1);
+    EXPECT_THAT(bus->watches(), IsEmpty());
+    EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
+    system.open_error = 0;
+    system.rate = 250000;
+    step(100000);
+    EXPECT_THAT(notices, ElementsAre("vcan0 is gone; waiting for it", "vcan0 is up again"));
+    EXPECT_EQ(bus->report(now).bit_rate, 250000U);
+    EXPECT_THAT(bus->watches(), SizeIs(3));
+    EXPECT_EQ(bus->next_deadline(), never);
+}
+
+TEST_F(SocketCan, NewSocketCountsItsOwnLossesFromZero) {
+    a.rate = 125000;
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 5);
+    step(10);
+    EXPECT_EQ(bus->report(now).missed, 5U);
+    system.number = 9;
+    system.up = false;
+    system.fail(first, ENETDOWN);
+    step(10);
+    system.up = true;
+    system.open_error = ENODEV;
+    step(100000);
+    EXPECT_EQ(bus->report(now).missed, 5U);  // without a socket
+    system.open_error = 0;
+    step(100000);
+    const int again = first + 3;
+    system.arrive(again, "603#40", system.realtime_us, 5);
+    step(10);
+    EXPECT_EQ(bus->report(now).missed, 10U);
+    EXPECT_THAT(a.overruns, ElementsAre(true));  // the second loss follows the first without a frame between
+}
+
+TEST_F(SocketCan, InterfaceThatWasMadeAgainIsNotTakenForTheOldOne) {
+    start();
+    system.number = 9;  // removed and made again, up all the time that anybody looked
+    system.fail(first, ENODEV);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
+    EXPECT_THAT(a.states, SizeIs(1));
+    step(100000);
+    EXPECT_THAT(a.states, SizeIs(2));
+    EXPECT_FALSE(system.sockets[first].open);
+}
+
+TEST_F(SocketCan, BitRateThatWasSetIsTheOneReported) {
+    a.rate = 125000;
+    system.rate = 125000;
+    start(InterfaceControl::granted);
+    a.rate = 250000;
+    step(10);
+    EXPECT_EQ(bus->report(now).bit_rate, 250000U);
+    a.rate = 0;  // whatever the bus has
+    step(10);
+    EXPECT_THAT(system.rates_set, ElementsAre(250000U));
+    a.rate = 250000;
+    step(10);
+    EXPECT_THAT(system.rates_set, ElementsAre(250000U, 250000U));
+    system.rate_refusal = "busy";
+    a.rate = 500000;
+    step(10);
+    EXPECT_EQ(bus->report(now).bit_rate, 250000U);
+}
+
+TEST_F(SocketCan, FiltersThatStayAreNotSetAgain) {
+    a.accepted = {{0x603, 0x7FF, false}};
+    start();
+    system.sockets[first].filters.clear();
+    step(10);
+    EXPECT_THAT(system.sockets[first].filters, IsEmpty());
+    a.accepted = {{0x604, 0x7FF, false}};
+    step(10);
+    ASSERT_THAT(system.sockets[first].filters, SizeIs(1));
+    EXPECT_EQ(system.sockets[first].filters[0].can_id, 0x604U);
+    system.sockets[first].filters.clear();
+    step(10);
+    EXPECT_THAT(system.sockets[first].filters, IsEmpty());
+}
+
+TEST_F(SocketCan, MissingRightsAreSaidWithWhatToCheck) {
+    system.open_error = EPERM;
+    try {
+        SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};
+        FAIL() << "opened";
+    } catch (const std::exception& refused) {
+        EXPECT_THAT(refused.what(), HasSubstr("vcan7 cannot be opened (Operation not permitted); check the interface"));
+    }
+}
+
+TEST_F(SocketCan, SocketsAreClosedAtTheEnd) {
+    start();
+    bus.reset();
+    for (const auto& [descriptor, socket] : system.sockets) {
+        EXPECT_FALSE(socket.open) << descriptor;
+    }
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,299 @@
+// One socketcand client at the limits of what it may say, and the words that server and client share.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/sim/bus/candump.hpp"
+#include "host/sim/bus/socketcand_client.hpp"
+#include "host/sim/bus/socketcand_session.hpp"
+#include "host/sim/bus/socketcand_text.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class SocketcandLimits : public testing::Test {
+  protected:
+    std::string say(const std::string& text, Instant now = Instant{}) {
+        session.receive(text, now);
+        return heard();
+    }
+    std::string heard() {
+        std::string text = session.output();
+        session.sent(text.size());
+        return text;
+    }
+    void arrives(const std::string& frame) { session.gateway().receive(parse_frame(frame, "test"), Instant{}); }
+
+    SocketcandSession session{"client", 0};
+};
+
+constexpr const char* refused_subscription = "< error subscribe takes seconds, microseconds and an identifier >";
+
+}  // namespace
+
+TEST(SocketcandText, NumbersHaveOneToEightHexadecimalDigits) {
+    EXPECT_EQ(hex_number("0", 0), 0U);
+    EXPECT_EQ(hex_number("ffffffff", 0xFFFFFFFFU), 0xFFFFFFFFU);
+    EXPECT_EQ(hex_number("7FF", 0x7FF), 0x7FFU);
+    EXPECT_EQ(hex_number("800", 0x7FF), std::nullopt);
+    for (const char* wrong : {"", "000000001", "g", "-1", "0x1", " 1"}) {
+        EXPECT_EQ(hex_number(wrong, 0xFFFFFFFFU), std::nullopt) << wrong;
+    }
+}
+
+TEST(SocketcandText, IdentifierOfEightDigitsHas29Bits) {
+    Frame frame{};
+    EXPECT_TRUE(read_identifier("7FF", frame));
+    EXPECT_FALSE(frame.extended);
+    EXPECT_EQ(frame.id, 0x7FFU);
+    EXPECT_TRUE(read_identifier("1FFFFFFF", frame));
+    EXPECT_TRUE(frame.extended);
+    EXPECT_EQ(frame.id, 0x1FFFFFFFU);
+    EXPECT_TRUE(read_identifier("0", frame));
+    EXPECT_FALSE(frame.extended);
+    for (const char* wrong : {"800", "20000000", "0000800", "xyz", ""}) {
+        EXPECT_FALSE(read_identifier(wrong, frame)) << wrong;
+    }
+    frame.id = 0x12;
+    frame.extended = false;
+    EXPECT_EQ(format_identifier(frame), "012");
+    frame.extended = true;
+    EXPECT_EQ(format_identifier(frame), "00000012");
+}
+
+TEST(SocketcandText, BytesHaveTwoDigitsEachAndAreUpToEight) {
+    Frame frame{};
+    EXPECT_TRUE(read_bytes("0102a5ff0506b7c8", frame));
+    EXPECT_EQ(frame.length, 8U);
+    EXPECT_EQ(frame.data, (std::array<std::uint8_t, 8>{0x01, 0x02, 0xA5, 0xFF, 0x05, 0x06, 0xB7, 0xC8}));
+    EXPECT_TRUE(read_bytes("", frame));
+    EXPECT_EQ(frame.length, 0U);
+    for (const char* wrong : {"0", "012", "010203040506070809", "0g"}) {
+        EXPECT_FALSE(read_bytes(wrong, frame)) << wrong;
+    }
+}
+
+TEST(SocketcandText, CommandStandsBetweenItsBrackets) {
+    bool too_long = false;
+    std::string input = "x< a ><b><";
+    EXPECT_EQ(take_command(input, 10, too_long), " a ");
+    EXPECT_EQ(input, "<b><");
+    EXPECT_EQ(take_command(input, 10, too_long), "b");
+    EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
+    EXPECT_FALSE(too_long);
+    EXPECT_EQ(input, "<");
+    input = "nothing";
+    EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
+    EXPECT_EQ(input, "");
+}
+
+TEST(SocketcandText, CommandMayBeAsLongAsItsLimit) {
+    bool too_long = false;
+    std::string input = "<" + std::string(9, 'a') + ">";  // the bracket behind ten characters
+    EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));
+    EXPECT_FALSE(too_long);
+    input = "<" + std::string(10, 'a') + ">< b >";
+    EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
+    EXPECT_TRUE(too_long);
+    EXPECT_EQ(take_command(input, 10, too_long), " b ");  // the next one is heard
+    EXPECT_FALSE(too_long);
+    input = "<" + std::string(9, 'a');  // without an end: as long as it may be
+    EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
+    EXPECT_FALSE(too_long);
+    input += "a";
+    EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
+    EXPECT_TRUE(too_long);
+    EXPECT_EQ(input, "a");
+}
+
+TEST_F(SocketcandLimits, ReceiveTellsWhetherAFrameWentOntoTheBus) {
+    EXPECT_FALSE(session.receive("< open can0 >", Instant{}));
+    EXPECT_FALSE(session.receive("< echo >< send 123 9 >", Instant{}));
+    EXPECT_TRUE(session.receive("< send 123 0 >", Instant{}));
+    EXPECT_FALSE(session.receive("", Instant{}));
+}
+
+TEST_F(SocketcandLimits, OpenNamesABus_AndLeavesItOpenWhenItNamesNone) {
+    EXPECT_EQ(say(""), "< hi >");
+    EXPECT_EQ(say("< open vcan7 >"), "< ok >");
+    EXPECT_EQ(say("< open >"), "< error could not open bus >");
+    EXPECT_TRUE(session.has_joined());
+    EXPECT_EQ(say("< rawmode >"), "< ok >");
+    EXPECT_EQ(say("< open >"), "< error could not open bus >");
+    arrives("123#");
+    EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // still in raw mode
+}
+
+TEST_F(SocketcandLimits, SubscriptionsAreOfTheirModeAndFormat) {
+    say("< open can0 >< subscribe 0 0 123 >< subscribe 1 5 00000456 >");
+    arrives("00000123#");
+    arrives("456#");
+    EXPECT_EQ(heard(), "");
+    arrives("00000456#05");
+    EXPECT_EQ(heard(), "< frame 00000456 0.000000 05 >");
+    say("< bcmmode >");  // begins again
+    arrives("123#");
+    EXPECT_EQ(heard(), "");
+    EXPECT_EQ(say("< rawmode >< unsubscribe 123 >"), "< ok >< error unknown command >");
+    arrives("123#");
+    EXPECT_EQ(heard(), "< frame 123 0.000000  >");
+    say("< controlmode >");
+    arrives("123#");
+    EXPECT_EQ(heard(), "");
+}
+
+TEST_F(SocketcandLimits, SubscribeTakesThreeWordsAndUnsubscribeOne) {
+    say("< open can0 >");
+    for (const char* wrong : {"< subscribe 123 >", "< subscribe 0 0 0 123 >", "< subscribe 0 0 800 >", "< subscribe >",
+                              "< unsubscribe >", "< unsubscribe 0 0 123 >", "< unsubscribe 800 >"}) {
+        EXPECT_EQ(say(wrong), refused_subscription) << wrong;
+    }
+}
+
+TEST_F(SocketcandLimits, SubscriptionsAreUpTo256_AndOneThatEndsMakesRoom) {
+    say("< open can0 >");
+    for (unsigned id = 0; id < 256; ++id) {
+        EXPECT_EQ(say(fmt::format("< subscribe 0 0 {:03X} >", id)), "") << id;
+    }
+    EXPECT_EQ(say("< subscribe 0 0 700 >"), refused_subscription);
+    EXPECT_EQ(say("< unsubscribe 701 >"), "");  // never subscribed
+    EXPECT_EQ(say("< subscribe 0 0 700 >"), refused_subscription);
+    EXPECT_EQ(say("< unsubscribe 0FF >< subscribe 0 0 700 >"), "");
+    arrives("0FF#");
+    EXPECT_EQ(heard(), "");
+    arrives("700#");
+    EXPECT_EQ(heard(), "< frame 700 0.000000  >");
+}
+
+TEST_F(SocketcandLimits, StatisticsTakeUpToAnHour) {
+    say("< open can0 >");
+    EXPECT_EQ(say("< statistics 3600000 >"), "");
+    EXPECT_EQ(session.next_deadline(), Instant{3600000000U});
+    EXPECT_EQ(say("< statistics 1 >"), "");
+    EXPECT_EQ(session.next_deadline(), Instant{1000});
+    for (const char* wrong : {"< statistics 3600001 >", "< statistics >", "< statistics 1 2 >", "< statistics -1 >",
+                              "< statistics 100000000 >", "< statistics 000000001 >"}) {
+        EXPECT_EQ(say(wrong), "< error statistics takes a period in milliseconds, 0 for none >") << wrong;
+    }
+    EXPECT_EQ(session.next_deadline(), Instant{1000});
+}
+
+TEST_F(SocketcandLimits, ClientIsDroppedWhenItsTextWouldPassTheLimit) {
+    say("< open can0 >< rawmode >");
+    // `< frame 123 0.000000  >` has 23 characters: 262144 = 11397 x 23 + 13
+    for (int i = 0; i < 11397; ++i) {
+        arrives("123#");
+    }
+    EXPECT_EQ(session.output().size(), 262131U);
+    EXPECT_FALSE(session.is_dropped());
+    session.receive("< error", Instant{});
+    session.receive(" >", Instant{});  // `< error unknown command >` has 25 characters
+    EXPECT_TRUE(session.is_dropped());
+    EXPECT_EQ(session.output().size(), 262131U);
+    EXPECT_FALSE(session.wants_input());
+    session.receive("< send 123 0 >", Instant{});
+    EXPECT_EQ(session.gateway().next_frame(), nullptr);
+    session.sent(100000);
+    arrives("123#");
+    EXPECT_EQ(session.output().size(), 162131U);  // it hears no more
+}
+
+TEST_F(SocketcandLimits, TextMayFillTheLimitToItsLastCharacter) {
+    say("< open can0 >< rawmode >");
+    for (int i = 0; i < 11396; ++i) {
+        arrives("123#");  // 23 characters each
+    }
+    arrives("00000123#01020304");  // 36: five more of the identifier, eight of the bytes
+    EXPECT_EQ(session.output().size(), 262144U);
+    EXPECT_FALSE(session.is_dropped());
+    session.sent(22);
+    arrives("123#");
+    EXPECT_TRUE(session.is_dropped());
+    EXPECT_EQ(session.output().size(), 262122U);
+}
+
+TEST_F(SocketcandLimits, InputIsHeldUpToItsLimit) {
+    say("< open can0 >");
+    std::string flood;
+    for (int i = 0; i < 32; ++i) {
+        flood += "< send 123 0 >";  // as many frames as the door holds
+    }
+    session.receive(flood, Instant{});
+    EXPECT_TRUE(session.gateway().is_full());
+    session.receive(std::string(4095, ' '), Instant{});
+    EXPECT_TRUE(session.wants_input());
+    session.receive(" ", Instant{});
+    EXPECT_FALSE(session.wants_input());
+}
+
+TEST_F(SocketcandLimits, SendTakesBytesApartOrTogether) {
+    say("< open can0 >");
+    const auto frame_of = [this](const std::string& words) {
+        const std::string said = say("< send " + words + " >");
+        if (session.gateway().next_frame() == nullptr) {
+            return said;
+        }
+        const std::string text = format_frame(*session.gateway().next_frame());
+        session.gateway().take_frame();
+        return text;
+    };
+    EXPECT_EQ(frame_of("123 2 01 02"), "123#0102");
+    EXPECT_EQ(frame_of("123 2 1 2"), "123#0102");
+    EXPECT_EQ(frame_of("123 2 0102"), "123#0102");
+    EXPECT_EQ(frame_of("123 1 5"), "123#05");
+    EXPECT_EQ(frame_of("123 0"), "123#");
+    EXPECT_EQ(frame_of("00000123 1 5"), "00000123#05");
+    for (const char* wrong : {"123 2 01", "123 2 010", "123 2 010203", "123 1 0102", "123 3 0102 03", "123 2 01 02 03",
+                              "123 2 001 02", "123 0 1", "123 9", "123 x 01"}) {
+        EXPECT_THAT(frame_of(wrong), HasSubstr("< error send takes")) << wrong;
+    }
+}
+
+TEST(SocketcandClientLimits, ClientWaitsWhereTheServerTakesNothing) {
+    SocketcandClient client{"can0", [](const Frame&) {}};
+    client.take("< hi >< ok >< ok >");
+    client.sent(client.output().size());
+    // 14 characters of `< send 080 0 >`, 17 of `< send 080 1 05 >`: 1163 x 14 + 6 x 17 = 16384
+    for (int i = 0; i < 1163; ++i) {
+        client.send(parse_frame("080#", "test"));
+    }
+    for (int i = 0; i < 6; ++i) {
+        EXPECT_TRUE(client.may_send());
+        client.send(parse_frame("080#05", "test"));
+    }
+    EXPECT_EQ(client.output().size(), SocketcandClient::output_limit);
+    EXPECT_FALSE(client.may_send());
+    client.sent(1);
+    EXPECT_TRUE(client.may_send());
+    EXPECT_EQ(client.output().front(), ' ');  // the first character is gone
+}
+
+TEST(SocketcandClientLimits, ComplaintIsTheServersLastAndRefusesOnlyBeforeJoining) {
+    SocketcandClient client{"can0", [](const Frame&) {}};
+    EXPECT_FALSE(client.is_refused());
+    client.take("< hi >< error >");
+    EXPECT_EQ(client.complaint(), "error");
+    EXPECT_TRUE(client.is_refused());
+    client.take("< error   two  words   >");
+    EXPECT_EQ(client.complaint(), "two  words");
+    client.take("< ok >< ok >");
+    EXPECT_TRUE(client.has_joined());
+    EXPECT_FALSE(client.is_refused());
+}
+
+TEST(SocketcandClientLimits, AnswersCountInTheirOrderOnly) {
+    SocketcandClient client{"can0", [](const Frame&) {}};
+    client.take("< ok >< ok >");
+    EXPECT_EQ(client.output(), "");
+    client.take("< hi >");
+    client.take("< hi >");
+    EXPECT_EQ(client.output(), "< open can0 >");
+    client.take("< ok >< ok >< ok >");
+    EXPECT_EQ(client.output(), "< open can0 >< rawmode >");
+    EXPECT_TRUE(client.has_joined());
+}
+
+}  // namespace canproof::host::test

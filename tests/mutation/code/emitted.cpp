@@ -1,0 +1,23 @@
+// Functions of the host's headers that only tests call: emitted here, so that the program of mutants has them with
+// their mutants.
+#include <cstdint>
+
+#include "host/sim/bus/bus_faults.hpp"
+#include "host/sim/bus/echo_matcher.hpp"
+#include "host/sim/bus/fault_confinement.hpp"
+#include "host/sim/bus/socketcand_client.hpp"
+
+namespace canproof::host {
+
+template class EchoMatcher<int>;
+
+namespace {
+
+[[gnu::used]] bool (BusFaultRates::*const any)() const = &BusFaultRates::any;
+[[gnu::used]] std::uint32_t (FaultConfinement::*const transmit_errors)() const = &FaultConfinement::transmit_errors;
+[[gnu::used]] std::uint32_t (FaultConfinement::*const receive_errors)() const = &FaultConfinement::receive_errors;
+[[gnu::used]] std::size_t (SocketcandClient::*const held)() const = &SocketcandClient::held;
+
+}  // namespace
+
+}  // namespace canproof::host
