@@ -63,7 +63,6 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     const LssConfiguration stored = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     use_bit_rate(stored.bit_rate);
     node_.power_on(stored, inputs.can_state, inputs.can_overrun, now);
-    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
@@ -109,7 +108,6 @@ void Device::restart(const Instant now) {
     span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
     results_.fill(undefined_signal());
-    overdue_ = 0U;
     take_input_filter();
     take_settings();
     for (std::size_t function = 0U; function < function_count; ++function) {
