@@ -195,6 +195,21 @@ TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
+TEST_F(ActiveList, AMessageThatFindsNoRoomLeavesAMillisecondLater) {
+    verifies<req::CO_EMCY_001>();
+    while (queue.push(data_frame(0x701, 1))) {
+        // until it is full
+    }
+    emcy.set(channel_1, true, Instant{});
+    while (!queue.empty()) {
+        queue.pop();
+    }
+    emcy.advance(Instant{999});
+    EXPECT_EQ(sent(), Frames{});
+    emcy.advance(Instant{1000});
+    EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
+}
+
 /// 1014h as a stored set may bring it back: messages are switched off.
 TEST_F(ActiveList, WhatWaitsWhenAResetSwitchesMessagesOffIsNeverSent) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();

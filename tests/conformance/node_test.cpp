@@ -112,6 +112,43 @@ TEST_F(NodeService, WithoutANodeIdNoEmergencyIsSentAfterASilenceEither) {
     EXPECT_EQ(sent(), Frames{});
 }
 
+TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
+    verifies<req::CO_LSS_030, req::CO_PDO_018>();
+    configure();
+    talk({{"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});
+    EXPECT_EQ(send("000#0105"), Frames{"185#0000"});
+    device->node().process_value_changed(0x2001, 1, now);
+    EXPECT_EQ(pass(1), Frames{"0:185#0000"});
+    EXPECT_EQ(send("000#8205"), Frames{});
+    device->node().process_value_changed(0x2001, 1, now);
+    EXPECT_EQ(pass(1000), Frames{});
+}
+
+TEST_F(NodeService, AProducerThatIsHeardAgainAndFallsSilentAgainIsLostAgain) {
+    verifies<req::CO_HB_002>();
+    send("605#2F29100101000000");  // 1029h:1: no change of state
+    lose_producer();
+    EXPECT_EQ(send("710#05"), Frames{"085#0000000100000000"});
+    EXPECT_EQ(pass(99), Frames{});
+    EXPECT_EQ(pass(1), Frames{"1:085#3081110200000000"});
+}
+
+TEST_F(NodeService, AWriteToOneEntryOf1016hLeavesTheOthersWatched) {
+    verifies<req::CO_HB_002, req::CO_HB_003>();
+    send("605#2316100164001000");  // node 10h, 100 ms
+    send("605#2316100264001100");  // node 11h, 100 ms
+    for (const char* entry : {"605#2316100164001000", "605#2316100100000000"}) {
+        send("710#05");
+        send("711#05");
+        send(entry);
+        EXPECT_EQ(pass(99), Frames{});
+        EXPECT_EQ(pass(1).size(), 1U) << entry;  // 11h
+        EXPECT_EQ(send("711#05").size(), 1U) << entry;
+        send("605#2316100200000000");
+        send("605#2316100264001100");
+    }
+}
+
 TEST_F(NodeService, AProducerThatIsWatchedNoMoreIsNotWaitedFor) {
     verifies<req::CO_HB_003>();
     EXPECT_EQ(device->next_deadline().us, never.us);

@@ -48,6 +48,17 @@ TEST_F(Rpdo, TheTimeOutLastsWhileAnyPdoIsLate) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
+TEST_F(Rpdo, ASynchronousOneIsMonitoredFromItsReceptionOn) {
+    verifies<req::CO_PDO_021>();
+    send("605#2F29100101000000");
+    send("605#2F00140201000000");  // type 1
+    send("605#2B0014050A000000");  // 10 ms
+    send("205#1122");
+    EXPECT_TRUE(pass(9).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC has come
+    EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
+}
+
 TEST_F(Rpdo, NothingIsWaitedForWhenTheMonitoringHasEnded) {
     verifies<req::CO_PDO_021, req::CO_PDO_022>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {

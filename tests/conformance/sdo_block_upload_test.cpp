@@ -60,6 +60,20 @@ TEST_F(SdoBlock, UploadInSubBlocksOfTwo) {
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#D5");
 }
 
+TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
+    verifies<req::CO_SDO_021, req::CO_SDO_022>();
+    const Bytes bytes = counting(30);  // 5 segments: 1, 3 and 1
+    hold(bytes);
+    talk(*this, {
+                    {"605#A400240001000000", {"585#C60024001E000000"}},
+                    {"605#A300000000000000", {"585#0101020304050607"}},
+                    {"605#A201030000000000", {"585#0108090A0B0C0D0E", "585#020F101112131415", "585#03161718191A1B1C"}},
+                    {"605#A203010000000000", {"585#811D1E0000000000"}},
+                    {"605#A201010000000000", {block_end("585", bytes)}},
+                    {"605#A100000000000000", {}},
+                });
+}
+
 TEST_F(SdoBlock, WhatTheClientDidNotGetComesAgain) {
     verifies<req::CO_SDO_022>();
     const Bytes bytes = counting(21);  // three full segments

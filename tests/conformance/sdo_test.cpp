@@ -158,6 +158,15 @@ TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
+TEST_F(Sdo, EachSegmentOfADownloadRestartsTheTimeOut) {
+    verifies<req::CO_SDO_014>();
+    send("603#2120100104000000");
+    EXPECT_TRUE(pass(900).empty());
+    EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
+    EXPECT_TRUE(pass(900).empty());
+    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
+}
+
 TEST_F(Sdo, ARefusedWriteChangesNothing) {
     verifies<req::CO_SDO_011>();
     EXPECT_EQ(send("603#2F43640103000000"), (Frames{"583#8043640130000906"}));
@@ -233,6 +242,14 @@ TEST_F(SlaveSdo, ASizeThatIsNotShownIsNotRead) {
                     {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 hold no size
                     {"605#0D78000000000000", {"585#2000000000000000"}},  // "x", last
                     {"605#4000230000000000", {"585#4F00230078000000"}},
+                });
+}
+
+TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
+    verifies<req::CO_SDO_003>();
+    talk(*this, {
+                    {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8
+                    {"605#4001210100000000", {"585#4B01210134120000"}},
                 });
 }
 

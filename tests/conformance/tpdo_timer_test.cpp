@@ -127,6 +127,46 @@ TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
 
+TEST_F(Tpdo, AnAnsweredRequestBeginsTheEventTimerAnew) {
+    verifies<req::CO_PDO_016, req::CO_PDO_017>();
+    send("605#2B00180519000000");  // 25 ms
+    start();
+    EXPECT_EQ(pass(10), Frames{});
+    EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
+    EXPECT_EQ(pass(30), (Frames{"25:185#0000"}));
+}
+
+TEST_F(Tpdo, NoEventTimerIsWaitedForOutsideOperational) {
+    verifies<req::CO_PDO_017, req::CO_PDO_018>();
+    send("605#2B00180519000000");  // 25 ms
+    start();
+    EXPECT_EQ(device->next_deadline().us, (now + milliseconds(25)).us);
+    send("000#8005");
+    EXPECT_EQ(device->next_deadline().us, never.us);
+}
+
+TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
+    verifies<req::CO_PDO_006, req::CO_PDO_017>();
+    send("605#2B00180519000000");  // TPDO1: 25 ms
+    send("605#2B01180505000000");  // TPDO2: 5 ms
+    send("605#2301180185020000");  // 285h
+    send("000#0105");
+    EXPECT_EQ(send("605#2300180185010080"), (Frames{"585#6000180100000000"}));
+    for (const std::string& frame : pass(30)) {
+        EXPECT_NE(frame.find(":285#"), std::string::npos) << frame;
+    }
+}
+
+TEST_F(Tpdo, TheCountOfSyncsGoesOnWhenAnotherParameterIsWritten) {
+    verifies<req::CO_PDO_013, req::CO_PDO_025>();
+    send("605#2301180185020080");  // TPDO2 is off
+    send("605#2F00180202000000");  // at each second SYNC
+    send("000#0105");
+    EXPECT_EQ(send("080#"), Frames{});
+    EXPECT_EQ(send("605#2B00180519000000"), (Frames{"585#6000180500000000"}));
+    EXPECT_EQ(send("080#"), (Frames{"185#0000"}));
+}
+
 TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
     verifies<req::CO_PDO_017>();
     send("605#2B0018050A000000");  // 10 ms

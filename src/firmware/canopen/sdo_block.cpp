@@ -25,8 +25,8 @@ SdoBlockDownload::Step SdoBlockDownload::take(const sdo::Request& segment) noexc
         if (size_ > place_.size()) {
             return Step::too_long;  // the segment before this one was full, for it was not the last
         }
-        if (checks_crc_ && (size_ != 0U)) {
-            crc_.add_seven(newest_);
+        if (checks_crc_) {
+            crc_.add_seven(newest_);  // zeros before the first one, which leave the CRC at 0
         }
         newest_ = field_le<0U, max_frame_length>(segment) >> 8U;
         // Bytes beyond the place may be unused ones of the last segment; finish() knows.

@@ -157,9 +157,7 @@ void TransmitPdos::send_event(TransmitPdo& tpdo, const Instant now) noexcept {
     // An interval that the timer ended is followed by the next one without a gap, so that a period does not drift;
     // after a long silence it is not made up for.
     tpdo.inhibited_until = now + tpdo.parameters.inhibit;
-    if (tpdo.parameters.event.us == 0U) {
-        tpdo.timer_expires = never;
-    } else {
+    if (tpdo.parameters.event.us != 0U) {
         const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
         tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
     }
