@@ -193,6 +193,16 @@ TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
+TEST_F(Ax130751Diagnostics, OfTwoFaultsInOneCycleTheSupplyIsToldFirst) {
+    verifies<req::AOR_DIAG_007, req::AOR_ERR_003>();
+    inputs.supply = 7.5F;
+    EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0031010000000000", "1:0FF#0042010000000000"}));
+    EXPECT_EQ(read(0x1003, 1), 0x00004200U) << "the newest";
+    EXPECT_EQ(read(0x1003, 2), 0x00003100U);
+    inputs.supply = 24.0F;
+    EXPECT_EQ(temperature(20.0F), (Frames{"1:0FF#0000010000000000", "1:0FF#0000000000000000"}));
+}
+
 TEST_F(Ax130751Diagnostics, AFaultThatPassedWithoutANodeIdIsNotTold) {
     verifies<req::AOR_DIAG_007>();
     send("000#807F");

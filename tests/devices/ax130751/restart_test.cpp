@@ -106,6 +106,33 @@ TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
     });
 }
 
+TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
+    verifies<req::AOR_RELAY_003, req::AOR_RELAY_012, req::AOR_OUT_026>();
+    set8(0x2242, 1, 3);  // latched
+    store();
+    set8(0x6220, 3, 1);
+    pass(1);
+    set8(0x6220, 3, 0);
+    pass(1);
+    EXPECT_TRUE(relay_on());
+    send("000#817F");
+    start();
+    pass(5);
+    EXPECT_FALSE(relay_on());
+    set32(0x22A2, 1, 1000);
+    set8(0x22A0, 1, 1);
+    store();
+    for (const int state : {1, 0, 1}) {  // ON, and OFF again, which waits
+        set8(0x6220, 3, state);
+        pass(1);
+    }
+    EXPECT_TRUE(relay_on());
+    send("000#817F");
+    start();
+    pass(5);
+    EXPECT_FALSE(relay_on());
+}
+
 TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {

@@ -123,6 +123,9 @@ TEST_F(DigitalOutputTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");
     EXPECT_EQ(run("#.", latched), "##") << "two edges passed by, the control is still ON";
     EXPECT_EQ(run("#", latched), ".");
+    EXPECT_EQ(run(".#.#", latched, OutputDrive::keep), "....");
+    EXPECT_EQ(run("#.", latched), "..") << "kept, and an edge passed by";
+    EXPECT_EQ(run("#", latched), "#");
 }
 
 }  // namespace canproof::test

@@ -135,6 +135,8 @@ TEST_F(RelayTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
         EXPECT_EQ(run("..##", latched, "", drive), "....") << "overridden with OFF, disabled, in error";
         EXPECT_EQ(run("#.", latched), "##") << "one edge passed by, the control is still ON";
     }
+    EXPECT_EQ(run("..##", latched, "", OutputDrive::keep), "####") << "disabled, kept";
+    EXPECT_EQ(run("#.", latched), "##") << "an edge passed by";
     EXPECT_EQ(run("#.", latched), "..");
     EXPECT_EQ(run("#.#", inverse_latched), "#..");
     EXPECT_EQ(run("#.", inverse_latched, "", OutputDrive::shut_off), "..");
