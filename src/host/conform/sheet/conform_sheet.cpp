@@ -72,6 +72,7 @@ ConformSheet read_sheet(const std::string& text, const std::string& name, std::u
     }
     ConformSheet sheet;
     sheet.name = name;
+    sheet.text = text;
     sheet.checksum = sha256(text);
     sheet.part = std::move(read.part);
     sheet.notes = told(read.notes);
@@ -91,6 +92,12 @@ ConformSheet sheet_of(const Register& content, const Part& part) {
 
 ConformSheet sheet_of(const Part& part) {
     Register alone;
+    Manual manual;  // an EDS bears its manual's date, which CiA 306 asks for
+    manual.key = part.info.manual;
+    manual.title = part.info.title;
+    manual.revision = "1";
+    manual.date = "2000-01-01";
+    alone.manuals.push_back(manual);
     alone.parts.push_back(part);
     return sheet_of(alone, part);
 }

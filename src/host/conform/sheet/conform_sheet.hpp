@@ -19,6 +19,7 @@ struct SheetEntry {
 
 struct ConformSheet {
     std::string name;      ///< of the file, or of the catalogue device
+    std::string text;      ///< as the file has it
     std::string checksum;  ///< SHA-256 of the text
     Part part;             ///< as read_eds() reads it
     IniFile ini;           ///< the same, key by key; empty for an XDD

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "host/conform/language/expression.hpp"
 #include "host/conform/language/filter.hpp"
+#include "host/datasheet/check/check_eds.hpp"
 
 namespace canproof::host::conform {
 
@@ -68,15 +71,36 @@ Action parse_fail(Scanner& line, StepSource&) {
     return [text](Context&) { throw SlaveFailed{text}; };
 }
 
+std::string words_of(const EdsFinding& finding, const std::string& name) {
+    return fmt::format("{}:{}: {} {}: {}; {} ({})", name, finding.line, to_text(finding.rule.severity), finding.rule.id,
+                       finding.what, finding.fix, finding.rule.source);
+}
+
+/// Judges the data sheet itself: an error fails the case, a warning is noted.
+void check_data_sheet(Context& context) {
+    const ConformSheet& sheet = context.sheet;
+    if (sheet.ini.sections.empty()) {
+        throw CaseSkipped{"the rules are those of an EDS; an XDD has others"};
+    }
+    ++context.journal.judged;
+    std::string first_error;
+    std::size_t errors = 0;
+    for (const EdsFinding& one : check_eds(sheet.text, std::filesystem::path{sheet.name}.filename().string())) {
+        const std::string words = words_of(one, sheet.name);
+        context.journal.notes.push_back(words);
+        if (one.rule.severity == EdsSeverity::error && ++errors == 1) {
+            first_error = words;
+        }
+    }
+    if (errors > 0) {
+        throw SlaveFailed{fmt::format("{} error(s) in the data sheet; the first: {}", errors, first_error)};
+    }
+}
+
 Action parse_eds(Scanner& line, StepSource&) {
     line.want("check", "write eds check");
     line.finish();
-    return [](Context& context) {
-        ++context.journal.judged;
-        if (!context.sheet.notes.empty()) {
-            context.journal.notes.push_back(context.sheet.notes);
-        }
-    };
+    return [](Context& context) { check_data_sheet(context); };
 }
 
 Action parse_return(Scanner& line, StepSource&) {
