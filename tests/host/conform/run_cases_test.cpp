@@ -195,6 +195,7 @@ TEST(ConformRun, InterruptionPutsEverythingBack) {
         run_on(target, case_text("long", "write 1017:00 = 300\nwrite 1010:01 = \"save\"\nwait 60 s\nread 1000:00",
                                  "risk = \"store\""));
     EXPECT_TRUE(report.interrupted);
+    EXPECT_EQ(report.results.at(0).verdict, Verdict::not_run);
     EXPECT_THAT(report.left, IsEmpty());
     EXPECT_EQ(report.exit_status(), 2);
     const auto after = run_on(target, case_text("reads", "read 1017:00 = 0", "prepare = \"none\""));

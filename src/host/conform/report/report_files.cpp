@@ -30,6 +30,7 @@ std::string summary_lines(const ConformReport& report) {
         }
     }
     text.back() = '\n';
+    text += report.interrupted ? "interrupted; what was written is put back\n" : "";
     for (const std::string& one : report.troubles) {
         text += "before the first case: " + one + "\n";
     }

@@ -95,6 +95,9 @@ ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target&
         }
     } catch (const Interrupted&) {
         report.interrupted = true;
+        while (report.results.size() < chosen.size()) {
+            report.results.push_back(not_run(*chosen[report.results.size()], "the run was interrupted"));
+        }
     }
     if (report.interrupted || !target.is_repeatable()) {
         report.left = runner.put_everything_back();
