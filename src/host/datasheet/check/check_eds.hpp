@@ -14,9 +14,10 @@ namespace canproof::host {
 std::vector<EdsRule> eds_rules();
 
 /// Finds what the rules find, ascending by line. `name` is the file's name without folder; empty: what depends on it is
-/// not checked. A name that ends in .dcf, or a section [DeviceComissioning], makes the text a device configuration
-/// file, which has keys of its own. At most Faults::most findings are returned. Throws InputError for a text that is no
-/// EDS at all: one with more than most_strange_lines lines of another form, or without any section.
+/// not checked. A name that ends in .dcf, or [DeviceComissioning] unless the name ends in .eds, makes the text a device
+/// configuration file, which has keys of its own. At most Faults::most findings are returned. Throws InputError for a
+/// text that is no EDS at all: XML, more than most_strange_lines lines of another form, more than a million lines, or
+/// no section.
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,21 +29,20 @@ struct EdsEdit {
     enum class Kind { replace, insert_after, erase, crlf } kind{Kind::replace};
     unsigned line{0};  ///< from 1
     std::string text;  ///< of replace and insert_after; without an end of line, may hold several lines
-
-    bool operator==(const EdsEdit& other) const {
-        return kind == other.kind && line == other.line && text == other.text;
-    }
 };
+
+/// The edits of one fix; several findings may share them, as those of a list do.
+using EdsEdits = std::shared_ptr<const std::vector<EdsEdit>>;
 
 struct EdsFinding {
     EdsRule rule{};
-    unsigned line{0};            ///< from 1
-    std::string what;            ///< what is wrong here
-    std::string fix;             ///< what to do about it
-    std::vector<EdsEdit> edits;  ///< the safe fix; empty: a person must decide
-    std::size_t order{0};        ///< among the findings of a line
+    unsigned line{0};      ///< from 1
+    std::string what;      ///< what is wrong here
+    std::string fix;       ///< what to do about it
+    EdsEdits edits;        ///< the safe fix; nullptr: a person must decide
+    std::size_t order{0};  ///< among the findings of a line
 
-    bool is_fixable() const { return !edits.empty(); }
+    bool is_fixable() const { return edits != nullptr; }
 };
 
 }  // namespace canproof::host

@@ -8,6 +8,11 @@
 namespace canproof::host {
 
 void EdsFindings::add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits) {
+    add(rule, line, std::move(what),
+        edits.empty() ? nullptr : std::make_shared<const std::vector<EdsEdit>>(std::move(edits)));
+}
+
+void EdsFindings::add(const std::string& rule, unsigned line, std::string what, EdsEdits edits) {
     const EdsRule& found = rules_.at(rule);
     if (all_.size() < Faults::most) {
         all_.push_back({found, line, std::move(what), found.fix, std::move(edits), all_.size()});

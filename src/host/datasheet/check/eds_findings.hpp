@@ -18,6 +18,7 @@ class EdsFindings {
     /// Adds a finding of the rule. Throws std::out_of_range for a rule that no table has. Beyond Faults::most, findings
     /// are dropped.
     void add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits = {});
+    void add(const std::string& rule, unsigned line, std::string what, EdsEdits edits);
     /// The findings, ascending by line.
     std::vector<EdsFinding> take();
 

@@ -15,6 +15,8 @@ namespace {
 constexpr unsigned highest_subindex = 0xFE;
 /// Entries beyond what a dictionary can hold are not expanded.
 constexpr std::size_t most_entries = 0x10000;
+/// The entries that a dictionary can hold take fewer lines.
+constexpr std::size_t most_lines = 1000000;
 
 std::string trimmed(std::string_view text) {
     const char* const blanks = " \t\r\v\f";
@@ -129,6 +131,10 @@ void EdsSheet::read_lines(std::string_view text) {
     marked_ = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
     for (std::size_t at = marked_ ? 3 : 0; at < text.size();) {
         const auto end = std::min(text.find('\n', at), text.size());
+        if (lines_.size() == most_lines) {
+            throw InputError{
+                fmt::format("{} is no EDS: it has more than {} lines", name_.empty() ? "the text" : name_, most_lines)};
+        }
         lines_.push_back(read_line(text.substr(at, end - at)));
         at = end + 1;
     }

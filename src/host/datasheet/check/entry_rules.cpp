@@ -116,10 +116,15 @@ class EntryCheck {
             }
             return;
         }
-        if (!entry_.type->fits_pdo()) {
+        const bool is_text =
+            entry_.type->kind == Kind::text || entry_.type->kind == Kind::octets || entry_.type->kind == Kind::unicode;
+        if (is_text) {
+            findings_.add(
+                "mapping-text", entry_.line_of("PDOMapping"),
+                fmt::format("{} can be mapped, but the length of {} varies", entry_.title(), entry_.type->name));
+        } else if (!entry_.type->fits_pdo()) {
             findings_.add("mapping-type", entry_.line_of("PDOMapping"),
-                          fmt::format("{} can be mapped, but {} has no fixed length up to 64 bits", entry_.title(),
-                                      entry_.type->name));
+                          fmt::format("{} can be mapped, but {} fits no PDO", entry_.title(), entry_.type->name));
         }
         if (entry_.access == "const") {
             findings_.add("mapping-const", entry_.line_of("PDOMapping"),
@@ -159,7 +164,9 @@ const std::vector<EdsRule>& entry_rules() {
          type_source},
         {"domain-default", warning, "a DOMAIN has a default", "remove the value", "CiA 306, DefaultValue"},
         {"mapping-flag", error, "PDOMapping is neither 0 nor 1", "write 0 or 1", mapping_source},
-        {"mapping-type", error, "an entry without fixed length can be mapped", "write PDOMapping=0", mapping_source},
+        {"mapping-type", error, "an entry that fits no PDO can be mapped", "write PDOMapping=0", mapping_source},
+        {"mapping-text", warning, "a text or octets of any length can be mapped",
+         "write PDOMapping=0, unless the value never has more than 8 octets", mapping_source},
         {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or ro", mapping_source},
         {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},

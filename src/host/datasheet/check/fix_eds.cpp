@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "host/datasheet/check/check_eds.hpp"
 #include "host/datasheet/check/eds_sheet.hpp"
@@ -18,20 +19,18 @@ class Round {
   public:
     /// False when another finding changes one of these lines otherwise.
     bool take(const EdsFinding& finding) {
-        const bool known = std::all_of(finding.edits.begin(), finding.edits.end(), [&](const EdsEdit& edit) {
-            const auto found = lines_.find(edit.line);
-            return found != lines_.end() && std::count(found->second.begin(), found->second.end(), edit) > 0;
-        });
-        if (known) {
-            return true;  // one edit for several findings, as of a list
+        if (taken_.count(finding.edits) != 0) {
+            return true;  // one fix of several findings, as of a list
         }
-        if (std::any_of(finding.edits.begin(), finding.edits.end(),
+        const std::vector<EdsEdit>& edits = *finding.edits;
+        if (std::any_of(edits.begin(), edits.end(),
                         [&](const EdsEdit& edit) { return lines_.count(edit.line) != 0; })) {
             return false;
         }
-        for (const EdsEdit& edit : finding.edits) {
+        for (const EdsEdit& edit : edits) {
             lines_[edit.line].push_back(edit);
         }
+        taken_.insert(finding.edits);
         return true;
     }
 
@@ -86,6 +85,7 @@ class Round {
     }
 
     std::map<unsigned, std::vector<EdsEdit>> lines_;
+    std::set<EdsEdits> taken_;
 };
 
 }  // namespace

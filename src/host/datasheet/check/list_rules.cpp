@@ -103,6 +103,7 @@ class ListCheck {
                 right[list_of(index)].insert(index);
             }
         }
+        std::vector<EdsEdit> edits;
         for (std::size_t i = 0; i < names.size(); ++i) {
             std::string text = fmt::format("SupportedObjects={}", right[i].size());
             unsigned number = 0;
@@ -111,15 +112,16 @@ class ListCheck {
             }
             const IniSection* section = lists_[i].section;
             if (section == nullptr) {
-                fix_.push_back({EdsEdit::Kind::insert_after, static_cast<unsigned>(sheet_.lines().size()),
-                                fmt::format("[{}]\n{}", names[i], text)});
+                edits.push_back({EdsEdit::Kind::insert_after, static_cast<unsigned>(sheet_.lines().size()),
+                                 fmt::format("[{}]\n{}", names[i], text)});
                 continue;
             }
             for (const auto& [key, value] : section->values) {
-                fix_.push_back({EdsEdit::Kind::erase, value.line, {}});
+                edits.push_back({EdsEdit::Kind::erase, value.line, {}});
             }
-            fix_.push_back({EdsEdit::Kind::insert_after, section->line, text});
+            edits.push_back({EdsEdit::Kind::insert_after, section->line, text});
         }
+        fix_ = std::make_shared<const std::vector<EdsEdit>>(std::move(edits));
     }
 
     void check_numbers(std::size_t at) {
@@ -203,7 +205,7 @@ class ListCheck {
     EdsFindings& findings_;
     std::array<List, 3> lists_;
     std::map<unsigned, Listed> listed_;
-    std::vector<EdsEdit> fix_;
+    EdsEdits fix_;  ///< of every finding that it ends; nullptr: there is none
 };
 
 }  // namespace

@@ -93,7 +93,8 @@ class MappingCheck {
             findings_.add("map-not-mappable", at.value_line(),
                           fmt::format("{} maps {}, which has no PDOMapping=1", at.title(), target.title()));
         }
-        if (target.type != nullptr && target.type->bits != length) {
+        const bool varies = target.type == nullptr || target.type->bits == 0;
+        if (!varies && target.type->bits != length) {
             const bool byte = target.type->bits == 1 && length == 8;
             findings_.add(byte ? "map-boolean-byte" : "map-length", at.value_line(),
                           fmt::format("{} maps {} bit(s) of {}, which has {}", at.title(), length, target.title(),

@@ -148,6 +148,8 @@ TEST(EdsCheck, WhatIsNoSheetIsRefused) {
         nonsense += "nonsense\n";
     }
     EXPECT_THROW(check_eds(nonsense), InputError);
+    EXPECT_THROW(check_eds("[FileInfo]\n" + std::string(1000000, '\n')), InputError);
+    EXPECT_THROW(check_eds("<xml>\n[FileInfo]\n"), InputError);
 }
 
 TEST(EdsCheck, EverySafeFixRemovesItsFindingAndKeepsTheDevice) {
@@ -186,6 +188,16 @@ TEST(EdsFix, ManyFaultsTogetherEndInTheGoodSheet) {
     EXPECT_THAT(rules_in(fixed.text), IsEmpty());
     EXPECT_EQ(dictionary_of(fixed.text), dictionary_of(good_sheet()));
     EXPECT_EQ(fix_eds(fixed.text, "box.eds").text, fixed.text);
+}
+
+TEST(EdsFix, AThousandUnlistedObjectsAreListedAtOnce) {
+    std::string text = "[MandatoryObjects]\nSupportedObjects=0\n";
+    for (unsigned index = 0x2000; index < 0x2400; ++index) {
+        text += fmt::format("[{:04X}]\nParameterName=A\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n", index);
+    }
+    const EdsFixed fixed = fix_eds(text);
+    EXPECT_THAT(fixed.text, testing::HasSubstr("[ManufacturerObjects]\nSupportedObjects=1024\n1=0x2000\n"));
+    EXPECT_EQ(lines_of(check_eds(fixed.text), "list-none").size(), 0U);
 }
 
 TEST(EdsFix, WhatAPersonMustDecideStaysAsItIs) {
