@@ -108,10 +108,11 @@ Part slave_with_more_objects() {
     window.index = 0x1007;
     window.name = "Synchronous window length";
     window.entries = {entry(0, "UNSIGNED32", "rw", 0)};
-    const std::int64_t node = part.info.node_id;
-    for (const Object& more :
-         {window, sdo_parameter(0x1200, "ro", 0x600 + node, 0x580 + node),
-          sdo_parameter(0x1201, "rw", 0x80000000, 0x80000000), sdo_parameter(0x1280, "rw", 0x80000000, 0x80000000)}) {
+    Object server = sdo_parameter(0x1200, "ro", 0x600, 0x580);
+    server.entries[1].node_id = true;
+    server.entries[2].node_id = true;
+    for (const Object& more : {window, server, sdo_parameter(0x1201, "rw", 0x80000000, 0x80000000),
+                               sdo_parameter(0x1280, "rw", 0x80000000, 0x80000000)}) {
         part.objects.push_back(more);
     }
     std::sort(part.objects.begin(), part.objects.end(),
