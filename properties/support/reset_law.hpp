@@ -1,7 +1,7 @@
 // What a reset leaves behind: nothing. A unit that has lived through anything is reset; from then on it must do, frame
 // for frame and output for output, what a unit does that is switched on at that moment with the same stored set and the
 // same inputs. CiA 301, 7.3.2.2: reset node, power-on. For reset communication, which keeps the application, see
-// communication_law().
+// communication_law(), for the reset that LSS causes lss_law().
 #pragma once
 
 #include "properties/support/reset_events.hpp"
@@ -101,15 +101,33 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
+/// What a communication of its own is made of, which tells the application nothing.
+inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
+                                              EventKind::heartbeat, EventKind::remote};
+/// What reaches the application, whatever the communication.
+inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
+                                                 EventKind::input,   EventKind::time,    EventKind::late};
+
+/// Both units live through the same, and `used` through a communication of its own as well, which it leaves unfinished.
+template <typename Traits>
+void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
+    const int rounds = *rc::gen::inRange(1, 4);
+    for (int round = 0; round < rounds; ++round) {
+        const auto both = some_events(shared_kinds);
+        Happening<Traits>::happen(used, both);
+        Happening<Traits>::happen(spared, both);
+        for (const Event& event : some_events(own_kinds)) {
+            Happening<Traits>::happen_to_communication(used, event);
+        }
+    }
+    Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
+}
+
 /// Reset communication. Two units live through the same; then one goes on with a communication of its own that tells
 /// its application nothing: parameters, transfers half done, timers, a SYNC to come. Both are reset, and do the same
 /// from then on: the application goes on as in the unit that was spared, and nothing is left of the rest.
 template <typename Traits>
 void communication_law() {
-    const std::vector<EventKind> shared{EventKind::setting, EventKind::setting, EventKind::nmt,
-                                        EventKind::input,   EventKind::time,    EventKind::late};
-    const std::vector<EventKind> own{EventKind::communication, EventKind::communication, EventKind::request,
-                                     EventKind::heartbeat, EventKind::remote};
     ResetUnit<Traits> used;
     ResetUnit<Traits> spared;
     const auto first = some_events(every_kind);
@@ -118,16 +136,7 @@ void communication_law() {
         unit->recover();
         unit->command(0x82);
     }
-    const int rounds = *rc::gen::inRange(1, 4);
-    for (int round = 0; round < rounds; ++round) {
-        const auto both = some_events(shared);
-        Happening<Traits>::happen(used, both);
-        Happening<Traits>::happen(spared, both);
-        for (const Event& event : some_events(own)) {
-            Happening<Traits>::happen_to_communication(used, event);
-        }
-    }
-    Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
+    live_apart(used, spared);
     const auto stimulus = some_events(every_kind);
     for (ResetUnit<Traits>* unit : {&used, &spared}) {
         unit->take_frames();
@@ -137,6 +146,83 @@ void communication_law() {
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
     RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // a node-ID that LSS has not stored holds
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
+    RC_ASSERT(found == "");
+}
+
+/// LSS gives a node that is not operational this node-ID, and leaves configuration: the node resets itself.
+template <typename Traits>
+void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
+    constexpr std::uint32_t lss_request = 0x7E5;
+    unit.send(lss_request, {0x04, 1, 0, 0, 0, 0, 0, 0});
+    unit.send(lss_request, {0x11, node_id, 0, 0, 0, 0, 0, 0});
+    if (stores) {
+        unit.send(lss_request, {0x17, 0, 0, 0, 0, 0, 0, 0});
+    }
+    unit.send(lss_request, {0x04, 0, 0, 0, 0, 0, 0, 0});
+}
+
+/// A frame of LSS that names a number of the unit's own address.
+template <typename Traits>
+void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
+    const std::uint32_t number = unit.value(0x1018, sub);
+    unit.send(0x7E5,
+              {command, number & 0xFFU, (number >> 8U) & 0xFFU, (number >> 16U) & 0xFFU, number >> 24U, 0, 0, 0});
+}
+
+/// A reset by LSS: switch to configuration, a new node-ID, back to waiting. The device resets its communication and
+/// comes back with that node-ID (AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1). From then on it does what a unit
+/// does that has had this node-ID since it was switched on, by the same stored set, and whose communication is reset.
+template <typename Traits>
+void lss_law() {
+    const unsigned node_id = *rc::gen::inRange(1U, 128U);
+    const bool stores = *rc::gen::inRange(0, 3) != 0;
+    ResetUnit<Traits> used;
+    Happening<Traits>::happen(used, some_events(every_kind));
+    used.recover();
+    ResetUnit<Traits> spared{used.memory.bytes(), used.inputs, used.now};
+    spared.command(0x80);
+    give_node_id(spared, node_id, true);
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {
+        unit->power_on();
+        unit->pass(Duration{});  // a self-start is due at once
+    }
+    RC_ASSERT(spared.node() == node_id);
+    live_apart(used, spared);
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {
+        unit->command(0x80);
+        unit->take_frames();
+    }
+    name_own(used, 0x40, 1);  // half of switch state selective, half of identify remote slave
+    name_own(used, 0x41, 2);
+    for (unsigned frame = 0; frame < 3; ++frame) {
+        name_own(used, 0x46 + frame, 1 + frame);
+    }
+    give_node_id(used, node_id, stores);
+    spared.command(0x82);
+    const auto sent = used.take_frames();
+    const std::string boot_up = fmt::format("{} {:03X}#00", used.now.us, 0x700U + node_id);
+    RC_ASSERT(std::count(sent.begin(), sent.end(), boot_up) == 1);
+    spared.take_frames();
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {
+        unit->pass(Duration{});
+    }
+    ResetUnit<Traits> fresh{spared.memory.bytes(), spared.inputs, spared.now};
+    RC_ASSERT(difference_of_values(used, fresh, is_communication_parameter) == "");
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // the other halves
+        name_own(*unit, 0x42, 3);
+        name_own(*unit, 0x43, 4);
+        name_own(*unit, 0x49, 3);
+        name_own(*unit, 0x4A, 4);
+        name_own(*unit, 0x4B, 4);
+        unit->send(0x7E5, {0x5E, 0, 0, 0, 0, 0, 0, 0});
+    }
+    auto kinds = every_kind;
+    if (!stores) {  // a reset of the node takes the stored node-ID
+        kinds.erase(std::remove(kinds.begin(), kinds.end(), EventKind::reset), kinds.end());
+    }
+    // What takes effect at the next power-on shows what is stored.
+    const auto counts = [stores](const EntryRef& entry) { return stores || Traits::may_write(entry.index); };
+    const std::string found = first_difference(used, spared, some_events(kinds), false, counts);
     RC_ASSERT(found == "");
 }
 

@@ -84,4 +84,9 @@ RC_GTEST_PROP(Ax060805Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ())
     communication_law<Ax060805Reset>();
 }
 
+RC_GTEST_PROP(Ax060805Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+    verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
+    lss_law<Ax060805Reset>();
+}
+
 }  // namespace canproof::test

@@ -114,4 +114,9 @@ RC_GTEST_PROP(Ax130751Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ())
     communication_law<Ax130751Reset>();
 }
 
+RC_GTEST_PROP(Ax130751Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+    verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
+    lss_law<Ax130751Reset>();
+}
+
 }  // namespace canproof::test

@@ -74,4 +74,9 @@ RC_GTEST_PROP(Ax188001Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ())
     communication_law<Ax188001Reset>();
 }
 
+RC_GTEST_PROP(Ax188001Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+    verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
+    lss_law<Ax188001Reset>();
+}
+
 }  // namespace canproof::test
