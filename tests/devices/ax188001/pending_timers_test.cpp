@@ -79,6 +79,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelsLimitAndEachEvent) {
             {"disabled", [&] { write(0x6112, channel, 1, 0); }, never_told},
             {"the other channel disabled", [&] { write(0x6112, other, 1, 0); }, 165 + 1000},
             {"a delay that is over", [&] { write(0x4030, channel, 2, 300); }, event_at},
+            {"a shorter delay, between two readings", [&] { write(0x4030, channel, 2, 600); }, 165 + 600},
             {"a longer delay", [&] { write(0x4030, channel, 2, 2000); }, 165 + 2000},
             {"the other channel's delay", [&] { write(0x4030, other, 2, 100); }, 165 + 1000},
             {"the delay of the supply", [&] { write(0x5051, 2, 2, 100); }, 165 + 1000},
@@ -128,6 +129,7 @@ TEST_F(Ax188001Pending, DelayOfTheSuppliesFaultAndEachEvent) {
          event_at + 1000},
         {"that of the temperature disabled", [&] { write(0x5050, 1, 1, 0); }, 165 + 1000},
         {"a delay that is over", [&] { write(0x5051, 2, 2, 300); }, event_at},
+        {"a shorter delay, between two readings", [&] { write(0x5051, 2, 2, 600); }, 165 + 600},
         {"a longer delay", [&] { write(0x5051, 2, 2, 3000); }, 165 + 3000},
         {"that of the temperature", [&] { write(0x5051, 1, 2, 100); }, 165 + 1000},
         {"the threshold moves away", [&] { write(0x5041, 2, 2, 600); }, never_told},
@@ -160,6 +162,28 @@ TEST_F(Ax188001Pending, ABreakThatHasNotBeenKnownForItsDelay) {
         begin();
         cut(2);
         expect(one, "0FF#01F0010200000000");
+    }
+}
+
+// Read at 165 ms. The circuit breaks at 500 ms, which is known at 660 + 1320 = 1980, and is whole again at 2500, which
+// the reading at 2640 shows.
+TEST_F(Ax188001Pending, AnOpenCircuitDropsEachLimitThatWaits) {
+    verifies<req::TCS_LIM_003, req::TCS_LIM_007>();
+    struct Limit {
+        double celsius;
+        const char* message;  ///< of channel 1, the gravest one
+    };
+    for (const Limit& one : {Limit{130.0, "0FF#11F0010110000000"}, Limit{-30.0, "0FF#11F0010120000000"},
+                             Limit{260.0, "0FF#11F0010140000000"}}) {
+        begin();
+        write(0x4030, 1, 2, 3000);
+        heat(1, one.celsius);
+        pass(500);
+        cut(1);
+        pass(2000);
+        EXPECT_EQ(process_value(1), -512);
+        cut(1, false);
+        EXPECT_EQ(told(Instant{}, one.message), 2640 + 3000) << one.celsius;
     }
 }
 

@@ -1,5 +1,6 @@
 // Start and LSS (AX188001, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/exchange.hpp"
 #include "tests/support/verifies.hpp"
@@ -123,6 +124,30 @@ TEST_F(Ax188001Startup, AFaultOfAChannelHoldsTheNodeBackToo) {
     }
 }
 
+TEST_F(Ax188001Startup, AFaultOfTheBootIsToldBeforeItStopsTheNode) {
+    verifies<req::TCS_START_005, req::TCS_ERR_010>();
+    write(0x5051, 1, 2, 0);
+    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // stopped, where no emergency message is sent
+    start_with(1);
+    inputs.cpu_temperature = 120.0F;
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
+    EXPECT_EQ(device->state(), NmtState::stopped);
+}
+
+TEST_F(Ax188001Startup, AResetByLssLetsTheDelayOfTheCommandBeginAnew) {
+    verifies<req::TCS_START_003, req::CO_LSS_018>();
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    start_with(2);
+    for (const std::uint32_t mode : {2U, 1U, 0U}) {
+        EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+        write(0x5555, 0, 1, mode);
+        pass(500);
+        send("7E5#0401");
+        EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
+        EXPECT_EQ(pass(5000), mode == 2 ? (Frames{"1000:000#0100"}) : Frames{}) << mode;
+    }
+}
+
 TEST_F(Ax188001Startup, DelayOfTheCommand) {
     verifies<req::TCS_START_004, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
@@ -199,6 +224,16 @@ TEST_F(LssSession, BitRatesOfTable4) {
         }
         send("7E5#0400");
     }
+}
+
+TEST_F(LssSession, AStoredBitRateWaitsForTheNextPowerOn) {
+    verifies<req::TCS_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
+    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#17", {"7E4#170000"}}});  // 250 kbit/s
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    send("7E5#0400");
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    power_on();
+    EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
 TEST_F(LssSession, WithoutANodeIdItMeasuresAndStaysSilent) {

@@ -68,6 +68,19 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
+/// The processor has the temperature that the cold junction had before.
+TEST_F(Values, ANewColdJunctionCountsWhateverElseIsAsWarm) {
+    verifies<req::TCS_CJ_003, req::TCS_IN_009>();
+    inputs.cpu_temperature = 25.0F;
+    inputs.supply = 25.0F;
+    for (const float cold_junction : {25.0F, 60.0F, -10.0F}) {
+        inputs.cold_junction = cold_junction;
+        heat(1, 100.0);
+        settle();
+        EXPECT_EQ(process_value(1), 100 * 16 + 4368) << cold_junction;
+    }
+}
+
 TEST_F(Values, WithoutCompensationTheTerminalVoltageAloneIsConverted) {
     verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
     EXPECT_EQ(read(0x2000, 1).value, 1U);

@@ -1,0 +1,59 @@
+// An AX188001 whose driver comes late: readings that were due are made up for, with the times at which they were due.
+#include "generated/ax188001/requirements.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class LateCalls : public TcsTest {
+  protected:
+    /// So much time passes in which nobody asks the device.
+    Frames come_late(std::uint64_t ms) {
+        now = now + milliseconds(ms);
+        device->advance(now);
+        return sent();
+    }
+    std::uint64_t next_in_ms() const { return elapsed(now, device->next_deadline()).us / 1000; }
+};
+
+}  // namespace
+
+TEST_F(LateCalls, ADelayCountsFromTheReadingThatWasDue) {
+    verifies<req::TCS_LIM_003, req::TCS_IN_001>();
+    write(0x4030, 1, 2, 1000);
+    heat(1, 130.0);
+    EXPECT_EQ(come_late(600), Frames{});  // readings at 165, 330, 495
+    EXPECT_EQ(pass(564), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // 165 + 1000
+}
+
+TEST_F(LateCalls, AFaultThatEndsBeforeItsDelayIsOverIsNotTold) {
+    verifies<req::TCS_LIM_003>();
+    write(0x4030, 1, 2, 400);
+    heat(1, 130.0);  // read at 165: due at 565
+    pass(400);
+    heat(1, 20.0);
+    EXPECT_EQ(come_late(200), Frames{});  // the reading at 495 ends it
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
+}
+
+TEST_F(LateCalls, AFrameFindsTheReadingThatWasDue) {
+    verifies<req::TCS_IN_001>();
+    heat(1, 100.0);
+    now = now + milliseconds(200);  // nobody has asked the device since 0
+    EXPECT_EQ(process_value(1), 100 * 16 + 4368);
+}
+
+TEST_F(LateCalls, ReadingsStayOnTheirTimes) {
+    verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
+    come_late(600);
+    EXPECT_EQ(next_in_ms(), 60U);  // 660 is the fourth
+    come_late(7 * 165);            // 1755: 660 to 1650 are seven
+    EXPECT_EQ(next_in_ms(), 60U);  // 1815 is the eleventh
+    come_late(20 * 165);           // more than are made up for: begins again from here
+    EXPECT_EQ(next_in_ms(), 165U);
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,83 @@
+// What a reset of the AX188001 leaves of its converters, and which faults hold it back afterwards.
+#include "generated/ax188001/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+constexpr std::uint32_t save = 0x65766173;
+
+class Ax188001Resets : public TcsTest {
+  protected:
+    int gain(int channel) const { return device->outputs().tc_gain[static_cast<std::size_t>(channel - 1)]; }
+};
+
+}  // namespace
+
+/// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but are above 90 % of it: a converter that comes from a
+/// lower gain stays there.
+TEST_F(Ax188001Resets, AConverterBeginsWithItsHighestGain) {
+    verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
+    for (const int channel : {1, 2}) {
+        for (const char* reset : {"000#827F", "000#817F"}) {
+            microvolts(channel, 60000.0);
+            settle();
+            EXPECT_EQ(gain(channel), 32);
+            microvolts(channel, 18500.0);
+            settle();
+            EXPECT_EQ(gain(channel), 64);
+            send(reset);
+            EXPECT_EQ(gain(channel), reset[5] == '1' ? 128 : 64) << channel << reset;
+            EXPECT_EQ(gain(3 - channel), 128);
+        }
+    }
+}
+
+/// Hum falls on the one side of the voltage and on the other in turn, beginning with the same one each time.
+TEST_F(Ax188001Resets, TheFirstReadingFallsOnTheSameSideOfTheHum) {
+    verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
+    inputs.tc_hum[1] = 1.0e6F;
+    inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV are left
+    inputs.tc_microvolts[1] = 5000.0F;
+    power_on();
+    const std::uint32_t first = read(0x2010, 2).value;
+    send("000#817F");
+    EXPECT_EQ(read(0x2010, 2).value, first);
+    read_once();
+    EXPECT_NE(read(0x2010, 2).value, first);
+    send("000#817F");
+    EXPECT_EQ(read(0x2010, 2).value, first);
+}
+
+/// 1029h:2 outranks the self-start, whichever fault of a channel it is that lasts.
+TEST_F(Ax188001Resets, EachFaultOfAChannelThatLastsHoldsTheNode) {
+    verifies<req::TCS_START_005, req::TCS_ERR_010>();
+    for (const int channel : {1, 2}) {
+        for (const double celsius : {130.0, -30.0, 0.0}) {  // 0: an open circuit
+            memory.bytes().assign(1024, 0xFF);
+            inputs = {};
+            power_on();
+            write(0x4030, channel, 2, 0);
+            EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);  // pre-operational
+            EXPECT_EQ(write(0x5555, 0, 1, 1), 0U);
+            EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
+            EXPECT_EQ(power_on(), (Frames{"77F#00", "1FF#A012A012"}));
+            if (celsius == 0.0) {
+                cut(channel);
+            } else {
+                heat(channel, celsius);
+            }
+            settle();
+            ASSERT_EQ(listed().size(), 1U) << channel << ' ' << celsius;
+            EXPECT_EQ(device->state(), NmtState::pre_operational);
+            EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+            EXPECT_EQ(device->state(), NmtState::pre_operational) << channel << ' ' << celsius;
+            EXPECT_EQ(pass(3000), Frames{});
+        }
+    }
+}
+
+}  // namespace canproof::test
