@@ -144,6 +144,14 @@ TEST_F(Dictionary, AUnitHasVersionsAndDateOfItsOwn) {
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0280EE3600"}));
 }
 
+TEST_F(Dictionary, AVersionMayHaveOneCharacter) {
+    verifies<req::AO4_OD_1009, req::AO4_OD_100A>();
+    factory.hardware_version = {'7'};
+    power_on();
+    EXPECT_EQ(send("603#4009100000000000"), (Frames{"583#4F09100037000000"}));
+    EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04" as shipped
+}
+
 TEST_F(Dictionary, LimitsOfTheManual) {
     verifies<req::AO4_OD_1016, req::AO4_OD_1029, req::AO4_OD_1601, req::AO4_OD_1F51, req::AO4_OD_6443>();
     write("603#23161001FFFF7F00");

@@ -57,6 +57,20 @@ TEST_F(Leds, StatusFollowsTheNmtState) {
     EXPECT_TRUE(repeats(watch(s, 40), one_flash));
 }
 
+/// LED S is dark from 200 to 400 ms while it blinks.
+TEST_F(Leds, ASelfStartShowsAtOnce) {
+    verifies<req::AO4_LED_001, req::AO4_START_001>();
+    write("603#23801F0008000000");
+    write("603#2B911F012C010000");  // 300 ms
+    write("603#2310100173617665");
+    now = Instant{};
+    power_on();
+    pass(299);
+    EXPECT_FALSE(device->outputs().led_s);
+    pass(1);
+    EXPECT_TRUE(device->outputs().led_s);
+}
+
 TEST_F(Leds, CanErrorShowsTheGravestCondition) {
     verifies<req::AO4_LED_002, req::AO4_LED_005, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);

@@ -268,18 +268,50 @@ TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
     expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
 }
 
+/// The supply is cut and comes back: the same device begins anew.
+TEST_F(Output, APowerOnBeginsWithNoVoltage) {
+    verifies<req::AO4_AOUT_010, req::AO4_SW_002>();
+    for (int output = 1; output <= 4; ++output) {
+        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+    }
+    write("603#2310100173617665");
+    for (const bool has_node_id : {true, false}) {
+        inputs = cbx_ao412::Inputs{};
+        power_on();
+        for (int output = 1; output <= 4; ++output) {
+            set(output, "0020");  // 2000h = 8192: 1024 steps
+            expect_steps(output, 1024);
+        }
+        inputs.hardware_fault = has_node_id;  // holds what is stored back
+        inputs.switch_high = has_node_id ? 0 : 8;
+        device->power_on(inputs, now);
+        sent();
+        for (int output = 1; output <= 4; ++output) {
+            EXPECT_EQ(volts(output), 0.0F) << output << has_node_id;
+        }
+    }
+}
+
 TEST_F(Output, AResetDuringAFailurePutsTheStoredCalibrationInForce) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
-    set(1, "0020");                 // 2000h = 8192: 1024 steps
-    write("603#2F43640102000000");  // as it is
+    for (int output = 1; output <= 4; ++output) {
+        set(output, "0020");                                         // 2000h = 8192: 1024 steps
+        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+    }
     write("603#2310100173617665");  // with an offset of 0
-    write("603#2B04240108000000");  // 8 * 312.5 uV = 2.5 mV, one step
-    expect_steps(1, 1025);
+    for (int output = 1; output <= 4; ++output) {
+        write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
+        expect_steps(output, 1025);
+    }
     inputs.hardware_fault = true;
     set_inputs();
-    expect_steps(1, 1025);
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1025);
+    }
     send("000#8103");
-    expect_steps(1, 1024);
+    for (int output = 1; output <= 4; ++output) {
+        expect_steps(output, 1024);
+    }
 }
 
 TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
@@ -290,6 +322,27 @@ TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
     set_inputs();
     send("000#8103");
     expect_steps(2, 0);
+}
+
+/// Whatever happens at the terminals afterwards: the producer was forgotten with the reset.
+TEST_F(OutputInError, AResetOfTheNodeEndsACommunicationError) {
+    verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
+    write("603#23161001C8003100");
+    send("731#05");
+    pass(300);
+    expect_error_outputs();
+    inputs.internal_fault = false;
+    set_inputs();
+    set(1, "0010");  // the producer is still silent
+    expect_error_outputs();
+    send("000#8103");
+    set(1, "0010");  // 1000h = 4096: 512 steps
+    expect_steps(1, 512);
+    inputs.can_overrun = true;
+    set_inputs();
+    expect_steps(1, 512);
+    set(1, "0020");
+    expect_steps(1, 1024);
 }
 
 TEST_F(OutputInError, AnInternalFailureOutlastsACommunicationError) {

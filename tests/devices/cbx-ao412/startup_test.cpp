@@ -1,6 +1,8 @@
 // Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -180,6 +182,19 @@ TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
     bench.inputs.can_state = 0;
     EXPECT_EQ(bench.set_inputs(),
               (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
+}
+
+/// The bus goes off with the failure: nothing can be sent, and nothing is lost.
+TEST(CbxStartup, AFailureThatComesWithBusOffIsToldAfterIt) {
+    verifies<req::AO4_ERR_011>();
+    CbxBench bench;
+    bench.power_on();
+    bench.inputs.can_state = 3;
+    bench.inputs.internal_fault = true;
+    EXPECT_EQ(bench.set_inputs(), Frames{});
+    bench.inputs.can_state = 0;
+    const Frames frames = bench.set_inputs();
+    EXPECT_EQ(std::count(frames.begin(), frames.end(), "083#1061110200000000"), 1);
 }
 
 }  // namespace canproof::test
