@@ -329,6 +329,18 @@ TEST_F(Filters, ALittleLateCallMovesNeitherSamplesNorFilters) {
     EXPECT_EQ(device->next_deadline().us, 14000U);
 }
 
+TEST_F(Filters, AFrameFindsTheSampleThatWasDue) {
+    verifies<req::INC_FILTER_001>();
+    switch_filter_off();
+    turn(10.0, 0.0);
+    now = now + milliseconds(7);  // nobody has asked the device since 0
+    EXPECT_EQ(pitch(), 1000);
+    turn(20.0, 0.0);
+    now = now + milliseconds(4);
+    turn(30.0, 0.0);  // behind the sample at 10
+    EXPECT_EQ(pitch(), 2000);
+}
+
 TEST_F(Filters, WhatIsMeasuredShowsWithTheNextSample) {
     verifies<req::INC_FILTER_001, req::INC_FV_006, req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
     write(0x2052, 0, 7, 2);

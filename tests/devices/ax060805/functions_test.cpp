@@ -79,6 +79,23 @@ TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
     EXPECT_EQ(output(10), 2);
 }
 
+TEST_F(Functions, TakeWhatTheFirstSampleMeasures) {
+    verifies<req::INC_BIN_009, req::INC_GLOBAL_003>();
+    operate(1, 1);
+    connect(1, 1, 27);  // the supply
+    connect(1, 2, 25);  // 0
+    operate(2, 1);
+    connect(2, 1, 9);  // the figure of merit
+    connect(2, 2, 25);
+    write(0x1010, 1, 0x65766173, 4);
+    inputs.supply_voltage = 12.0F;
+    inputs.sensor_temperature = 130.0F;
+    power_on();
+    EXPECT_EQ(output(1), 12);
+    EXPECT_EQ(output(2), static_cast<int>(read(0x4020)));
+    EXPECT_NE(output(2), 0);
+}
+
 TEST_F(Functions, EachOfTheTenIsASource) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,

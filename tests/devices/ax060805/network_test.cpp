@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/network_cases.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -76,6 +77,18 @@ TEST_F(Network, BitRatesOfTable21) {
         }
     }
     EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // no other table
+}
+
+TEST_F(Network, AStoredBitRateWaitsForTheNextPowerOn) {
+    verifies<req::INC_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
+    configure_lss();
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    send("7E5#0400");
+    EXPECT_EQ(device->bit_rate(), 125000U);
+    power_on();
+    EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
 TEST_F(Network, StoreAndRestoreByGroup) {

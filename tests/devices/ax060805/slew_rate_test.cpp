@@ -136,4 +136,19 @@ TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
     expect_fast(false, "125 kbit/s");
 }
 
+TEST_F(SlewRate, RestoredDefaultsSuitTheBitRateInUse) {
+    verifies<req::INC_SLEW_002, req::INC_STORE_002>();
+    activate_and_store(0);
+    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all, those of the manufacturer
+        power_on();
+        write(0x2000, 0, 0, 1);
+        store_all();
+        power_on();
+        expect_fast(false, "stored");
+        write(0x1011, group, 0x64616F6C, 4);
+        send("000#8100");
+        expect_fast(true, "restored");
+    }
+}
+
 }  // namespace canproof::test

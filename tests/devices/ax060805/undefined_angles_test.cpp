@@ -71,6 +71,18 @@ TEST_F(UndefinedAngles, ANewFrameTurnsTheRollThatIsKept) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last direction with a roll is this one, which has none here
 }
 
+/// The only direction so far lies upright in the new frame, but for a hundred-thousandth of a degree to one side.
+TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionHasNoneInTheNewFrame) {
+    verifies<req::INC_ANGLE_008>();
+    use_euler_angles();
+    feel(0.0, 3.0e-7, -1.0);
+    pass(5);
+    write_real(0x2200, 0, 90.0F);
+    EXPECT_EQ(roll(), 0);
+    pass(5);
+    EXPECT_EQ(roll(), 0);
+}
+
 TEST_F(UndefinedAngles, TiltRollGoesOnAtTheVertical) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_008>();
     angles_of(0.0, 40.0);

@@ -63,6 +63,12 @@ TEST(AngleMath, SineAndCosineOfQuarterTurnsAreExact) {
     EXPECT_EQ(cosine_of_degrees(90.0F), 0.0F);
     EXPECT_EQ(cosine_of_degrees(-180.0F), -1.0F);
     EXPECT_EQ(sine_of_degrees(-90.0F), -1.0F);
+    for (const float turn : {360.0F, -360.0F}) {
+        EXPECT_EQ(sine_of_degrees(turn), 0.0F);
+        EXPECT_EQ(cosine_of_degrees(turn), 1.0F);
+        EXPECT_EQ(sine_of_degrees(turn * 0.75F), turn > 0.0F ? -1.0F : 1.0F);
+        EXPECT_EQ(cosine_of_degrees(turn * 0.75F), 0.0F);
+    }
 }
 
 TEST(AngleMath, ExponentialIsWithinFourTenMillionths) {

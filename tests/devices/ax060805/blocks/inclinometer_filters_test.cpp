@@ -1,6 +1,7 @@
 // Low-pass, moving average and repeating filter of the AX060805 (3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -152,8 +153,10 @@ TEST(AngleFilter, RestartForgets) {
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
-    filter.restart(AngleFilterKind::repeating, 2);
-    EXPECT_EQ(outputs(filter, {8.0F}).back(), 8.0F);
+    for (int round = 0; round < 2; ++round) {  // the second time behind a whole block
+        filter.restart(AngleFilterKind::repeating, 2);
+        EXPECT_EQ(outputs(filter, {8.0F, 10.0F, 50.0F}), (std::vector<float>{8.0F, 9.0F, 9.0F}));
+    }
 }
 
 TEST(AngleFilter, AWindowOf64ForgetsTheSampleBefore) {
@@ -267,6 +270,39 @@ TEST(AngleFilter, AMachineMayTurnForEverEitherWay) {
         // The mean of three samples a third of a turn apart is the one in the middle.
         const float middle = angle - step < -180.0F ? angle - step + 360.0F : angle - step;
         EXPECT_NEAR(filter.output(), middle > 180.0F ? middle - 360.0F : middle, 1e-4F);
+    }
+}
+
+/// After 1,400,000 samples of a third of a turn a block of 60,000 would come to 1.4e6 * 1.2e8 * 6e4 = 1e19
+/// microdegrees, which 63 bits do not hold: whole turns are taken out before.
+TEST(AngleFilter, ABlockOf60000IsRightAfterHalfAMillionTurns) {
+    verifies<req::INC_AVG_003, req::INC_AVG_006>();
+    for (const float side : {1.0F, -1.0F}) {
+        AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);
+        const std::array<float, 3U> stands{{0.0F, 120.0F * side, -120.0F * side}};
+        for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks
+            filter.add(stands[i % 3U]);
+        }
+        // 0, 120, 240, … 59,999 * 120: their mean is 3,599,940 degrees, 10,000 turns less 60.
+        EXPECT_EQ(filter.output(), -60.0F * side);
+    }
+}
+
+TEST(AngleFilter, HalfAMicrodegreeIsRoundedAwayFromZero) {
+    verifies<req::INC_AVG_001>();
+    for (const float side : {1.0F, -1.0F}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, 2U);
+        filter.add(0.0F);
+        filter.add(side * 1.0e-6F);
+        EXPECT_EQ(filter.output(), side * 1.0e-6F);
+        AngleFilter repeating = filter_of(AngleFilterKind::repeating, 4U);
+        for (const std::size_t block : {1U, 2U}) {
+            repeating.add(0.0F);
+            repeating.add(0.0F);
+            repeating.add(0.0F);
+            repeating.add(side * 1.0e-6F);  // a quarter
+            EXPECT_EQ(repeating.output(), 0.0F) << block;
+        }
     }
 }
 
