@@ -38,10 +38,10 @@ float to_degrees(const std::int64_t units) noexcept {
     return static_cast<float>(wrapped(units)) / units_per_degree;
 }
 
+/// Halves away from zero. `count` is at least 1.
 std::int64_t rounded_quotient(const std::int64_t sum, const std::int64_t count) noexcept {
-    const std::int64_t divisor = std::max(count, std::int64_t{1});
-    const std::int64_t half = divisor / 2;
-    return ((sum < 0) ? (sum - half) : (sum + half)) / divisor;
+    const std::int64_t half = count / 2;
+    return ((sum < 0) ? (sum - half) : (sum + half)) / count;
 }
 
 /// sum * taken / length without a product that could overflow.
@@ -56,9 +56,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    runs_.fill(0);
-    newest_ = 0U;
-    seen_ = 0;
+    seen_ = 0;  // of older runs none is looked at any more
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;

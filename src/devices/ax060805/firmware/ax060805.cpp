@@ -64,7 +64,6 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     use_bit_rate(stored.bit_rate);
     node_.set_controller(inputs.can_state, inputs.can_overrun, now);  // what the boot reports waits for a bus
     node_.power_on(stored, now);
-    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
@@ -110,7 +109,6 @@ void Device::restart(const Instant now) {
     span_ = AngleSpan{cell_or(range, &table::Row::lower, span_.lower), cell_or(range, &table::Row::upper, span_.upper)};
     received_.fill(false);
     results_.fill(undefined_signal());
-    overdue_ = 0U;
     take_input_filter();
     take_settings();
     for (std::size_t function = 0U; function < function_count; ++function) {

@@ -231,7 +231,8 @@ static_assert(implements<req::INC_LATENCY_001>);
 float Device::latency_ms() const noexcept {
     const std::uint16_t rate = objects_.get(field::o2052_angular_filter_rate);
     float slowest{0.0F};
-    for (std::uint8_t sub = 1U; sub <= angle_count; ++sub) {
+    for (std::size_t angle = 0U; angle < angle_count; ++angle) {
+        const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
         const std::uint16_t samples = objects_.get(field::o2051_angular_filter_constant[sub]);
         slowest = std::fmax(slowest, angle_filter_delay_ms(filter_kind(sub), samples, rate));
     }

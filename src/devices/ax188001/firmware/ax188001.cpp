@@ -177,9 +177,10 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
 
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
+    const own::Written change = own::written(entry.index, entry.row->subindex);
     // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
-    const std::size_t channel = (std::uint32_t{entry.row->subindex} == channel_count) ? 1U : 0U;
-    scanner_.reevaluate(own::written(entry.index, entry.row->subindex).parameter, channel, now);
+    const std::size_t channel = (std::uint32_t{change.subindex} == channel_count) ? 1U : 0U;
+    scanner_.reevaluate(change.parameter, channel, now);
     tell_faults(now);
 }
 
@@ -235,10 +236,8 @@ void Device::start_others_when_due(const Instant now) noexcept {
         start_others_at_ = never;
     }
     if (due && (node_.state() == NmtState::operational)) {
-        constexpr std::uint32_t all_nodes = 0U;
-        Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);
+        Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);  // to node 0: all of them
         command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);
-        command.data[1] = all_nodes;
         static_cast<void>(queue_.push(command));
     }
 }

@@ -74,7 +74,6 @@ void Scanner::restart(const Inputs& inputs) noexcept {
     for (std::size_t i = 0U; i < conversions_to_settle; ++i) {
         read(inputs);
     }
-    schedule();
 }
 
 static_assert(implements<req::TCS_IN_005>);
@@ -142,7 +141,7 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
         return kept.value;
     }
     Conversion result{};
-    result.celsius = exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt);
+    result.celsius = static_cast<float>(exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt));
     namespace table = own::thermocouple_type;
     const auto* const range = table::find(type);
     const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));

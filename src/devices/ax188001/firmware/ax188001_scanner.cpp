@@ -115,16 +115,14 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
         put_channel(channel, own::field_value_invalid_bits, own::process_value_open);
         return Measurement{};
     }
-    Conversion conversion = convert(channel, microvolts);
-    // What is sent is what is judged: the field value is a REAL32.
-    const float field_value = static_cast<float>(conversion.celsius);
-    conversion.celsius = static_cast<double>(field_value);
+    const Conversion conversion = convert(channel, microvolts);
+    const double celsius = static_cast<double>(conversion.celsius);
     judge_temperature(channel, conversion, now);
     const Scaling scaling{static_cast<double>(objects_.get(field::o6126_tc_scaling_factor[sub])),
                           static_cast<double>(objects_.get(field::o6127_tc_scaling_offset[sub]))};
     static_assert(implements<req::TCS_VAL_001> && implements<req::TCS_VAL_002>);
-    put_channel(channel, bits_of(field_value), measured_process_value(conversion.celsius, scaling, reserved));
-    return Measurement{conversion.celsius, true};
+    put_channel(channel, bits_of(conversion.celsius), measured_process_value(celsius, scaling, reserved));
+    return Measurement{celsius, true};
 }
 
 void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_value_bits,
@@ -140,7 +138,7 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
     const double steps = static_cast<double>(own::limit_steps_per_c);
     static_assert(implements<req::TCS_K_HYSTERESIS>);
     const double hysteresis = static_cast<double>(own::limit_hysteresis_c) * steps;
-    const double temperature = conversion.celsius * steps;
+    const double temperature = static_cast<double>(conversion.celsius) * steps;
     const std::uint8_t sub = subindex(channel);
     const Duration delay = channel_delay(channel);
     const double low = static_cast<double>(objects_.get(field::o4000_tc_low_temperature_warning_threshold[sub]));

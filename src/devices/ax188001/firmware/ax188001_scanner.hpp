@@ -33,7 +33,8 @@ class Scanner {
   public:
     explicit Scanner(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
-    /// Parameters were loaded: the converters settle on what is at the terminals, no fault is told or waits.
+    /// Parameters were loaded: the converters settle on what is at the terminals, no fault is told or waits. evaluate()
+    /// follows.
     void restart(const Inputs& inputs) noexcept;
     /// One reading of everything.
     void read(const Inputs& inputs) noexcept;
@@ -55,9 +56,9 @@ class Scanner {
     std::uint8_t gain(std::size_t channel) const noexcept;
 
   private:
-    /// A voltage as its type's range sees it.
+    /// A voltage as its type's range sees it. What is sent is what is judged: the field value is a REAL32.
     struct Conversion {
-        double celsius{0.0};
+        float celsius{0.0F};
         bool above{false};
         bool below{false};
     };

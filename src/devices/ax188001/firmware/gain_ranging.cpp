@@ -8,11 +8,9 @@
 namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
-    if (settling_left_ > 0U) {
+    if (settling_left_ > 1U) {  // the last one of these is settled
         --settling_left_;
-        if (settling_left_ > 0U) {
-            return;
-        }
+        return;
     }
     const double size = std::fabs(input_uv);
     const double full_scale = circuit.gains[step_].full_scale_uv;
@@ -32,8 +30,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
     static_assert(implements<req::TCS_IN_004>);
     for (std::size_t finer = 0U; finer < step_; ++finer) {
         if (size <= (circuit.gains[finer].full_scale_uv * circuit.raise_fraction)) {
-            choose(finer, circuit);
-            break;
+            choose(finer, circuit);  // which ends the search
         }
     }
 }
