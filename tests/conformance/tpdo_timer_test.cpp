@@ -149,10 +149,12 @@ TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
     verifies<req::CO_PDO_006, req::CO_PDO_017>();
     send("605#2B00180519000000");  // TPDO1: 25 ms
     send("605#2B01180505000000");  // TPDO2: 5 ms
-    send("605#2301180185020000");  // 285h
+    send("605#2F011802FF000000");  // type 255
     send("000#0105");
     EXPECT_EQ(send("605#2300180185010080"), (Frames{"585#6000180100000000"}));
-    for (const std::string& frame : pass(30)) {
+    const Frames frames = pass(30);
+    EXPECT_EQ(frames.size(), 6U);
+    for (const std::string& frame : frames) {
         EXPECT_NE(frame.find(":285#"), std::string::npos) << frame;
     }
 }
