@@ -229,6 +229,22 @@ TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
     }
 }
 
+TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
+    verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
+    set16(0x6310, 1, 20);
+    set16(0x7323, 1, 16000);
+    set16(0x7323, 2, 4000);
+    store();
+    send("000#817F");
+    set16(0x6310, 1, 20);
+    set16(0x6310, 2, 10);
+    EXPECT_EQ(get16(0x7323, 1), 16000);
+    EXPECT_EQ(get16(0x7323, 2), 4000);
+    set16(0x6310, 1, 10);
+    EXPECT_EQ(get16(0x7323, 1), 5000);
+    EXPECT_EQ(get16(0x7323, 2), 4000);
+}
+
 TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
     set16(0x1800, 5, 0);  // no TPDO1

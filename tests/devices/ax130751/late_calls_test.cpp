@@ -148,6 +148,20 @@ TEST_F(Ax130751LateCalls, NothingThatWaitsIsAheadOfItsTime) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
+TEST_F(Ax130751LateCalls, CyclesCountFromTheReset) {
+    verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
+    pass(100);
+    now = now + Duration{400};
+    set16(0x7300, 1, 1000);  // wakes the blocks for the next whole millisecond
+    EXPECT_EQ(device->next_deadline(), now + Duration{600});
+    send("000#817F");
+    EXPECT_EQ(device->next_deadline(), now + milliseconds(1));
+    pass(20);
+    now = now + Duration{100};
+    set16(0x7300, 1, 1000);
+    EXPECT_EQ(device->next_deadline(), now + Duration{900});
+}
+
 TEST_F(Ax130751LateCalls, BlocksThatHaveNothingToDoNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 in tables 1 and 4, logic block 2 (table 4), math block 1 and output 1: all with a value.
