@@ -206,6 +206,45 @@ TEST_F(Ax130751Channels, ANewTypeLeavesNothingOfTheOldOneAtTheTerminals) {
     }
 }
 
+TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
+    verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
+    for (const int type : {20, 40, 500, 1000, 1020}) {
+        for (const int ours : {1, 2}) {
+            SCOPED_TRACE(fmt::format("type {}, output {}", type, ours));
+            for (const int output : {1, 2}) {
+                set16(0x6310, output, 10);
+                for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x2300, 0x7341, 0x7323, 0x7321}) {
+                    set16(index, output, 1500);
+                }
+            }
+            set16(0x6310, ours, type);
+            EXPECT_EQ(get16(0x2300, ours), 0);
+            EXPECT_EQ(get16(0x7341, ours), 0);
+            EXPECT_EQ(get16(0x2300, 3 - ours), 1500);
+            EXPECT_EQ(get16(0x7341, 3 - ours), 1500);
+            EXPECT_EQ(get16(0x7321, 3 - ours), 1500);
+            EXPECT_EQ(get16(0x7323, 3 - ours), 1500);
+            set16(0x6310, ours, 0);
+        }
+    }
+}
+
+TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
+    verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
+    set16(0x6310, 1, 20);
+    set16(0x7323, 1, 16000);
+    set16(0x7323, 2, 4000);
+    store();
+    send("000#817F");
+    set16(0x6310, 1, 20);
+    set16(0x6310, 2, 10);
+    EXPECT_EQ(get16(0x7323, 1), 16000);
+    EXPECT_EQ(get16(0x7323, 2), 4000);
+    set16(0x6310, 1, 10);
+    EXPECT_EQ(get16(0x7323, 1), 5000);
+    EXPECT_EQ(get16(0x7323, 2), 4000);
+}
+
 TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
     set16(0x1800, 5, 0);  // no TPDO1

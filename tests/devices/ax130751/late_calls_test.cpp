@@ -148,4 +148,52 @@ TEST_F(Ax130751LateCalls, NothingThatWaitsIsAheadOfItsTime) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
+TEST_F(Ax130751LateCalls, CyclesCountFromTheReset) {
+    verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
+    pass(100);
+    now = now + Duration{400};
+    set16(0x7300, 1, 1000);  // wakes the blocks for the next whole millisecond
+    EXPECT_EQ(device->next_deadline(), now + Duration{600});
+    send("000#817F");
+    EXPECT_EQ(device->next_deadline(), now + milliseconds(1));
+    pass(20);
+    now = now + Duration{100};
+    set16(0x7300, 1, 1000);
+    EXPECT_EQ(device->next_deadline(), now + Duration{900});
+}
+
+TEST_F(Ax130751LateCalls, BlocksThatHaveNothingToDoNeedNoCycle) {
+    verifies<req::AOR_OUT_001>();
+    // 2500h:1 in tables 1 and 4, logic block 2 (table 4), math block 1 and output 1: all with a value.
+    extra_as_percent(1);
+    for (const int table : {0x3010, 0x3040}) {
+        set8(static_cast<std::uint16_t>(table + 1), 0, 4);
+        set8(static_cast<std::uint16_t>(table), 0, canopen);
+    }
+    set8(0x3300, 2, 1);
+    for (const int input : {1, 2}) {
+        set8(0x4101, input, 2);
+        set8(0x4100, input, logic_source);
+    }
+    set8(0x4000, 1, 1);
+    no_ramps(1);
+    set8(0x2341, 1, 1);
+    set8(0x2340, 1, math_source);
+    extra(1, 70);
+    pass(20);
+    EXPECT_EQ(get16(0x3018, 0), 70);
+    EXPECT_EQ(get16(0x4030, 1), 10000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    pass(20);
+    EXPECT_EQ(device->next_deadline(), never);
+    set8(0x3015, 1, 1);  // a profile of 100 ms
+    for (int point = 2; point <= 11; ++point) {
+        set32(0x3016, point, 10);
+    }
+    extra(1, 100);
+    EXPECT_EQ(device->next_deadline(), now + milliseconds(1)) << "it runs";
+    pass(110);
+    EXPECT_EQ(device->next_deadline(), never) << "it has ended";
+}
+
 }  // namespace canproof::test

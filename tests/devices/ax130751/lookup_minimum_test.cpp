@@ -138,6 +138,24 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(4, 1), 0);
 }
 
+TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwn) {
+    verifies<req::AOR_LT_018, req::AOR_SRC_007>();
+    for (int block = 1; block <= 4; ++block) {
+        set16(0x4021, block, -1000 * block);  // in hundredths as shipped
+    }
+    for (int number = 1; number <= 6; ++number) {
+        set16(0x2520, number, -200 * number);  // in tenths as shipped
+    }
+    for (int block = 1; block <= 4; ++block) {
+        choose(2, math_source, block);
+        EXPECT_EQ(x(2, 1), -10 * block);
+    }
+    for (int number = 1; number <= 6; ++number) {
+        choose(2, canopen, 3 + number);
+        EXPECT_EQ(x(2, 1), -20 * number);
+    }
+}
+
 TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);  // table 10 has no source itself

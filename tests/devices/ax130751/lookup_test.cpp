@@ -131,6 +131,19 @@ TEST_F(Ax130751Lookup, PointsStayInOrder) {
     EXPECT_EQ(write_x(9, 11, 500), "") << "nothing but its own axis limits it";
 }
 
+TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
+    verifies<req::AOR_LT_009>();
+    for (int point = 1; point <= 11; ++point) {
+        SCOPED_TRACE(point);
+        const int x = 10 * (point - 1);
+        EXPECT_EQ(write_x(7, point, point == 1 ? -32769 : x - 11), "06090032");
+        EXPECT_EQ(write_x(7, point, point == 11 ? 32768 : x + 11), "06090031");
+        EXPECT_EQ(write_x(7, point, point == 11 ? x : x + 10), "");
+        EXPECT_EQ(write_x(7, point, point == 1 ? x : x - 10), "");
+        EXPECT_EQ(write_x(7, point, x), "");
+    }
+}
+
 TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadUpward) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);

@@ -1,5 +1,6 @@
 // What an AX130751 forgets with a reset or a new type, and when a source is taken away: hysteresis, faults, states of
 // blocks (1.2 to 1.8).
+#include <array>
 #include <functional>
 
 #include "generated/ax130751/requirements.hpp"
@@ -258,21 +259,31 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
 
 TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
     verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
-    follow_supply(0x3010, 0);
-    set8(0x3015, 1, 1);
-    set32(0x3016, 2, 100);
-    set16(0x3017, 2, 100);
-    set8(0x3015, 3, 0);
+    const std::array<std::uint16_t, 3> tables{0x3010, 0x3070, 0x3100};
+    const auto at = [](std::uint16_t table, int offset) { return static_cast<std::uint16_t>(table + offset); };
+    for (const std::uint16_t table : tables) {
+        follow_supply(table, 0);
+        set8(at(table, 5), 1, 1);
+        set32(at(table, 6), 2, 100);
+        set16(at(table, 7), 2, 100);
+        set8(at(table, 5), 3, 0);
+    }
     store();
     supply(30.0F);
     pass(40);
-    EXPECT_EQ(get16(0x3018, 0), 40);
-    set16(0x3017, 2, 200);
+    for (const std::uint16_t table : tables) {
+        EXPECT_EQ(get16(at(table, 8), 0), 40) << table;
+        set16(at(table, 7), 2, 200);
+    }
     pass(1);
-    EXPECT_EQ(get16(0x3018, 0), 82);
+    for (const std::uint16_t table : tables) {
+        EXPECT_EQ(get16(at(table, 8), 0), 82) << table;
+    }
     send("000#817F");
     pass(1 + 20);
-    EXPECT_EQ(get16(0x3018, 0), 20) << "of 100, which is stored";
+    for (const std::uint16_t table : tables) {
+        EXPECT_EQ(get16(at(table, 8), 0), 20) << "of 100, which is stored, in table " << table;
+    }
 }
 
 TEST_F(Ax130751Restart, ASumBeginsAt0) {

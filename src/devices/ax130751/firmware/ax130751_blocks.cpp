@@ -56,8 +56,7 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
     if (timed) {
-        config.points.x[0U] = 0.0;
-        config.points.y[0U] = 0.0;
+        config.points.y[0U] = 0.0;  // its X is 0 wherever times are added up
     }
     return config;
 }

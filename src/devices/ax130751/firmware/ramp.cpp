@@ -35,8 +35,9 @@ double Ramp::follow(const double target, const RampTimes& times, const Instant n
 }
 
 double Ramp::hold(const Instant now) noexcept {
-    set(value_at(now));
-    return start_;
+    const double held = value_at(now);
+    set(held);
+    return held;
 }
 
 static_assert(implements<req::AOR_OUT_012> && implements<req::AOR_OUT_013>);

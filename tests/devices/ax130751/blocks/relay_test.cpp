@@ -120,6 +120,13 @@ TEST_F(RelayTest, ALatchThatIsChosenAgainWaitsForNothing) {
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
+TEST_F(RelayTest, ALatchThatIsChosenWhileUnlatchedIsDeafAtOnce) {
+    verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
+    EXPECT_EQ(run(".", normal, "#"), ".");
+    EXPECT_EQ(run("#.#", latched, "###"), "...");
+    EXPECT_EQ(run(".#.", inverse_latched, "###"), "###");
+}
+
 TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
     verifies<req::AOR_RELAY_007>();
     EXPECT_EQ(run(".##.", normal, "####"), ".##.");
