@@ -2,6 +2,7 @@
 // their mutants.
 #include <cstdint>
 
+#include "host/sim/bus/acceptance.hpp"
 #include "host/sim/bus/bus_faults.hpp"
 #include "host/sim/bus/echo_matcher.hpp"
 #include "host/sim/bus/fault_confinement.hpp"
@@ -13,6 +14,7 @@ template class EchoMatcher<int>;
 
 namespace {
 
+[[gnu::used]] bool (AcceptanceFilter::*const accepts)(const Frame&) const = &AcceptanceFilter::accepts;
 [[gnu::used]] bool (BusFaultRates::*const any)() const = &BusFaultRates::any;
 [[gnu::used]] std::uint32_t (FaultConfinement::*const transmit_errors)() const = &FaultConfinement::transmit_errors;
 [[gnu::used]] std::uint32_t (FaultConfinement::*const receive_errors)() const = &FaultConfinement::receive_errors;

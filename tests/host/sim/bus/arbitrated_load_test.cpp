@@ -222,6 +222,54 @@ TEST_F(BusLoad, SwitchingOffANodeThatIsNotThereOrOffAlreadyChangesNothing) {
     EXPECT_THAT(a.states, ElementsAre("0 3", "11264 0"));  // 128 x 11 bits of 8 us from the first time on
 }
 
+TEST_F(BusLoad, EachFrameThatIsBrokenOffIsAnErrorOfItsReceivers) {
+    Instant now{};
+    for (int i = 0; i < 96; ++i) {
+        EXPECT_THAT(a.states, IsEmpty()) << i;
+        Gateway door{"door", 4, {}};
+        bus.attach_gateway(door);
+        door.put(parse_frame("123#", "test"));
+        bus.advance(now);
+        bus.detach_gateway(door);
+        now = now + milliseconds(1);
+        bus.advance(now);
+    }
+    ASSERT_EQ(a.states.size(), 1U);  // 96: warning
+    EXPECT_EQ(a.states[0].back(), '1');
+    EXPECT_EQ(bus.report(now).errors, 96U);
+}
+
+TEST(BusErrors, SenderCountsItsBrokenFramesAsASenderOnly) {
+    // One of twenty is broken: eight up and nineteen down. As a receiver it would never count down, for it hears
+    // nobody.
+    ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.05, 0.0, 0.0, 7}};
+    PlainNode a{"a"};
+    PlainNode b{"b"};
+    bus.attach(a);
+    bus.attach(b);
+    for (int i = 0; i < 4000; ++i) {
+        a.send("123#");
+    }
+    run_until(bus, Instant{0}, Instant{1000000});
+    EXPECT_EQ(b.heard.size(), 4000U);
+    EXPECT_GT(bus.report(Instant{1000000}).errors, 128U);
+    EXPECT_THAT(a.states, IsEmpty());
+}
+
+TEST(BusErrors, DoorIsNeverBusOff) {
+    ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.9, 0.0, 0.0, 7}};
+    PlainNode b{"b"};
+    bus.attach(b);
+    Gateway door{"door", 50, {}};
+    bus.attach_gateway(door);
+    for (int i = 0; i < 50; ++i) {
+        door.put(parse_frame("123#", "test"));
+    }
+    run_until(bus, Instant{0}, Instant{1000000});
+    EXPECT_EQ(b.heard.size(), 50U);
+    EXPECT_GT(bus.report(Instant{1000000}).errors, 100U);
+}
+
 TEST_F(BusLoad, LatencyCountsFromWhenAFrameBecameTheFirst) {
     a.send("703#05");
     a.send("704#05");

@@ -228,6 +228,9 @@ TEST_F(SocketcandServer, WaitsForAClientOnlyWhereItCanGoOn) {
         bus.poll(now);  // no time passes: its door is full, and so is what is held of its text
     }
     EXPECT_THAT(bus.watches(), SizeIs(1));
+    run_until(bus, now, now + milliseconds(500));  // nothing is read: what is held goes out as the bus takes it
+    now = now + milliseconds(500);
+    EXPECT_GT(log.size(), 300U);  // 4096 characters hold 292 commands, the door 32 more
     flood.hang_up();
     ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
     EXPECT_THAT(log, SizeIs(1000));
@@ -261,6 +264,14 @@ TEST_F(SocketcandServer, ClientWhoseConnectionIsResetIsGone) {
     }
     EXPECT_EQ(bus.clients(), 1U);
     EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
+}
+
+TEST_F(SocketcandServer, NoticesOfItsBusAreTold) {
+    node.rate = 1000000;
+    bus.advance(now);
+    node.rate = 500000;
+    bus.advance(now);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("node: LSS sets 500000 bit/s")));
 }
 
 TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {

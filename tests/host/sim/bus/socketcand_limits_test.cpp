@@ -1,4 +1,5 @@
 // One socketcand client at the limits of what it may say, and the words that server and client share.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,6 +115,12 @@ TEST_F(SocketcandLimits, ReceiveTellsWhetherAFrameWentOntoTheBus) {
     EXPECT_FALSE(session.receive("< echo >< send 123 9 >", Instant{}));
     EXPECT_TRUE(session.receive("< send 123 0 >", Instant{}));
     EXPECT_FALSE(session.receive("", Instant{}));
+}
+
+TEST_F(SocketcandLimits, CommandThatIsTooLongIsToldAndTheNextIsHeard) {
+    say("");
+    EXPECT_EQ(say("<" + std::string(256, 'x') + ">< echo >"), "< error command too long >< echo >");
+    EXPECT_EQ(say("<" + std::string(255, 'x') + ">"), "< error no bus is open >");
 }
 
 TEST_F(SocketcandLimits, OpenNamesABus_AndLeavesItOpenWhenItNamesNone) {
