@@ -273,7 +273,8 @@ int run_chosen(CLI::App& app, const Chosen& chosen, int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
     keep_standard_descriptors();
     CLI::App app{"canproof: four CANopen devices, generated from their requirements"};
-    app.set_version_flag("--version", std::string{"canproof "} + generated::canproof_version, "print the version and exit");
+    app.set_version_flag("--version", std::string{"canproof "} + generated::canproof_version,
+                         "print the version and exit");
     app.require_subcommand(1);
     Chosen chosen;
     CatalogueCommands catalogue_command{app, chosen};
