@@ -60,8 +60,8 @@ def check(build, output):
         if ROOT != HOME:  # a device's stack is that of what it calls as well
             shared = sorted((HOME / "src" / "firmware").rglob("*.cpp"))
             compile_each([named(path) for path in shared], generated, graphs, faults)
-        graph, figures = check_call_graph(graphs, generated, faults)
-        figures.update(check_served(graph, generated, faults))
+        figures = check_call_graph(graphs, generated, faults)
+        figures.update(check_served(generated, faults))
     check_layers(faults)
     check_symbols(build, faults)
 

@@ -104,7 +104,7 @@ def device_bounds():
 
 
 def check_call_graph(graphs, generated, faults):
-    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs. Gives the graph, and figures for the report."""
+    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs."""
     seeded = []
     with tempfile.TemporaryDirectory() as scratch:
         class Collected(list):
@@ -117,5 +117,4 @@ def check_call_graph(graphs, generated, faults):
         if not any(word in text for text in seeded):
             faults.add(f"the call graph's check misses what misra/callgraph/bad.cpp holds: {word} in {seeded}")
     listed = [one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])]
-    graph = CallGraph(graphs)
-    return graph, check(graph, listed, list(device_bounds()), faults)
+    return check(CallGraph(graphs), listed, list(device_bounds()), faults)

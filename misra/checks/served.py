@@ -4,18 +4,33 @@ A function serves an item when a link (`static_assert(implements<req::…>)`) st
 function that serves one calls it, or when it constructs a class of which a function serves one. reports/functions.toml holds the others, each with
 a reason; a record that names no such function is a fault. The compiler's call graph says who calls whom."""
 import collections
+import concurrent.futures
+import os
 import pathlib
 import re
 import tempfile
 import tomllib
 
 from .callgraph import CallGraph
-from .rules import HOME, ROOT, Faults, firmware_files, without_comments_and_literals
-from .tools import compile_each
+from .rules import HOME, ROOT, Faults, firmware_files, named, records_of, without_comments_and_literals
+from .tools import language, run_cached
 
 LINK = re.compile(r"\bimplements<req::")
 FIRMWARE = re.compile(r"(?:^|/)(src/(?:firmware|devices/[^/]+/firmware)/.+)$")
 NAME = re.compile(r"((?:[\w{}~]+(?:<.*?>)?::)*~?[\w=<>!+*/&|^-]+)(?:\(|$)")
+
+
+def leave_graphs(units, generated, folder, faults):
+    """Leaves the call graphs of unoptimised units: nothing is inlined, so that every function is in them."""
+    def compile_one(path):
+        target = pathlib.Path(folder) / (str(path).replace("/", "_") + ".o")
+        status, output = run_cached(["g++", *language([path]), "-O0", "-fcallgraph-info=su,da", f"-I{generated}", "-c", str(path),
+                                     "-o", str(target)], [path], generated, scratch=folder, leaves=target.with_suffix(".ci"))
+        if status != 0:
+            faults.add("does not compile with g++ -O0:\n" + output[-2000:])
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        list(pool.map(compile_one, units))
 
 
 class Source:
@@ -132,16 +147,26 @@ def prove(generated, faults):
     """What misra/callgraph/served.cpp says of its functions must be what is found."""
     path = HOME / "misra" / "callgraph" / "served.cpp"
     with tempfile.TemporaryDirectory() as scratch:
-        compile_each(["misra/callgraph/served.cpp"], generated, scratch, Faults())
+        leave_graphs(["misra/callgraph/served.cpp"], generated, scratch, faults)
         rest, _ = unserved(CallGraph(scratch), {"misra/callgraph/served.cpp": path})
     wanted = set(re.findall(r"// serves nothing: (\S+)", path.read_text()))
     if set(rest) != wanted:
         faults.add(f"the check of functions finds {sorted(rest)} in misra/callgraph/served.cpp, which holds {sorted(wanted)}")
 
 
-def check_served(graph, generated, faults):
+def graph_of_firmware(generated, faults):
+    units = [named(path) for root in dict.fromkeys((HOME, ROOT)) for path in firmware_files(root / "src", "*.cpp")]
+    with tempfile.TemporaryDirectory() as folder:
+        leave_graphs(units, generated, folder, faults)
+        graph = CallGraph(folder)
+    graph.resolve([one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])], Faults())
+    return graph
+
+
+def check_served(generated, faults):
     """Faults for functions without an item and a reason, and for reasons that nothing needs. Gives figures for the report."""
     prove(generated, faults)
+    graph = graph_of_firmware(generated, faults)
     files = {str(path.relative_to(root)): path for root in dict.fromkeys((HOME, ROOT)) for pattern in ("*.hpp", "*.cpp")
              for path in firmware_files(root / "src", pattern)}
     rest, count = unserved(graph, files)

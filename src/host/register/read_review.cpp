@@ -31,6 +31,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
     if (!role.empty() && role != "author" && role != "independent") {
         item.fault(fmt::format("role is `{}`", role), "write `author` (of the change) or `independent`");
     }
+    const std::string marked = item.text_or("marked", "");
     if (auto items = item.item("items")) {
         for (const auto& [key, print] : items->table()) {
             const std::string id{key.str()};
@@ -39,6 +40,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
             review.date = date;
             review.by = by;
             review.role = role;
+            review.marked = marked;
             review.place = place;
             if (!reviews.emplace(id, review).second) {
                 item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");

@@ -226,7 +226,8 @@ struct Review {
     std::string tests;        ///< mark of the tests that claimed it; empty: there were none
     std::string date;         ///< 2026-11-21
     std::string by;
-    std::string role;  ///< author or independent; empty: nobody said
+    std::string role;    ///< author or independent; empty: nobody said
+    std::string marked;  ///< date on which code and tests were marked and not read; empty: they were read
     Place place;
 };
 

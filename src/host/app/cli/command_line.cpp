@@ -104,9 +104,11 @@ class SpecCommands : Command {
         auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
-        review->add_option("--by", review_.by, "who has read them")->required();
+        review->add_option("--by", review_.by, "who has read them");
+        review->add_flag("--mark", review_.mark,
+                         "mark the code and tests of reviewed items as they are, without saying that anybody has read "
+                         "them");
         review->add_option("--role", review_.role, "author of the change, or independent of it")
-            ->required()
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,
                            "folder of test results; the newest of build/*/verdicts without it");

@@ -30,6 +30,15 @@ void check(const ReviewOptions& options) {
     if (!options.date.empty() && !std::regex_match(options.date, form)) {
         throw InputError{fmt::format("{} is no date; write YYYY-MM-DD", options.date)};
     }
+    if (options.mark) {
+        if (options.all || !options.subjects.empty() || !options.by.empty() || !options.role.empty()) {
+            throw InputError{"--mark is for all reviews and nobody's: it takes no ID, --all, --by or --role"};
+        }
+        return;
+    }
+    if (options.by.empty() || options.role.empty()) {
+        throw InputError{"say who has read: --by NAME --role author|independent"};
+    }
     if (options.subjects.empty() != options.all) {
         throw InputError{"name what was read, ids or devices, or say --all"};
     }
@@ -51,6 +60,22 @@ std::set<std::string> chosen_of(const Part& part, const WorkByItem& work, const 
     return chosen;
 }
 
+std::filesystem::path reviews_file(const ReviewOptions& options, const Part& part) {
+    return std::filesystem::path{options.spec} / (part.is_device() ? "devices/" + part.name : part.name) /
+           "reviews.toml";
+}
+
+int mark_reviews(const ReviewOptions& options, const Register& content, const WorkByItem& work) {
+    for (const auto& part : content.parts) {
+        if (!part.inherited && !part.reviews.empty()) {
+            write_file(reviews_file(options, part),
+                       write_marked_reviews(part, options.date.empty() ? today() : options.date, work));
+        }
+    }
+    fmt::print("code and tests of reviewed items marked; nobody is said to have read them\n");
+    return 0;
+}
+
 }  // namespace
 
 int review_spec(const ReviewOptions& options) {
@@ -59,6 +84,9 @@ int review_spec(const ReviewOptions& options) {
     const auto root = (std::filesystem::absolute(options.spec) / ".").lexically_normal().parent_path().parent_path();
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const WorkByItem work = collect_evidence(root, verdicts, content).work;
+    if (options.mark) {
+        return mark_reviews(options, content, work);
+    }
     const ReviewSession session{options.date.empty() ? today() : options.date, options.by, options.role};
     std::set<std::string> names{options.subjects.begin(), options.subjects.end()};
     std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -69,9 +97,7 @@ int review_spec(const ReviewOptions& options) {
             continue;
         }
         count += chosen.size();
-        const auto folder =
-            std::filesystem::path{options.spec} / (part.is_device() ? "devices/" + part.name : part.name);
-        files.emplace_back(folder / "reviews.toml", write_reviews(part, chosen, session, work));
+        files.emplace_back(reviews_file(options, part), write_reviews(part, chosen, session, work));
     }
     if (!names.empty()) {
         throw InputError{fmt::format("`{}` is neither a device nor an id in force", *names.begin())};

@@ -13,6 +13,7 @@ struct ReviewOptions {
     std::string by;
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
+    bool mark{false};      ///< the marks of code and tests alone, of reviews that stay
     std::string date;      ///< 2026-11-21; empty: today
 };
 

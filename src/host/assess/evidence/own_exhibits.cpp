@@ -63,13 +63,16 @@ Exhibit suspects_exhibit(const PackInput& input) {
         read.author += here.author;
         read.independent += here.independent;
         read.unsaid += here.unsaid;
+        read.marked += here.marked;
     }
-    return exhibit("suspects", "Suspects", suspects == 0,
-                   fmt::format("{} items have changed, in text, code or tests, since someone read them. Readers of the "
-                               "other items and decisions: the author of the change {}, someone else {}{}",
-                               suspects, read.author, read.independent,
-                               read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid)),
-                   suspects == 0 ? "" : "audit.html?q=suspect");
+    return exhibit(
+        "suspects", "Suspects", suspects == 0,
+        fmt::format("{} items have changed, in text, code or tests, since someone read them. Readers of the "
+                    "other items and decisions: the author of the change {}, someone else {}{}{}",
+                    suspects, read.author, read.independent,
+                    read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
+                    read.marked == 0 ? "" : fmt::format("; of {} of them code and tests were not read", read.marked)),
+        suspects == 0 ? "" : "audit.html?q=suspect");
 }
 
 Exhibit sections_exhibit(const PackInput& input) {

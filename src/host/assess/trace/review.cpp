@@ -47,6 +47,27 @@ bool is_of_today(const Review& review, const std::string& print, const ItemWork&
     return review.fingerprint == print && review.code == now.code && review.tests == now.tests;
 }
 
+/// Writes reviews.toml: a block for each session.
+std::string text_of(const std::map<std::string, Review>& reviews) {
+    using Head = std::tuple<std::string, std::string, std::string, std::string>;
+    std::map<Head, std::string> blocks;
+    for (const auto& [id, one] : reviews) {
+        blocks[{one.date, one.by, one.role, one.marked}] +=
+            fmt::format("{} = \"{}\"\n", id, marks_of(one.fingerprint, one.code, one.tests));
+    }
+    std::string text =
+        "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
+        "when.\n";
+    for (const auto& [head, items] : blocks) {
+        const auto& [date, by, role, marked] = head;
+        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", quoted(date), quoted(by));
+        text += role.empty() ? "" : fmt::format("role = {}\n", quoted(role));
+        text += marked.empty() ? "" : fmt::format("marked = {}\n", quoted(marked));
+        text += "[review.items]\n" + items;
+    }
+    return text;
+}
+
 }  // namespace
 
 ReviewState::ReviewState(const Register& content, const WorkByItem& work) : work_{work} {
@@ -100,30 +121,33 @@ std::string ReviewState::suspicion(const std::string& id, const std::vector<std:
 
 std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
                           const WorkByItem& work) {
-    using Head = std::tuple<std::string, std::string, std::string>;
-    std::map<Head, std::map<std::string, std::string>> blocks;
+    std::map<std::string, Review> reviews;
     for (const auto& [id, print] : prints_in_force(part)) {
         if (ids.count(id) != 0) {
             const ItemWork now = work_of(id, work);
-            blocks[{session.date, session.by, session.role}][id] = marks_of(print, now.code, now.tests);
+            reviews[id] = {print, now.code, now.tests, session.date, session.by, session.role, "", {}};
         } else if (const auto old = part.reviews.find(id); old != part.reviews.end()) {
-            const Review& kept = old->second;
-            blocks[{kept.date, kept.by, kept.role}][id] = marks_of(kept.fingerprint, kept.code, kept.tests);
+            reviews[id] = old->second;
         }
     }
-    std::string text =
-        "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
-        "when.\n";
-    for (const auto& [head, marks] : blocks) {
-        const auto& [date, by, role] = head;
-        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", quoted(date), quoted(by));
-        text += role.empty() ? "" : fmt::format("role = {}\n", quoted(role));
-        text += "[review.items]\n";
-        for (const auto& [id, mark] : marks) {
-            text += fmt::format("{} = \"{}\"\n", id, mark);
+    return text_of(reviews);
+}
+
+std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work) {
+    std::map<std::string, Review> reviews;
+    for (const auto& [id, print] : prints_in_force(part)) {
+        const auto old = part.reviews.find(id);
+        if (old == part.reviews.end()) {
+            continue;
+        }
+        Review& kept = reviews[id] = old->second;
+        if (const ItemWork now = work_of(id, work); kept.fingerprint == print && !is_of_today(kept, print, now)) {
+            kept.code = now.code;
+            kept.tests = now.tests;
+            kept.marked = date;
         }
     }
-    return text;
+    return text_of(reviews);
 }
 
 std::set<std::string> reviewable(const Part& part) {
@@ -153,6 +177,7 @@ ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
             continue;
         }
         const std::string& role = found->second.role;
+        counts.marked += found->second.marked.empty() ? 0U : 1U;
         ++(role == "author" ? counts.author : role == "independent" ? counts.independent : counts.unsaid);
     }
     return counts;

@@ -40,6 +40,10 @@ class ReviewState {
 std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
                           const WorkByItem& work);
 
+/// The same file with the marks of code and tests as they are now in each review of an item whose text and decisions
+/// have not changed. `date` says when; who, when and in which role stays. It does not say that anybody has read them.
+std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work);
+
 /// Ids of the part, decisions too, that are in force.
 std::set<std::string> reviewable(const Part& part);
 /// Those of them that have no review of what they, their code and their tests say now.
@@ -51,6 +55,7 @@ struct ReviewCounts {
     std::size_t author{0};
     std::size_t independent{0};
     std::size_t unsaid{0};
+    std::size_t marked{0};  ///< of all of them: code and tests were marked, not read
 };
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
 

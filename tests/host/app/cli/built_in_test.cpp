@@ -56,9 +56,10 @@ TEST(BuiltIn, WhatIsNoDeviceIsRefused) {
     EXPECT_THROW(device_named("ax1307"), InputError);
 }
 
-TEST(BuiltIn, DecisionsAndReviewsStayInTheirFolder) {
+TEST(BuiltIn, DecisionsHazardsAndReviewsStayInTheirFolder) {
     for (const auto& [path, text] : embedded_spec()) {
         EXPECT_EQ(text.find("[[review]]"), std::string::npos) << path;
+        EXPECT_EQ(text.find("[[hazard]]"), std::string::npos) << path;
         EXPECT_EQ(path.find("/decisions/"), std::string::npos) << path;
         EXPECT_TRUE(path.find("spec/devices/") != 0 || text.find("[[decision]]") == std::string::npos) << path;
     }

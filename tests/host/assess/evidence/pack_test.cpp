@@ -61,7 +61,7 @@ class Pack : public ::testing::Test {
         input_.argument.claims = {{"C", "", "All is well.", {}, ""},
                                   {"C1", "C", "Tests pass.", {"tests", "audit"}, "Not on silicon."}};
         for (const auto& [id, print] : fingerprints(content_.parts[0])) {
-            content_.parts[0].reviews[id] = {print, "", "", "2026-01-02", "someone", "author", {}};
+            content_.parts[0].reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
         }
         input_.provenance.commit = "abc";
         input_.provenance.packages = {{"libx", "1.2-3"}};

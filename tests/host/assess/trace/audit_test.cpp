@@ -34,7 +34,7 @@ Requirement requirement(const std::string& id, const std::string& source, std::v
 void review(Part& part) {
     part.reviews.clear();
     for (const auto& [id, print] : fingerprints(part)) {
-        part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", {}};
+        part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
     }
 }
 

@@ -109,6 +109,21 @@ TEST(Review, KeepsTheMarksOfReviewsThatAreNotRenewed) {
     EXPECT_EQ(kept.role, "independent");
 }
 
+TEST(Review, MarksCodeAndTestsWithoutSayingThatAnybodyReadThem) {
+    const Register first = read("a", "b", "");
+    const std::string old =
+        write_reviews(*first.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, {});
+    const WorkByItem work{{"AO4-R-1", {"11111111", "22222222"}}, {"AO4-R-2", {"33333333", ""}}};
+    const Register edited = read("a, but other", "b", old);
+    const Register marked = read("a, but other", "b", write_marked_reviews(*edited.part("box"), "2026-03-04", work));
+    const Review& kept = marked.part("box")->reviews.at("AO4-R-2");
+    EXPECT_EQ(kept.date + kept.by + kept.role, "2026-01-02xauthor");
+    EXPECT_EQ(kept.marked, "2026-03-04");
+    EXPECT_EQ((ReviewState{marked, work}.suspicion("AO4-R-2", {})), "");
+    EXPECT_EQ((ReviewState{marked, work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
+    EXPECT_EQ(count_reviews(*marked.part("box"), work).marked, 1U);
+}
+
 TEST(Review, CountsWhoHasReadTodaysState) {
     const Register first = read("a", "b", "");
     const std::string one = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
