@@ -1,7 +1,8 @@
 """Functions of the firmware that serve no item of the register.
 
 A function serves an item when a link (`static_assert(implements<req::…>)`) stands in it or directly above it or its declaration, when a
-function that serves one calls it, or when it constructs a class of which a function serves one. reports/functions.toml holds the others, each with
+function that serves one calls it, or when it constructs a class of which a function serves one. The functions that every device has
+(src/devices/README.md, step 2) pass on what comes and need no item of their own. reports/functions.toml holds the others, each with
 a reason; a record that names no such function is a fault. The compiler's call graph says who calls whom."""
 import collections
 import concurrent.futures
@@ -16,6 +17,7 @@ from .rules import HOME, ROOT, Faults, firmware_files, named, records_of, withou
 from .tools import language, run_cached
 
 LINK = re.compile(r"\bimplements<req::")
+INTERFACE = re.compile(r"::Device::(?:power_on|receive|set_inputs|advance|next_deadline|outputs|node_id|bit_rate|state|objects)$")
 FIRMWARE = re.compile(r"(?:^|/)(src/(?:firmware|devices/[^/]+/firmware)/.+)$")
 NAME = re.compile(r"((?:[\w{}~]+(?:<.*?>)?::)*~?[\w=<>!+*/&|^-]+)(?:\(|$)")
 
@@ -138,7 +140,7 @@ def unserved(graph, files):
     served = {all_of.plain[title] for title in all_of.served()}
     rest = {}
     for title, name in all_of.plain.items():
-        if name not in served:
+        if name not in served and not INTERFACE.search(name):
             rest.setdefault(name, all_of.places[title])
     return rest, len(set(all_of.plain.values()))
 
