@@ -107,15 +107,17 @@ class PdoCheck {
                           fmt::format("{} is {}, which is reserved", entry->title(), value->bits));
         }
         const EdsSheetEntry* cob_id = object_.entry(1);
-        const auto id = cob_id == nullptr ? std::nullopt : cob_id->number();
+        const std::optional<EdsNumber> written = cob_id == nullptr ? std::nullopt : cob_id->number();
+        const bool has_id = written.has_value();
+        const std::uint64_t id = written.value_or(EdsNumber{}).bits;
         constexpr std::uint64_t no_remote = 0x40000000;
-        if (!is_rpdo_ && remote && id && (id->bits & no_remote) != 0) {
+        if (!is_rpdo_ && remote && has_id && (id & no_remote) != 0) {
             findings_.add("pdo-transmission-remote", entry->value_line(),
                           fmt::format("{} is {}, on request, but the COB-ID allows no remote frame", entry->title(),
                                       value->bits));
         }
         const bool synchronous = value->bits <= 240 || value->bits == 252;
-        if (synchronous && id && !is_off(id->bits) && sheet_.object(0x1005) == nullptr) {
+        if (synchronous && has_id && !is_off(id) && sheet_.object(0x1005) == nullptr) {
             findings_.add(
                 "pdo-without-sync", entry->value_line(),
                 fmt::format("{} is {}, which waits for SYNC, but there is no 1005h", entry->title(), value->bits));
