@@ -54,7 +54,8 @@ void check_end(const Bytes& end, SdoOutcome& outcome, bool with_crc) {
         throw SlaveFailed{fmt::format("{} where the end of a block upload must come", hex_words(end))};
     }
     const std::size_t unused = (end.front() >> 2U) & 7U;
-    outcome.data.resize(outcome.data.size() - std::min(unused, outcome.data.size()));
+    const auto left_over = static_cast<std::ptrdiff_t>(std::min(unused, outcome.data.size()));
+    outcome.data.erase(outcome.data.end() - left_over, outcome.data.end());
     const std::int64_t crc = from_little_endian(end, 1, 2);
     const std::uint16_t wanted = block_crc(outcome.data);
     if (with_crc && crc != wanted) {
