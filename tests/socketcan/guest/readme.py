@@ -1,4 +1,4 @@
-"""The commands of README's section "Use it on your bus", as they stand there, typed into a shell one after the other."""
+"""The commands of the section "Use it on your bus" of src/host/app/README.md, as they stand there, typed into a shell one after the other."""
 import os
 import re
 import subprocess
@@ -10,7 +10,7 @@ FOLDER = "/tmp/readme"
 
 
 def blocks():
-    with open("/repo/README.md") as readme:
+    with open("/repo/src/host/app/README.md") as readme:
         section = readme.read().partition("## Use it on your bus\n")[2].partition("\n## ")[0]
     return [block.splitlines() for block in re.findall(r"```\n(.*?)```", section, re.S)]
 
