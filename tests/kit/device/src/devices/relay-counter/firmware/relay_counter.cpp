@@ -43,6 +43,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     const LssConfiguration stored = lss_store_.load(shipped);
     bit_rate_ = stored.bit_rate;
     node_.power_on(stored, inputs.can_state, false, now);
+    set_inputs(inputs, now);
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
