@@ -5,15 +5,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "host/base/trimmed.hpp"
+
 namespace canproof::host {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-    const char* const blanks = " \t\r\v\f";
-    const auto first = text.find_first_not_of(blanks);
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 bool has_control(const std::string& text) {
     return std::any_of(text.begin(), text.end(), [](char c) {
@@ -32,7 +28,7 @@ class IniReader {
             strange(fmt::format("line has more than {} characters", longest_ini_line));
             return;
         }
-        const std::string text = trimmed(raw);
+        const std::string text = trimmed(raw, ini_blanks);
         if (text.empty() || text.front() == ';' || text.front() == '#') {
             return;
         }
@@ -55,7 +51,7 @@ class IniReader {
 
     void open_section(const std::string& text) {
         const auto close = text.find(']');
-        const std::string name = close == std::string::npos ? "" : trimmed(text.substr(1, close - 1));
+        const std::string name = close == std::string::npos ? "" : trimmed(text.substr(1, close - 1), ini_blanks);
         if (name.empty()) {
             ++strange_;
             tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)),
@@ -64,7 +60,7 @@ class IniReader {
             skips_ = true;
             return;
         }
-        const std::string rest = trimmed(text.substr(close + 1));
+        const std::string rest = trimmed(text.substr(close + 1), ini_blanks);
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
             tell_.note(line_, fmt::format("`{}` stands behind the section", rest.substr(0, 40)), "it is passed over");
         }
@@ -79,7 +75,7 @@ class IniReader {
 
     void add_value(const std::string& text) {
         const auto equals = text.find('=');
-        const std::string key = trimmed(text.substr(0, equals));
+        const std::string key = trimmed(text.substr(0, equals), ini_blanks);
         if (skips_) {
             return;  // told with the section
         }
@@ -88,8 +84,8 @@ class IniReader {
         } else if (section_ == nullptr) {
             strange(fmt::format("{} stands before the first section", key));
         } else {
-            const auto [place, is_new] =
-                section_->values.emplace(lower_case(key), IniValue{trimmed(text.substr(equals + 1)), line_});
+            const auto [place, is_new] = section_->values.emplace(
+                lower_case(key), IniValue{trimmed(text.substr(equals + 1), ini_blanks), line_});
             if (!is_new) {
                 tell_.note(line_, fmt::format("{} stands already in line {}", key, place->second.line),
                            "the first counts");

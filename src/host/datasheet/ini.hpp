@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host/register/fault.hpp"
@@ -32,6 +33,9 @@ struct IniFile {
 
     const IniSection* find(const std::string& name) const;
 };
+
+/// What CiA 306 allows around names and values, and what real files have there.
+constexpr std::string_view ini_blanks = " \t\r\v\f";
 
 /// Longer lines are none of CiA 306's.
 constexpr std::size_t longest_ini_line = 8192;

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <map>
 
+#include "host/base/trimmed.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -34,11 +36,6 @@ std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one - 'A' + 'a') : one; });
     return text;
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// `name=12` of a query; 0 where it is missing.

@@ -16,6 +16,7 @@
 #include "host/assess/firmware_scope.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/lines.hpp"
+#include "host/base/trimmed.hpp"
 
 namespace canproof::host {
 
@@ -54,11 +55,6 @@ std::vector<std::string> lines_of(const std::filesystem::path& file, const std::
             fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
     }
     return read_lines(file);
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// The text of a region on one line, with single spaces for breaks; without brackets around the whole.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "host/base/trimmed.hpp"
 #include "host/conform/steps/flow_steps.hpp"
 #include "host/conform/steps/frame_steps.hpp"
 #include "host/conform/steps/lss_steps.hpp"
@@ -26,12 +27,6 @@ std::string without_comment(const std::string& text) {
             return text.substr(0, i);
         }
     }
-    return text;
-}
-
-std::string trimmed(std::string text) {
-    text.erase(0, std::min(text.find_first_not_of(" \t\r"), text.size()));
-    text.erase(text.find_last_not_of(" \t\r") + 1);
     return text;
 }
 
@@ -62,7 +57,7 @@ StepSource::StepSource(const std::string& text, const Place& first) : file_{firs
     std::size_t start = 0;
     while (start <= text.size()) {
         const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string line = trimmed(without_comment(text.substr(start, end - start)));
+        const std::string line = trimmed(without_comment(text.substr(start, end - start)), " \t\r");
         if (!line.empty()) {
             lines_.push_back({line, number});
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/base/input_error.hpp"
+#include "host/base/trimmed.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 #include "host/datasheet/read_xdd.hpp"
 
@@ -18,18 +19,11 @@ constexpr std::size_t most_entries = 0x10000;
 /// The entries that a dictionary can hold take fewer lines.
 constexpr std::size_t most_lines = 1000000;
 
-std::string trimmed(std::string_view text) {
-    const char* const blanks = " \t\r\v\f";
-    const auto first = text.find_first_not_of(blanks);
-    return std::string{first == std::string_view::npos ? ""
-                                                       : text.substr(first, text.find_last_not_of(blanks) - first + 1)};
-}
-
 EdsLine read_line(std::string_view raw) {
     EdsLine line;
     line.crlf = !raw.empty() && raw.back() == '\r';
     line.text = std::string{line.crlf ? raw.substr(0, raw.size() - 1) : raw};
-    const std::string text = trimmed(raw);
+    const std::string text = trimmed(raw, ini_blanks);
     const bool has_control = std::any_of(text.begin(), text.end(),
                                          [](char c) { return static_cast<unsigned char>(c) < 0x20U && c != '\t'; });
     if (text.empty() || text.front() == ';' || text.front() == '#' || has_control || raw.size() > longest_ini_line) {
@@ -37,8 +31,9 @@ EdsLine read_line(std::string_view raw) {
     }
     const auto cut = text.find(text.front() == '[' ? ']' : '=');
     const bool is_section = text.front() == '[';
-    line.name = trimmed(text.substr(is_section ? 1 : 0, cut == std::string::npos ? cut : cut - (is_section ? 1 : 0)));
-    line.behind = cut == std::string::npos ? "" : trimmed(text.substr(cut + 1));
+    line.name = trimmed(text.substr(is_section ? 1 : 0, cut == std::string::npos ? cut : cut - (is_section ? 1 : 0)),
+                        ini_blanks);
+    line.behind = cut == std::string::npos ? "" : trimmed(text.substr(cut + 1), ini_blanks);
     line.kind = cut == std::string::npos || line.name.empty() ? EdsLine::Kind::strange
                 : is_section                                  ? EdsLine::Kind::section
                                                               : EdsLine::Kind::value;
