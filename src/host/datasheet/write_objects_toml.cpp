@@ -4,24 +4,11 @@
 
 #include <cmath>
 
+#include "host/register/toml_string.hpp"
+
 namespace canproof::host {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char letter : text) {
-        const auto byte = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            out += {'\\', letter};
-        } else if (byte < 0x20 || byte == 0x7F) {
-            out += fmt::format("\\u{:04X}", byte);
-        } else {
-            out += letter;
-        }
-    }
-    return out + "\"";
-}
 
 /// A number as TOML has it: reals keep their point.
 std::string real(double number) {
@@ -34,7 +21,7 @@ std::string real(double number) {
 
 std::string literal(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value)) {
-        return quoted(*text);
+        return toml_string(*text);
     }
     const auto* number = std::get_if<double>(&value);
     return number == nullptr ? to_text(value) : real(*number);
@@ -96,13 +83,13 @@ std::string fields(const Entry& entry, const std::string& indent) {
 
 std::string object_text(const Object& object, const std::string& source) {
     std::string text = fmt::format("\n[[object]]\nindex = 0x{:04X}\nname = {}\nsource = [{}]\n", object.index,
-                                   quoted(object.name), quoted(source));
+                                   toml_string(object.name), toml_string(source));
     if (object.kind == Object::Kind::var) {
         return text + (object.entries.empty() ? "" : fields(object.entries.front(), ""));
     }
     text += fmt::format("kind = \"{}\"\n", object.kind == Object::Kind::array ? "array" : "record");
     for (const Entry& entry : object.entries) {
-        text += fmt::format("  [[object.entry]]\n  sub = {}\n  name = {}\n{}", entry.subindex, quoted(entry.name),
+        text += fmt::format("  [[object.entry]]\n  sub = {}\n  name = {}\n{}", entry.subindex, toml_string(entry.name),
                             fields(entry, "  "));
     }
     return text;

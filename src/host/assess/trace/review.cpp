@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/register/fingerprint.hpp"
+#include "host/register/toml_string.hpp"
 
 namespace canproof::host {
 
@@ -20,14 +21,6 @@ std::map<std::string, std::string> prints_in_force(const Part& part) {
         }
     }
     return prints;
-}
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        out += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string{c};
-    }
-    return out + "\"";
 }
 
 ItemWork work_of(const std::string& id, const WorkByItem& work) {
@@ -60,9 +53,9 @@ std::string text_of(const std::map<std::string, Review>& reviews) {
         "when.\n";
     for (const auto& [head, items] : blocks) {
         const auto& [date, by, role, marked] = head;
-        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", quoted(date), quoted(by));
-        text += role.empty() ? "" : fmt::format("role = {}\n", quoted(role));
-        text += marked.empty() ? "" : fmt::format("marked = {}\n", quoted(marked));
+        text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", toml_string(date), toml_string(by));
+        text += role.empty() ? "" : fmt::format("role = {}\n", toml_string(role));
+        text += marked.empty() ? "" : fmt::format("marked = {}\n", toml_string(marked));
         text += "[review.items]\n" + items;
     }
     return text;
