@@ -3,24 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "host/base/child_process.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/lines.hpp"
 #include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream in{text};
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
 
 std::string git(const std::filesystem::path& root, std::vector<std::string> words, const std::string& revision) {
     words.insert(words.begin(), {"git", "-C", root.string()});
@@ -37,10 +28,11 @@ std::string git(const std::filesystem::path& root, std::vector<std::string> word
 SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision) {
     // With the commit's name no option of git can be meant by the word.
     const std::string commit =
-        lines_of(git(root, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"}, revision))
+        split_lines(
+            git(root, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"}, revision))
             .at(0);
     SpecFiles files;
-    for (const auto& path : lines_of(git(root, {"ls-tree", "-r", "--name-only", commit, "spec/"}, revision))) {
+    for (const auto& path : split_lines(git(root, {"ls-tree", "-r", "--name-only", commit, "spec/"}, revision))) {
         if (std::filesystem::path{path}.extension() == ".toml") {
             files[path] = git(root, {"show", commit + ":./" + path}, revision);
         }
@@ -52,10 +44,10 @@ std::vector<std::string> files_changed_since(const std::filesystem::path& root, 
                                              const std::vector<std::string>& folders) {
     std::vector<std::string> words{"diff", "--name-only", "--relative", "--end-of-options", revision, "--"};
     words.insert(words.end(), folders.begin(), folders.end());
-    auto files = lines_of(git(root, words, revision));
+    auto files = split_lines(git(root, words, revision));
     std::vector<std::string> others{"ls-files", "--others", "--exclude-standard", "--"};
     others.insert(others.end(), folders.begin(), folders.end());
-    for (const auto& file : lines_of(git(root, others, revision))) {
+    for (const auto& file : split_lines(git(root, others, revision))) {
         files.push_back(file);
     }
     std::sort(files.begin(), files.end());
