@@ -188,13 +188,7 @@ std::string CaseRunner::not_allowed(const Case& one) const {
 }
 
 CaseResult CaseRunner::run(const Case& one) {
-    CaseResult result;
-    result.id = one.id;
-    result.group = one.group;
-    result.numbers = one.numbers;
-    result.shows = one.shows;
-    result.section = one.section;
-    result.tests = one.tests;
+    CaseResult result = result_of(one);
     result.verdict = Verdict::skipped;
     result.why = not_allowed(one);
     if (!result.why.empty()) {

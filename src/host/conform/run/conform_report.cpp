@@ -22,6 +22,17 @@ const char* words_of(Verdict verdict) {
     return "not run";
 }
 
+CaseResult result_of(const Case& one) {
+    CaseResult result;
+    result.id = one.id;
+    result.group = one.group;
+    result.numbers = one.numbers;
+    result.shows = one.shows;
+    result.section = one.section;
+    result.tests = one.tests;
+    return result;
+}
+
 int ConformReport::exit_status() const {
     if (interrupted || count(Verdict::broken) != 0 || results.empty()) {
         return 2;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/conform/link/target.hpp"
+#include "host/conform/run/cases.hpp"
 
 namespace canproof::host::conform {
 
@@ -39,6 +40,9 @@ struct CaseResult {
     unsigned runs{0};
     Duration time{};
 };
+
+/// Returns the result of a case that has not run yet: what the case says of itself.
+CaseResult result_of(const Case& one);
 
 struct ConformReport {
     std::vector<CaseResult> results;

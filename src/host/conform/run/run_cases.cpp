@@ -31,13 +31,7 @@ void check_names(const std::vector<std::string>& all, const CaseBook& book, bool
 }
 
 CaseResult not_run(const Case& one, const std::string& why) {
-    CaseResult result;
-    result.id = one.id;
-    result.group = one.group;
-    result.numbers = one.numbers;
-    result.shows = one.shows;
-    result.section = one.section;
-    result.tests = one.tests;
+    CaseResult result = result_of(one);
     result.why = why;
     return result;
 }
