@@ -5,8 +5,6 @@ function that serves one calls it, or when it constructs a class of which a func
 (src/devices/README.md, step 2) pass on what comes and need no item of their own. reports/functions.toml holds the others, each with
 a reason; a record that names no such function is a fault. The compiler's call graph says who calls whom."""
 import collections
-import concurrent.futures
-import os
 import pathlib
 import re
 import tempfile
@@ -14,25 +12,14 @@ import tomllib
 
 from .callgraph import CallGraph
 from .rules import HOME, ROOT, Faults, firmware_files, named, records_of, without_comments_and_literals
-from .tools import language, run_cached
+from .tools import compile_each
 
+# Nothing is inlined, so that every function is in the call graph.
+UNOPTIMISED = ["-O0", "-fcallgraph-info=su,da"]
 LINK = re.compile(r"\bimplements<req::")
 INTERFACE = re.compile(r"::Device::(?:power_on|receive|set_inputs|advance|next_deadline|outputs|node_id|bit_rate|state|objects)$")
 FIRMWARE = re.compile(r"(?:^|/)(src/(?:firmware|devices/[^/]+/firmware)/.+)$")
 NAME = re.compile(r"((?:[\w{}~]+(?:<.*?>)?::)*~?[\w=<>!+*/&|^-]+)(?:\(|$)")
-
-
-def leave_graphs(units, generated, folder, faults):
-    """Leaves the call graphs of unoptimised units: nothing is inlined, so that every function is in them."""
-    def compile_one(path):
-        target = pathlib.Path(folder) / (str(path).replace("/", "_") + ".o")
-        status, output = run_cached(["g++", *language([path]), "-O0", "-fcallgraph-info=su,da", f"-I{generated}", "-c", str(path),
-                                     "-o", str(target)], [path], generated, scratch=folder, leaves=target.with_suffix(".ci"))
-        if status != 0:
-            faults.add("does not compile with g++ -O0:\n" + output[-2000:])
-
-    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        list(pool.map(compile_one, units))
 
 
 class Source:
@@ -149,7 +136,7 @@ def prove(generated, faults):
     """What misra/callgraph/served.cpp says of its functions must be what is found."""
     path = HOME / "misra" / "callgraph" / "served.cpp"
     with tempfile.TemporaryDirectory() as scratch:
-        leave_graphs(["misra/callgraph/served.cpp"], generated, scratch, faults)
+        compile_each(["misra/callgraph/served.cpp"], generated, scratch, faults, UNOPTIMISED)
         rest, _ = unserved(CallGraph(scratch), {"misra/callgraph/served.cpp": path})
     wanted = set(re.findall(r"// serves nothing: (\S+)", path.read_text()))
     if set(rest) != wanted:
@@ -159,7 +146,7 @@ def prove(generated, faults):
 def graph_of_firmware(generated, faults):
     units = [named(path) for root in dict.fromkeys((HOME, ROOT)) for path in firmware_files(root / "src", "*.cpp")]
     with tempfile.TemporaryDirectory() as folder:
-        leave_graphs(units, generated, folder, faults)
+        compile_each(units, generated, folder, faults, UNOPTIMISED)
         graph = CallGraph(folder)
     graph.resolve([one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])], Faults())
     return graph

@@ -66,11 +66,11 @@ def cppcheck(rules, files, generated, scratch, faults):
     yield from named_findings(rules, output, "cppcheck-", generated, faults)
 
 
-def compile_with_gcc(rules, files, generated, graphs, faults):
+def compile_with_gcc(rules, files, generated, graphs, faults, flags=GCC):
     """g++'s warnings and analyzer; what it leaves in the folder `graphs` is the call graph with stack use."""
     for path in files:
         target = pathlib.Path(graphs) / (str(path).replace("/", "_") + ".o")
-        status, output = run_cached(["g++", *language([path]), *GCC, f"-I{generated}", "-c", str(path), "-o", str(target)],
+        status, output = run_cached(["g++", *language([path]), *flags, f"-I{generated}", "-c", str(path), "-o", str(target)],
                                     [path], generated, scratch=graphs, leaves=target.with_suffix(".ci"))
         if status != 0:
             faults.add("does not compile with g++:\n" + output[-2000:])
@@ -78,14 +78,14 @@ def compile_with_gcc(rules, files, generated, graphs, faults):
         yield from named_findings(rules, output, "gcc-", generated, faults)
 
 
-def compile_each(units, generated, graphs, faults):
+def compile_each(units, generated, graphs, faults, flags=GCC):
     """Leaves the call graphs of units whose findings nobody asks for."""
     class NoRules:
         @staticmethod
         def of_check(name):
             return ()
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        list(pool.map(lambda unit: list(compile_with_gcc(NoRules, [unit], generated, graphs, faults)), units))
+        list(pool.map(lambda unit: list(compile_with_gcc(NoRules, [unit], generated, graphs, faults, flags)), units))
 
 
 def search(rules, files, generated):
