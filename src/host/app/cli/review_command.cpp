@@ -19,7 +19,11 @@ namespace canproof::host {
 
 namespace {
 
-std::string today() {
+/// Returns the date that the options give, otherwise that of today.
+std::string date_of(const ReviewOptions& options) {
+    if (!options.date.empty()) {
+        return options.date;
+    }
     const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
     const std::time_t now = epoch == nullptr ? std::time(nullptr) : static_cast<std::time_t>(std::atoll(epoch));
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
@@ -66,10 +70,10 @@ std::filesystem::path reviews_file(const ReviewOptions& options, const Part& par
 }
 
 int mark_reviews(const ReviewOptions& options, const Register& content, const WorkByItem& work) {
+    const std::string date = date_of(options);
     for (const auto& part : content.parts) {
         if (!part.inherited && !part.reviews.empty()) {
-            write_file(reviews_file(options, part),
-                       write_marked_reviews(part, options.date.empty() ? today() : options.date, work));
+            write_file(reviews_file(options, part), write_marked_reviews(part, date, work));
         }
     }
     fmt::print("code and tests of reviewed items marked; nobody is said to have read them\n");
@@ -87,7 +91,7 @@ int review_spec(const ReviewOptions& options) {
     if (options.mark) {
         return mark_reviews(options, content, work);
     }
-    const ReviewSession session{options.date.empty() ? today() : options.date, options.by, options.role};
+    const ReviewSession session{date_of(options), options.by, options.role};
     std::set<std::string> names{options.subjects.begin(), options.subjects.end()};
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;
