@@ -15,10 +15,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int monitor = 100;
-constexpr int first = 101;
-constexpr int second = 102;
-
 }  // namespace
 
 TEST_F(SocketCan, EachNodeHasASocketWithItsFiltersAndErrorFramesTheMonitorHearsAll) {
@@ -243,13 +239,7 @@ TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
 }
 
 TEST_F(SocketCan, FrameThatIsReadLaterAndCameEarlierIsTakenFirst) {
-    start();
-    now.us += 1000;
-    system.realtime_us += 1000;
-    for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
-        system.arrive(monitor, "080#", us);
-    }
-    bus->poll(now);
+    start_with_three_frames();
     system.arrive(first, "603#00", 5000200);
     system.arrive(first, "603#01", 5000400);
     bus->poll(now);

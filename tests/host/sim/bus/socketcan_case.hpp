@@ -14,6 +14,11 @@ namespace canproof::host::test {
 /// Two nodes on vcan0. The run's clock begins at 1 s when real time is 5 s: 4 s apart.
 class SocketCan : public testing::Test {
   protected:
+    /// Descriptors that the false kernel gives to the sockets of the bus, of node `a` and of node `b`.
+    static constexpr int monitor = 100;
+    static constexpr int first = 101;
+    static constexpr int second = 102;
+
     void start(InterfaceControl control = InterfaceControl::none) {
         bus = std::make_unique<SocketCanBus>("vcan0", system, control, Instant{1000000});
         bus->listen([this](const BusFrame& frame) {
@@ -31,6 +36,17 @@ class SocketCan : public testing::Test {
         system.realtime_us += us;
         bus->poll(now);
         bus->advance(now);
+    }
+
+    /// Starts; 1 ms later the monitor has read frames of 100 us, 300 us and 500 us after the start.
+    void start_with_three_frames() {
+        start();
+        now.us += 1000;
+        system.realtime_us += 1000;
+        for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
+            system.arrive(monitor, "080#", us);
+        }
+        bus->poll(now);
     }
 
     FakeCanSystem system;

@@ -15,9 +15,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int monitor = 100;
-constexpr int first = 101;
-
 }  // namespace
 
 TEST_F(SocketCan, ErrorFramesBecomeStatesOfTheController) {

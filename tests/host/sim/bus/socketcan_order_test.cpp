@@ -14,9 +14,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int monitor = 100;
-constexpr int first = 101;
-constexpr int second = 102;
 constexpr int third = 103;
 
 /// Says what it was told in one list; asks for one identifier more with each frame, and answers it.
@@ -66,13 +63,7 @@ TEST_F(SocketCan, UsersLineIsNoEchoOfANode) {
 }
 
 TEST_F(SocketCan, FramesOfOneTurnAreTakenInTheirOrder_BeforeWhatIsHeld) {
-    start();
-    now.us += 1000;
-    system.realtime_us += 1000;
-    for (const std::uint64_t us : {5000100U, 5000300U, 5000500U}) {
-        system.arrive(monitor, "080#", us);
-    }
-    bus->poll(now);
+    start_with_three_frames();
     system.arrive(first, "603#01", 5000400);
     system.arrive(second, "604#02", 5000200);
     bus->poll(now);
