@@ -77,6 +77,13 @@ TEST(DictionaryCheck, SubindicesAscend) {
     EXPECT_FALSE(twice.sound());
 }
 
+TEST(DictionaryCheck, EachObjectHasSubindex0) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    Dictionary without;
+    without.entries[0].subindex = 1U;
+    EXPECT_FALSE(without.sound());
+}
+
 TEST(DictionaryCheck, ValuesLieInTheirPool) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;

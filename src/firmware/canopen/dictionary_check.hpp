@@ -5,7 +5,7 @@
 
 namespace canproof {
 
-/// Sub-indices ascend, limits exist, and every value lies in its pool.
+/// Sub-indices ascend from 0, limits exist, and every value lies in its pool.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
     std::uint32_t least{0U};  // the sub-index that the next entry has at least
     for (std::size_t i = 0U; i < object.count; ++i) {
@@ -19,7 +19,7 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
         }
         least = row.subindex + std::uint32_t{1U};
     }
-    return object.count > 0U;
+    return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
 /// The search by slots ends at the object, as find_object() does it.
