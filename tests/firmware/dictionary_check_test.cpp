@@ -77,6 +77,35 @@ TEST(DictionaryCheck, SubindicesAscend) {
     EXPECT_FALSE(twice.sound());
 }
 
+TEST(DictionaryCheck, PdosUpTo8OfEachDirectionAreServed) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    // Factor 1 << 16: 1407h and 1807h lie in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh and
+    // 19FFh in slot 3.
+    const auto with = [](const std::uint16_t index, const std::size_t slot) {
+        Dictionary dictionary;
+        dictionary.objects[1].index = index;
+        dictionary.slots = {{no_object, no_object, no_object, no_object}};
+        dictionary.slots[0] = 0U;
+        dictionary.slots[slot] = 1U;
+        return dictionary.sound();
+    };
+    EXPECT_TRUE(with(0x1407U, 3U));
+    EXPECT_TRUE(with(0x1807U, 3U));
+    EXPECT_FALSE(with(0x1408U, 1U));
+    EXPECT_FALSE(with(0x15FFU, 3U));
+    EXPECT_FALSE(with(0x1808U, 1U));
+    EXPECT_FALSE(with(0x19FFU, 3U));
+    EXPECT_TRUE(with(0x1600U, 1U));
+    EXPECT_TRUE(with(0x1A00U, 1U));
+}
+
+TEST(DictionaryCheck, EachObjectHasSubindex0) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    Dictionary without;
+    without.entries[0].subindex = 1U;
+    EXPECT_FALSE(without.sound());
+}
+
 TEST(DictionaryCheck, ValuesLieInTheirPool) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;

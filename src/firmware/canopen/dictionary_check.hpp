@@ -2,10 +2,11 @@
 #pragma once
 
 #include "firmware/canopen/object_types.hpp"
+#include "firmware/canopen/pdo_communication.hpp"
 
 namespace canproof {
 
-/// Sub-indices ascend, limits exist, and every value lies in its pool.
+/// Sub-indices ascend from 0, limits exist, and every value lies in its pool.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
     std::uint32_t least{0U};  // the sub-index that the next entry has at least
     for (std::size_t i = 0U; i < object.count; ++i) {
@@ -19,7 +20,7 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
         }
         least = row.subindex + std::uint32_t{1U};
     }
-    return object.count > 0U;
+    return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
 /// The search by slots ends at the object, as find_object() does it.
@@ -44,6 +45,23 @@ constexpr bool has_free_slot(const DictionaryTables& tables) noexcept {
     return (count > tables.objects.count) && ((count & (count - 1U)) == 0U);
 }
 
+/// A PDO of CiA 301 that is none of the node's: nothing would ever follow from its objects.
+constexpr bool is_unserved_pdo(const PdoDirection direction, const std::size_t index) noexcept {
+    constexpr std::size_t most_of_cia_301{512U};
+    const std::size_t first = communication_object(direction, 0U);
+    return (index >= (first + max_pdos)) && (index < (first + most_of_cia_301));
+}
+
+constexpr bool serves_its_pdos(const DictionaryTables& tables) noexcept {
+    for (const ObjectRow& object : tables.objects) {
+        if (is_unserved_pdo(PdoDirection::receive, object.index) ||
+            is_unserved_pdo(PdoDirection::transmit, object.index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// Objects ascend, their entries follow one another without a gap, and each object is found.
 constexpr bool is_sound(const DictionaryTables& tables) noexcept {
     std::uint32_t least{0U};
@@ -59,7 +77,7 @@ constexpr bool is_sound(const DictionaryTables& tables) noexcept {
         least = object.index + std::uint32_t{1U};
         entry += object.count;
     }
-    return (entry == tables.entries.count) && has_free_slot(tables);
+    return (entry == tables.entries.count) && has_free_slot(tables) && serves_its_pdos(tables);
 }
 
 }  // namespace canproof

@@ -77,12 +77,7 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
 }
 
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
-    for (const ObjectRow& object : tables_.objects) {
-        if (std::uint32_t{object.index} == index) {
-            return AbortCode::subindex_missing;
-        }
-    }
-    return AbortCode::object_missing;
+    return has(index, 0U) ? AbortCode::subindex_missing : AbortCode::object_missing;
 }
 
 static_assert(implements<req::CO_SDO_008>);

@@ -50,7 +50,8 @@ class ObjectDictionary {
 
     /// The entry, or one that does not exist.
     EntryRef lookup(std::uint16_t index, std::uint8_t subindex) const noexcept;
-    /// Why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is.
+    /// Why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is. An object
+    /// that exists has a sub-index 0.
     AbortCode missing(std::uint16_t index) const noexcept;
     /// Both at once.
     Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) const noexcept;

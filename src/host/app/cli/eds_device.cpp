@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/sim/devices/served_pdos.hpp"
 
 namespace canproof::host {
 
@@ -44,7 +46,9 @@ Part read_eds_part(const std::string& path) {
 }
 
 std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path) {
-    return std::make_unique<GenericSimulation>(read_eds_part(path));
+    Part part = read_eds_part(path);
+    check_served_pdos(part);
+    return std::make_unique<GenericSimulation>(std::move(part));
 }
 
 }  // namespace canproof::host

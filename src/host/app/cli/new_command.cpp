@@ -13,6 +13,7 @@
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
+#include "host/sim/devices/served_pdos.hpp"
 
 namespace canproof::host {
 
@@ -53,6 +54,7 @@ int write_new_project(const NewOptions& options) {
     }
     if (!options.eds.empty()) {
         project.eds = read_eds_part(options.eds);
+        check_served_pdos(*project.eds);
     }
     const auto files = project_files(project);
     check_register(files);

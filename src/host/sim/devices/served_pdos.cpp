@@ -1,0 +1,38 @@
+#include "host/sim/devices/served_pdos.hpp"
+
+#include <fmt/format.h>
+
+#include "firmware/canopen/dictionary_check.hpp"
+#include "host/base/input_error.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// `RPDO 9 (1408h)` when the object is one that is not served; else empty.
+std::string unserved(const Object& object) {
+    const bool receives = is_unserved_pdo(PdoDirection::receive, object.index);
+    if (!receives && !is_unserved_pdo(PdoDirection::transmit, object.index)) {
+        return "";
+    }
+    const unsigned first = communication_object(receives ? PdoDirection::receive : PdoDirection::transmit, 0U);
+    return fmt::format("{} {} ({:04X}h)", receives ? "RPDO" : "TPDO", object.index - first + 1U, object.index);
+}
+
+}  // namespace
+
+void check_served_pdos(const Part& part) {
+    std::string all;
+    for (const Object& object : part.objects) {
+        const std::string name = unserved(object);
+        if (!name.empty()) {
+            all += fmt::format("{}:{}: {} is beyond the {} of each direction that a node here serves\n",
+                               object.place.file, object.place.line, name, max_pdos);
+        }
+    }
+    if (!all.empty()) {
+        throw InputError{all + "take these objects out of a copy of the sheet to run the rest"};
+    }
+}
+
+}  // namespace canproof::host
