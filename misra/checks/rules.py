@@ -18,8 +18,9 @@ def records_of(name):
 
 
 def firmware_files(sources, pattern):
-    """The firmware's files of that name in the folder of sources: firmware/** and devices/NAME/firmware/**."""
-    folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware"))]
+    """The firmware's files of that name in the folder of sources: firmware/**, devices/NAME/firmware/** and the drivers of
+    the microcontroller, target/stm32f405/**."""
+    folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware")), sources / "target" / "stm32f405"]
     return [path for folder in folders for path in sorted(folder.rglob(pattern))]
 
 

@@ -17,13 +17,15 @@ LAYERS = {
 def may_include(path, name):
     """Whether a firmware file may include a header; both are named from the folder of sources.
 
-    The arrows: base <- canopen, blocks <- the devices. A device knows no other device and nothing outside the
-    firmware. Blocks know no object dictionary and no device. In a device's folder the files that carry the device's name
+    The arrows: base <- canopen, blocks <- the devices; base, canopen <- the drivers. A device knows no other device and
+    nothing outside the firmware. Blocks know no object dictionary and no device. In a device's folder the files that carry the device's name
     are the device; every other file there is a block of it."""
     parts = path.split("/")
     dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
     if parts[0] == "firmware":
         return name.startswith(LAYERS.get(parts[1], ())) and not (parts[1] == "blocks" and dictionary)
+    if parts[0] == "target":
+        return name.startswith(("firmware/base/", "firmware/canopen/", "generated/canopen/", "target/stm32f405/"))
     device = parts[1].replace("-", "_")
     own = f"devices/{parts[1]}/firmware/"
     if parts[-1].startswith(device):
@@ -33,7 +35,7 @@ def may_include(path, name):
 
 
 def against_the_layers(folder):
-    """Includes against the arrows in folder/firmware and folder/devices/*/firmware."""
+    """Includes against the arrows in folder/firmware, folder/devices/*/firmware and folder/target/stm32f405."""
     for path in firmware_files(folder, "*.?pp"):
         for at, text in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*"([^"]+)"', text)
@@ -63,10 +65,11 @@ FORBIDDEN = re.compile(
 
 
 def archives(build):
-    """The libraries of the firmware: that of all devices, and one a device."""
+    """The libraries of the firmware: that of all devices, one a device, and that of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
     source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # as canproof_project() has it
-    return [source / "firmware" / "libcanproof_firmware.a",
+    drivers = [source / "target" / "stm32f405" / "libcanproof_stm32f405.a"] if ROOT == HOME else []
+    return [source / "firmware" / "libcanproof_firmware.a", *drivers,
             *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]
 
 

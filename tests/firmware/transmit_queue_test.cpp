@@ -85,6 +85,50 @@ TEST(TransmitQueueOrder, IsBoundedAndRefusesWhileClosed) {
     EXPECT_TRUE(queue.push(numbered(0x100, 0)));
 }
 
+TEST(TransmitQueueOrder, AFramePutBackGoesInFrontOfItsLikes) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    for (const auto& [id, number] : {std::pair{0x083U, 1}, {0x583U, 2}, {0x583U, 3}, {0x703U, 4}}) {
+        ASSERT_TRUE(queue.push(numbered(id, static_cast<std::uint8_t>(number))));
+    }
+    ASSERT_TRUE(queue.put_back(numbered(0x583, 5)));
+    ASSERT_TRUE(queue.put_back(numbered(0x000, 6)));
+    for (const int expected : {6, 1, 5, 2, 3, 4}) {
+        EXPECT_EQ(queue.pop().data[0], expected);
+    }
+}
+
+TEST(TransmitQueueOrder, AFramePutBackFindsNoRoomInAFullQueueAndIsLostInAClosedOne) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
+        ASSERT_TRUE(queue.push(numbered(0x100, 0)));
+    }
+    EXPECT_FALSE(queue.put_back(numbered(0x083, 1)));
+    EXPECT_EQ(queue.pop().id, 0x100U);
+    EXPECT_TRUE(queue.put_back(numbered(0x083, 1)));
+    EXPECT_EQ(queue.front()->id, 0x083U);
+    queue.close();
+    EXPECT_TRUE(queue.put_back(numbered(0x083, 1)));
+    queue.open();
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST(TransmitQueueOrder, SaysThatTheBootUpMessageWaitsUntilItIsTaken) {
+    verifies<req::CO_FRAME_002, req::CO_NMT_001>();
+    TransmitQueue queue;
+    queue.push(numbered(0x083, 1));
+    EXPECT_FALSE(queue.boot_up_waits());
+    queue.push_boot_up(numbered(0x703, 2));
+    EXPECT_TRUE(queue.boot_up_waits());
+    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // stays behind it
+    EXPECT_EQ(queue.pop().data[0], 2);
+    EXPECT_FALSE(queue.boot_up_waits());
+    queue.push_boot_up(numbered(0x703, 4));
+    queue.close();
+    EXPECT_FALSE(queue.boot_up_waits());
+}
+
 TEST(Crc, CheckValueOfTheCatalogue) {
     verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"

@@ -7,19 +7,30 @@ bool TransmitQueue::push(const Frame& frame) noexcept {
     if (!open_ || (count_ == capacity)) {
         return false;
     }
-    place(goes_last ? count_ : make_room(frame.id)) = frame;
+    place(goes_last ? count_ : make_room(frame.id + 1U)) = frame;
     ++count_;
     return true;
 }
 
-std::size_t TransmitQueue::make_room(const std::uint32_t id) noexcept {
+std::size_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
     const std::size_t first_free = boot_up_waits_ ? 1U : 0U;
     std::size_t at{count_};
-    while ((at > first_free) && (id_at(at - 1U) > id)) {
+    while ((at > first_free) && (id_at(at - 1U) >= bound)) {
         place(at) = place(at - 1U);
         --at;
     }
     return at;
+}
+
+bool TransmitQueue::put_back(const Frame& frame) noexcept {
+    if (open_ && (count_ == capacity)) {
+        return false;
+    }
+    if (open_) {
+        place(make_room(frame.id)) = frame;
+        ++count_;
+    }
+    return true;
 }
 
 void TransmitQueue::push_boot_up(const Frame& frame) noexcept {

@@ -40,13 +40,20 @@ class TransmitQueue {
         return next;
     }
 
+    /// Takes back a frame that was popped and could not be sent: it goes in front of all with its identifier. False
+    /// when the queue is full; while it is closed the frame is lost, as every other.
+    bool put_back(const Frame& frame) noexcept;
+    /// Whether the frame to be sent next is the boot-up message: what was popped before it goes out before it or not at
+    /// all.
+    bool boot_up_waits() const noexcept { return boot_up_waits_; }
+
     /// While the controller is bus-off nothing can be sent: pending frames are dropped and new ones refused.
     void close() noexcept;
     void open() noexcept { open_ = true; }
 
   private:
-    /// Moves what goes behind a frame of this identifier one place on: the place that becomes free.
-    std::size_t make_room(std::uint32_t id) noexcept;
+    /// Moves every frame whose identifier is `bound` or higher one place on: the place that becomes free.
+    std::size_t make_room(std::uint32_t bound) noexcept;
     Frame& place(const std::size_t at) noexcept { return frames_[(first_ + at) % capacity]; }
     std::uint32_t id_at(const std::size_t at) const noexcept { return frames_[(first_ + at) % capacity].id; }
 

@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 const std::string shared = "src/firmware/";
 const std::string devices = "src/devices/";
 const std::string part = "/firmware/";
+const std::string drivers = "src/target/stm32f405/";
 const std::string host_bus = "src/host/sim/bus/";
 const std::string host_replay = "src/host/sim/replay/";
 const std::string device_tests = "tests/devices/";
@@ -18,8 +19,10 @@ const std::string simulation = "/simulation/";
 
 /// Whether a path from the project's folder names a file of the firmware.
 bool is_firmware(const std::string& path) {
-    if (path.rfind(shared, 0) == 0) {
-        return path.size() > shared.size();
+    for (const std::string& folder : {shared, drivers}) {
+        if (path.rfind(folder, 0) == 0) {
+            return path.size() > folder.size();
+        }
     }
     const auto name_end = path.rfind(devices, 0) == 0 ? path.find('/', devices.size()) : std::string::npos;
     return name_end != std::string::npos && name_end > devices.size() &&
@@ -68,6 +71,9 @@ std::vector<std::string> firmware_folders(const fs::path& root) {
     if (fs::is_directory(root / "src" / "firmware")) {
         folders.insert(folders.begin(), "src/firmware");
     }
+    if (fs::is_directory(root / drivers)) {
+        folders.push_back("src/target/stm32f405");
+    }
     return folders;
 }
 
@@ -77,7 +83,7 @@ bool tests_the_firmware(const std::string& file) {
         const auto name_end = file.find('/', device_tests.size());
         return name_end == std::string::npos || file.compare(name_end, simulation.size(), simulation) != 0;
     }
-    return below("tests/conformance/") || below("tests/firmware/") || below("fuzz/") ||
+    return below("tests/conformance/") || below("tests/firmware/") || below("tests/target/") || below("fuzz/") ||
            (below("properties/") && !below("properties/host/"));
 }
 

@@ -1,4 +1,5 @@
-// Which files are firmware: src/firmware/** and src/devices/NAME/firmware/**. What judges it asks here. The host's
+// Which files are firmware: src/firmware/**, src/devices/NAME/firmware/** and the drivers in src/target/stm32f405. What
+// judges it asks here. The host's
 // buses and replay are judged beside it.
 #pragma once
 
@@ -17,8 +18,8 @@ std::string firmware_path(const std::string& file);
 /// (linux_can_system): only a kernel answers those.
 std::string judged_host_path(const std::string& file);
 
-/// The folders of the firmware that exist in the project: `src/firmware` and each `src/devices/NAME/firmware`, in
-/// alphabetical order of the devices.
+/// The folders of the firmware that exist in the project: `src/firmware`, each `src/devices/NAME/firmware` in
+/// alphabetical order of the devices, and `src/target/stm32f405`.
 std::vector<std::string> firmware_folders(const std::filesystem::path& root);
 
 /// Whether a test, a property or a fuzz target is one of the firmware, and so has to claim what it shows. `file` is

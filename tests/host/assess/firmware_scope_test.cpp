@@ -29,6 +29,13 @@ TEST(FirmwareScope, HoldsTheSharedCodeAndThatOfEachDevice) {
     EXPECT_EQ(firmware_path("src/devices/new-one/firmware/deep/x.hpp"), "src/devices/new-one/firmware/deep/x.hpp");
 }
 
+TEST(FirmwareScope, HoldsTheDriversOfTheMicrocontroller) {
+    EXPECT_EQ(firmware_path("src/target/stm32f405/flash.cpp"), "src/target/stm32f405/flash.cpp");
+    EXPECT_EQ(firmware_path("src/target/startup.cpp"), "");
+    EXPECT_EQ(firmware_path("src/target/stm32f405/"), "");
+    EXPECT_TRUE(tests_the_firmware("tests/target/flash_test.cpp"));
+}
+
 TEST(FirmwareScope, HoldsNothingElse) {
     for (const char* other :
          {"src/host/base/reading.cpp", "src/devices/ax130751/simulation/model.cpp",
@@ -73,6 +80,9 @@ TEST(FirmwareScope, ListsTheFoldersThatExist) {
     fs::create_directories(root / "src/firmware/base");
     EXPECT_THAT(firmware_folders(root),
                 ElementsAre("src/firmware", "src/devices/a/firmware", "src/devices/b-2/firmware"));
+    fs::create_directories(root / "src/target/stm32f405");
+    EXPECT_THAT(firmware_folders(root), ElementsAre("src/firmware", "src/devices/a/firmware",
+                                                    "src/devices/b-2/firmware", "src/target/stm32f405"));
     fs::remove_all(root);
 }
 

@@ -1,0 +1,39 @@
+#include "target/stm32f405/bxcan.hpp"
+
+namespace canproof::stm32f405 {
+
+void Bxcan::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
+    controller_.set_bit_rate(bit_rate, now);
+    transmitter_.forget();
+}
+
+void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
+    const bool was_on_bus = controller_.is_on_bus();
+    controller_.advance(now);
+    if (controller_.is_on_bus()) {
+        transmitter_.serve(queue);
+    } else if (was_on_bus) {
+        transmitter_.forget();  // the recovery from bus-off has begun: configure() aborts the mailboxes
+    } else {
+        // still off the bus
+    }
+}
+
+void Bxcan::drain() noexcept {
+    Frame frame{};
+    bool any{true};
+    // The hardware can hold no more, and one may come in meanwhile.
+    for (std::size_t count = 0U; count < (2U * fifo_count * fifo_depth); ++count) {
+        if (any) {
+            any = receiver_.receive(frame);
+        }
+        if (any) {
+            ring_.push(frame);
+        }
+    }
+    if (receiver_.take_overrun()) {
+        ring_.note_overrun();
+    }
+}
+
+}  // namespace canproof::stm32f405

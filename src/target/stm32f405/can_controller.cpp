@@ -1,0 +1,138 @@
+#include "target/stm32f405/can_controller.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof::stm32f405 {
+
+namespace {
+
+/// By identifier, a full FIFO keeps its oldest frames, every frame has a time stamp; lost arbitration and errors are
+/// tried again; bus-off is left by set_bit_rate() and watch_bus() alone.
+constexpr std::uint32_t operation = mcr::lock_fifo | mcr::time_stamps;
+
+/// Of an 11-bit identifier in a filter bank: the bit that tells the two FIFOs apart.
+constexpr std::uint32_t upper_half = 0x400U << ir::standard_shift;
+constexpr std::uint32_t both_banks = 0x3U;
+constexpr std::uint32_t second_bank = 0x2U;
+
+}  // namespace
+
+static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_002>);
+void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
+    bit_rate_ = bit_rate;
+    is_recovering_ = false;
+    const Result<BitTiming, BitTimingError> found = bit_timing(clock_hz_, bit_rate);
+    if (found.ok()) {
+        timing_ = found.value();
+        enter(now);
+    } else {
+        registers_.master_control.write(operation | mcr::initialise);
+        phase_ = Phase::off;
+        state_ = CanState::bus_off;
+    }
+}
+
+void CanController::enter(const Instant now) noexcept {
+    registers_.master_control.write(operation | mcr::initialise);
+    phase_ = Phase::entering;
+    since_ = now;
+}
+
+void CanController::advance(const Instant now) noexcept {
+    const bool initialising = registers_.master_status.has(msr::initialising);
+    switch (phase_) {
+        case Phase::entering:
+            if (initialising) {
+                configure();
+                registers_.master_control.write(operation);
+                phase_ = Phase::leaving;
+                since_ = now;
+            } else {
+                give_up_waiting(now);
+            }
+            break;
+        case Phase::leaving:
+            if (!initialising) {
+                phase_ = Phase::on_bus;
+                state_ = read_state();
+            } else {
+                give_up_waiting(now);
+            }
+            break;
+        case Phase::on_bus:
+            watch_bus(now);
+            break;
+        case Phase::off:
+        default:
+            break;  // until the next bit rate
+    }
+}
+
+/// A controller that does not begin to initialise is reset as a whole (RM0090 32.9.2, CAN_MCR.RESET); one that does not
+/// join has a bus that is never recessive, and goes on waiting for it.
+static_assert(implements<req::CO_CAN_002>);
+void CanController::give_up_waiting(const Instant now) noexcept {
+    if (elapsed(since_, now).us < most_wait.us) {
+        return;
+    }
+    state_ = CanState::bus_off;
+    if (phase_ == Phase::entering) {
+        registers_.master_control.write(mcr::reset);
+        enter(now);
+    }
+}
+
+/// Needs the initialisation mode for CAN_BTR. What was to be sent under the last configuration is not sent.
+void CanController::configure() noexcept {
+    registers_.bit_timing.write(bit_timing_register(timing_));
+    set_filters();
+    registers_.transmit_status.write(tsr::abort | (tsr::abort << tsr::stride) | (tsr::abort << (2U * tsr::stride)));
+}
+
+/// Identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0, those from 400h on (SDO, error control, LSS) to
+/// FIFO 1: six places. A mask over IDE keeps 29-bit identifiers out. Which of the 11-bit ones the node takes is set
+/// in its dictionary at any time.
+static_assert(implements<req::CO_CAN_003>);
+void CanController::set_filters() noexcept {
+    registers_.filter_master.set(filter_initialise);
+    registers_.filter_active.write(0U);
+    registers_.filter_mode.write(0U);  // identifier and mask
+    registers_.filter_scale.write(both_banks);
+    registers_.filter_fifo.write(second_bank);
+    registers_.filter_bank[0U].identifier.write(0U);
+    registers_.filter_bank[0U].mask.write(upper_half | ir::extended);
+    registers_.filter_bank[1U].identifier.write(upper_half);
+    registers_.filter_bank[1U].mask.write(upper_half | ir::extended);
+    registers_.filter_active.write(both_banks);
+    registers_.filter_master.clear(filter_initialise);
+}
+
+static_assert(implements<req::CO_CAN_007> && implements<req::CO_CAN_008>);
+void CanController::watch_bus(const Instant now) noexcept {
+    const bool was_off = state_ == CanState::bus_off;
+    state_ = read_state();
+    if (state_ != CanState::bus_off) {
+        is_recovering_ = false;
+    } else if (!was_off) {
+        since_ = now;
+    } else if (!is_recovering_ && (elapsed(since_, now).us >= bus_off_rest.us)) {
+        is_recovering_ = true;
+        enter(now);
+    } else {
+        // at rest, or the hardware counts 128 times 11 recessive bits
+    }
+}
+
+CanState CanController::read_state() const noexcept {
+    const std::uint32_t status = registers_.error_status.read();
+    if ((status & esr::bus_off) != 0U) {
+        return CanState::bus_off;
+    }
+    if ((status & esr::passive) != 0U) {
+        return CanState::error_passive;
+    }
+    return ((status & esr::warning) != 0U) ? CanState::warning : CanState::error_active;
+}
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,28 @@
+// What bxCAN has received: two FIFOs of three frames, read in the order of the bus (RM0090 32.7.3, 32.9.3).
+#pragma once
+
+#include "firmware/canopen/frame.hpp"
+#include "target/stm32f405/bxcan_registers.hpp"
+
+namespace canproof::stm32f405 {
+
+class CanReceiver {
+  public:
+    explicit CanReceiver(BxcanRegisters& registers) noexcept : registers_{registers} {}
+
+    /// Takes the oldest frame out of the FIFOs. False when there is none, or when the hardware still gives the place of
+    /// the last one back.
+    bool receive(Frame& frame) noexcept;
+    /// Whether frames were lost because a FIFO was full, since the last call.
+    bool take_overrun() noexcept;
+    /// Whether received frames raise an interrupt.
+    void interrupt_on_frames(bool enabled) noexcept;
+
+  private:
+    std::size_t oldest(std::uint32_t pending_0, std::uint32_t pending_1) const noexcept;
+
+    BxcanRegisters& registers_;
+    bool overrun_{false};
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,158 @@
+#include "target/stm32f405/can_transmitter.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof::stm32f405 {
+
+namespace {
+
+/// Each round fills a mailbox or frees one: two for each mailbox, and nothing is left to do.
+constexpr std::size_t most_rounds = 2U * mailbox_count;
+
+constexpr std::uint32_t of_mailbox(const std::uint32_t bits, const std::size_t mailbox) noexcept {
+    return bits << (tsr::stride * static_cast<std::uint32_t>(mailbox));
+}
+
+std::uint32_t identifier_register(const Frame& frame) noexcept {
+    const std::uint32_t identifier =
+        frame.extended ? ((frame.id << ir::extended_shift) | ir::extended) : (frame.id << ir::standard_shift);
+    return identifier | (frame.remote ? ir::remote : 0U);
+}
+
+}  // namespace
+
+void CanTransmitter::serve(TransmitQueue& queue) noexcept {
+    collect(queue);
+    if (queue.boot_up_waits()) {
+        drop_all();
+        collect(queue);
+    }
+    bool goes_on{true};
+    for (std::size_t round = 0U; round < most_rounds; ++round) {
+        if (goes_on) {
+            goes_on = place_next(queue);
+        }
+    }
+}
+
+void CanTransmitter::forget() noexcept {
+    slots_.fill(Slot{});
+    is_alone_ = false;
+}
+
+std::size_t CanTransmitter::waiting() const noexcept {
+    std::size_t count{0U};
+    for (const Slot& slot : slots_) {
+        count += slot.busy ? 1U : 0U;
+    }
+    return count;
+}
+
+/// A mailbox is free again when its frame was sent, or when an abort came before that: the hardware says which, for an
+/// abort may be too late (RM0090 32.7.1).
+static_assert(implements<req::CO_CAN_006>);
+void CanTransmitter::collect(TransmitQueue& queue) noexcept {
+    const std::uint32_t status = registers_.transmit_status.read();
+    for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
+        Slot& slot = slots_[mailbox];
+        if (!slot.busy || ((status & of_mailbox(tsr::completed, mailbox)) == 0U)) {
+            continue;
+        }
+        registers_.transmit_status.write(of_mailbox(tsr::completed, mailbox));  // a written 1 clears it
+        const bool is_unwanted = slot.unwanted || queue.boot_up_waits();
+        const bool is_over = is_unwanted || ((status & of_mailbox(tsr::sent, mailbox)) != 0U);
+        if (is_over || queue.put_back(slot.frame)) {
+            slot = Slot{};
+        } else {
+            request(mailbox);  // the queue has no room: it stays here
+        }
+    }
+    is_alone_ = is_alone_ && (waiting() != 0U);
+}
+
+/// Whether a frame went from the queue to a mailbox, or a mailbox was made free for it.
+static_assert(implements<req::CO_CAN_006>);
+bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
+    const Frame* const next = queue.front();
+    const bool goes_alone = queue.boot_up_waits();
+    if ((next == nullptr) || is_alone_ || (goes_alone && (waiting() != 0U))) {
+        return false;
+    }
+    const std::size_t mailbox = place_for(next->id);
+    if (mailbox == mailbox_count) {
+        return (waiting() == mailbox_count) && make_room(next->id, queue);
+    }
+    is_alone_ = goes_alone;
+    slots_[mailbox].frame = queue.pop();
+    request(mailbox);
+    return true;
+}
+
+/// The first free mailbox behind those with the same identifier, so that these are sent before; mailbox_count when
+/// there is none.
+std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
+    std::size_t found{mailbox_count};
+    for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
+        const Slot& slot = slots_[mailbox];
+        if (slot.busy && (slot.frame.id == id)) {
+            found = mailbox_count;
+        } else if (!slot.busy && (found == mailbox_count)) {
+            found = mailbox;
+        } else {
+            // another frame, or the place is found
+        }
+    }
+    return found;
+}
+
+/// Of all mailboxes; of equal identifiers the one that came last.
+std::size_t CanTransmitter::least_urgent() const noexcept {
+    std::size_t found{0U};
+    for (std::size_t mailbox = 1U; mailbox < mailbox_count; ++mailbox) {
+        if (slots_[mailbox].frame.id >= slots_[found].frame.id) {
+            found = mailbox;
+        }
+    }
+    return found;
+}
+
+bool CanTransmitter::make_room(const std::uint32_t id, TransmitQueue& queue) noexcept {
+    const std::size_t mailbox = least_urgent();
+    if (slots_[mailbox].aborting || (slots_[mailbox].frame.id <= id)) {
+        return false;
+    }
+    abort(mailbox);
+    collect(queue);
+    return !slots_[mailbox].busy;
+}
+
+/// What a reset of the node has made obsolete does not go out behind its boot-up message.
+void CanTransmitter::drop_all() noexcept {
+    for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
+        if (slots_[mailbox].busy) {
+            slots_[mailbox].unwanted = true;
+            abort(mailbox);
+        }
+    }
+}
+
+void CanTransmitter::abort(const std::size_t mailbox) noexcept {
+    slots_[mailbox].aborting = true;
+    registers_.transmit_status.write(of_mailbox(tsr::abort, mailbox));
+}
+
+void CanTransmitter::request(const std::size_t mailbox) noexcept {
+    Slot& slot = slots_[mailbox];
+    slot.busy = true;
+    slot.aborting = false;
+    Mailbox& registers = registers_.transmit[mailbox];
+    const std::uint32_t identifier = identifier_register(slot.frame);
+    registers.identifier.write(identifier);
+    registers.length.write(slot.frame.length);
+    registers.data_low.write(static_cast<std::uint32_t>(field_le<0U, 4U>(slot.frame.data)));
+    registers.data_high.write(static_cast<std::uint32_t>(field_le<4U, 4U>(slot.frame.data)));
+    registers.identifier.write(identifier | ir::request);
+}
+
+}  // namespace canproof::stm32f405

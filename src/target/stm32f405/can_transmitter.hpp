@@ -1,0 +1,45 @@
+// The three mailboxes of bxCAN under a transmit queue (RM0090 32.7.1, 32.9.3). They hold the most urgent frames; the
+// hardware sends the lowest identifier among them, and of equal ones the lowest mailbox.
+#pragma once
+
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "target/stm32f405/bxcan_registers.hpp"
+
+namespace canproof::stm32f405 {
+
+class CanTransmitter {
+  public:
+    explicit CanTransmitter(BxcanRegisters& registers) noexcept : registers_{registers} {}
+
+    /// Notices what was sent, and fills the mailboxes from the queue. A frame that is more urgent than those in three
+    /// full mailboxes takes the place of the least urgent one, which goes back to the queue unless it is on the bus.
+    void serve(TransmitQueue& queue) noexcept;
+    /// The controller has begun anew and aborted what it had.
+    void forget() noexcept;
+    /// Frames that the hardware has not sent yet.
+    std::size_t waiting() const noexcept;
+
+  private:
+    struct Slot {
+        Frame frame{};
+        bool busy{false};
+        bool aborting{false};
+        bool unwanted{false};  ///< aborted for good
+    };
+
+    void collect(TransmitQueue& queue) noexcept;
+    bool place_next(TransmitQueue& queue) noexcept;
+    bool make_room(std::uint32_t id, TransmitQueue& queue) noexcept;
+    std::size_t place_for(std::uint32_t id) const noexcept;
+    std::size_t least_urgent() const noexcept;
+    void drop_all() noexcept;
+    void abort(std::size_t mailbox) noexcept;
+    void request(std::size_t mailbox) noexcept;
+
+    BxcanRegisters& registers_;
+    std::array<Slot, mailbox_count> slots_{};
+    bool is_alone_{false};  ///< the boot-up message is in a mailbox: nothing may overtake it
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,77 @@
+#include "target/stm32f405/flash.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof::stm32f405 {
+
+namespace {
+
+// RM0090 3.6.1: these two in this order unlock FLASH_CR; any other write locks it until the next reset.
+constexpr std::uint32_t first_key = 0x45670123U;
+constexpr std::uint32_t second_key = 0xCDEF89ABU;
+
+}  // namespace
+
+void Flash::begin() noexcept {
+    registers_.access_control.clear(flash_acr::data);
+    if (registers_.control.has(flash_cr::lock)) {
+        registers_.key.write(first_key);
+        registers_.key.write(second_key);
+    }
+}
+
+/// The data cache may hold words as they were: it is emptied while it is off (RM0090 3.5.2).
+void Flash::finish() noexcept {
+    registers_.control.write(flash_cr::lock);
+    registers_.access_control.set(flash_acr::reset_data);
+    registers_.access_control.clear(flash_acr::reset_data);
+    registers_.access_control.set(flash_acr::data);
+}
+
+bool Flash::wait() const noexcept {
+    for (std::uint32_t poll = 0U; poll < most_polls_; ++poll) {
+        if (!registers_.status.has(flash_sr::busy)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Errors of the last operation block the next one until they are cleared (RM0090 3.6.4).
+bool Flash::is_ready() noexcept {
+    const bool is_idle = wait();
+    if (is_idle) {
+        registers_.status.write(flash_sr::errors | flash_sr::done);  // a written 1 clears it
+    }
+    return is_idle;
+}
+
+static_assert(implements<req::CO_FLASH_001>);
+bool Flash::erase(const std::uint32_t sector) noexcept {
+    if (!is_ready()) {
+        return false;
+    }
+    const std::uint32_t command = flash_cr::erase_sector | flash_cr::by_words | (sector << flash_cr::sector_shift);
+    registers_.control.write(command);
+    registers_.control.write(command | flash_cr::start);
+    const bool ended = wait();
+    const bool done = ended && !registers_.status.has(flash_sr::errors);
+    registers_.control.write(0U);
+    return done;
+}
+
+static_assert(implements<req::CO_FLASH_001>);
+bool Flash::program(Register& word, const std::uint32_t value) noexcept {
+    if (!is_ready()) {
+        return false;
+    }
+    registers_.control.write(flash_cr::program | flash_cr::by_words);
+    word.write(value);
+    const bool ended = wait();
+    const bool done = ended && !registers_.status.has(flash_sr::errors);
+    registers_.control.write(0U);
+    return done && (word.read() == value);
+}
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,65 @@
+// The flash memory's own controller: erase a sector, program a word (RM0090 3.5 to 3.9). While it works the processor
+// stands still at its next fetch from flash: an interrupt does not run meanwhile.
+#pragma once
+
+#include "target/stm32f405/register.hpp"
+
+namespace canproof::stm32f405 {
+
+struct FlashRegisters {
+    Register access_control;  ///< 00h FLASH_ACR
+    Register key;             ///< 04h FLASH_KEYR
+    Register option_key;      ///< 08h FLASH_OPTKEYR
+    Register status;          ///< 0Ch FLASH_SR
+    Register control;         ///< 10h FLASH_CR
+    Register option_control;  ///< 14h FLASH_OPTCR
+};
+
+namespace flash_acr {
+constexpr std::uint32_t latency = 0x7U;          // LATENCY, wait states
+constexpr std::uint32_t prefetch = bit(8U);      // PRFTEN
+constexpr std::uint32_t instructions = bit(9U);  // ICEN
+constexpr std::uint32_t data = bit(10U);         // DCEN
+constexpr std::uint32_t reset_data = bit(12U);   // DCRST
+}  // namespace flash_acr
+
+namespace flash_sr {
+constexpr std::uint32_t done = bit(0U);   // EOP
+constexpr std::uint32_t errors = 0xF2U;   // OPERR, WRPERR, PGAERR, PGPERR, PGSERR
+constexpr std::uint32_t busy = bit(16U);  // BSY
+}  // namespace flash_sr
+
+namespace flash_cr {
+constexpr std::uint32_t program = bit(0U);       // PG
+constexpr std::uint32_t erase_sector = bit(1U);  // SER
+constexpr std::uint32_t sector_shift = 3U;       // SNB
+constexpr std::uint32_t by_words = 0x2U << 8U;   // PSIZE: 32 bits, for a supply of 2.7 to 3.6 V
+constexpr std::uint32_t start = bit(16U);        // STRT
+constexpr std::uint32_t lock = bit(31U);         // LOCK
+}  // namespace flash_cr
+
+class Flash {
+  public:
+    /// Erasing 16 KiB takes at most 0.5 s (data sheet); a poll takes at least six cycles of 168 MHz.
+    static constexpr std::uint32_t usual_polls = 20000000U;
+
+    explicit Flash(FlashRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
+        : registers_{registers}, most_polls_{most_polls} {}
+
+    /// Lets erase() and program() work until finish(). Between the two nothing is read through the data cache.
+    void begin() noexcept;
+    void finish() noexcept;
+    /// Makes every bit of a sector (0…11) 1. False when the controller reports an error or does not come to an end.
+    bool erase(std::uint32_t sector) noexcept;
+    /// Programs a word that was erased. False when it does not hold the value afterwards, too.
+    bool program(Register& word, std::uint32_t value) noexcept;
+
+  private:
+    bool wait() const noexcept;
+    bool is_ready() noexcept;
+
+    FlashRegisters& registers_;
+    std::uint32_t most_polls_;
+};
+
+}  // namespace canproof::stm32f405

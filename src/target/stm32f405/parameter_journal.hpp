@@ -1,0 +1,97 @@
+// Parameter memory in two sectors of flash. Its bytes lie in RAM; commit() appends the lines that have changed to a
+// journal in one sector, and begins the other sector when the first is full. A power cut at any word leaves what the
+// last commit() left.
+//
+// A sector is a header and slots of six words. The header counts once its last word is right, and of two sectors the
+// one with the newer generation counts. A slot is a line of 16 bytes with its place, the number of its commit and a
+// CRC; the lines of a commit count once its last one is there.
+#pragma once
+
+#include "firmware/base/non_volatile_memory.hpp"
+#include "firmware/base/slots.hpp"
+#include "target/stm32f405/flash.hpp"
+
+namespace canproof::stm32f405 {
+
+/// A sector of flash: the number by which it is erased, and its words.
+struct FlashSector {
+    std::uint32_t number{0U};
+    Slots<Register> words{};
+};
+
+class ParameterJournal final : public NonVolatileMemory {
+  public:
+    static constexpr std::size_t line_size = 16U;
+    static constexpr std::size_t sector_count = 2U;
+
+    /// `bytes`: the memory as it is read, a multiple of 16 and at most 10 KiB; `changed`: a bit a line. Both outlive
+    /// it.
+    ParameterJournal(Flash& flash, const std::array<FlashSector, sector_count>& sectors, const MutableBytes bytes,
+                     const Slots<std::uint32_t> changed) noexcept
+        : flash_{flash}, sectors_{sectors}, bytes_{bytes}, changed_{changed} {}
+
+    /// After power-on, before anything is read: finds what was committed last.
+    void open() noexcept;
+    /// Erases the sector that is not in use where that is needed, so that no commit() has to: half a second. False when
+    /// the flash failed.
+    bool prepare() noexcept;
+    /// How often a sector was begun: each of the two was erased half as often.
+    std::uint32_t generation() const noexcept { return generation_; }
+
+    std::size_t size() const override { return bytes_.size(); }
+    bool read(std::size_t at, MutableBytes to) const override;
+    bool write(std::size_t at, ByteView bytes) override;
+    bool commit() override;
+
+  private:
+    static constexpr std::size_t slot_words = 6U;
+    static constexpr std::size_t no_sector = sector_count;
+    using Slot = std::array<std::uint32_t, slot_words>;
+
+    Slots<Register> slot_at(std::size_t sector, std::size_t slot) const noexcept;
+    std::size_t slots_of(std::size_t sector) const noexcept { return sectors_[sector].words.size() / slot_words; }
+    std::size_t line_count() const noexcept { return bytes_.size() / line_size; }
+    std::size_t spare() const noexcept { return (active_ == 0U) ? 1U : 0U; }
+
+    bool is_in_use(std::size_t sector, std::uint32_t& generation) const noexcept;
+    bool is_erased(std::size_t sector) const noexcept;
+    bool is_blank(std::size_t sector, std::size_t slot) const noexcept;
+    bool read_slot(std::size_t slot, Slot& content) const noexcept;
+    void replay() noexcept;
+    void apply(std::size_t from, std::size_t last, std::uint32_t number) noexcept;
+
+    bool erase(std::size_t sector) noexcept;
+    bool append() noexcept;
+    bool move() noexcept;
+    bool write_lines(std::size_t sector, std::size_t lines) noexcept;
+    bool write_slot(std::size_t sector, std::size_t line, bool is_last) noexcept;
+    bool program(const Slots<Register>& words, std::size_t at, std::uint32_t value) noexcept;
+
+    bool has_changed(const std::size_t line) const noexcept { return (changed_[line / 32U] & bit_of(line)) != 0U; }
+    void set_changed(std::size_t line, bool changed) noexcept;
+    std::size_t changed_count() const noexcept;
+    void note_filled_lines() noexcept;
+    static constexpr std::uint32_t bit_of(const std::size_t line) noexcept {
+        return bit(static_cast<std::uint32_t>(line % 32U));
+    }
+
+    Flash& flash_;
+    std::array<FlashSector, sector_count> sectors_;
+    MutableBytes bytes_;
+    Slots<std::uint32_t> changed_;
+    std::size_t active_{no_sector};
+    std::size_t next_slot_{1U};
+    std::uint32_t generation_{0U};
+    std::uint32_t number_{0U};  ///< of the last commit, whole or not
+};
+
+/// The RAM of a journal of `Size` bytes.
+template <std::size_t Size>
+struct JournalRam {
+    static_assert(((Size % ParameterJournal::line_size) == 0U) && (Size <= 10240U), "a sector holds every line once");
+
+    std::array<std::uint8_t, Size> bytes{};
+    std::array<std::uint32_t, ((Size / ParameterJournal::line_size) + 31U) / 32U> changed{};
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,173 @@
+#include "tests/support/stm32f405/flash_model.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace acr = stm32f405::flash_acr;
+namespace sr = stm32f405::flash_sr;
+namespace cr = stm32f405::flash_cr;
+
+constexpr std::uint32_t write_protection_error = 1U << 4U;
+constexpr std::uint32_t parallelism_error = 1U << 6U;
+constexpr std::uint32_t sequence_error = 1U << 7U;
+
+}  // namespace
+
+SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words)
+    : SectorModel{controller, number, std::vector<stm32f405::Register>(words)} {}
+
+SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place)
+    : Peripheral{place.data(), place.size() * sizeof place[0]},
+      controller_{controller},
+      number_{number},
+      place_{std::move(place)},
+      cells_(place_.size(), 0xFFFFFFFFU) {}
+
+std::uint32_t SectorModel::on_read(std::size_t offset) {
+    const std::uint32_t now = cells_[offset / 4];
+    if (!controller_.caches_data()) {
+        return now;
+    }
+    // What a line of the data cache held before the cell changed stays there until the cache is reset (RM0090 3.5.2).
+    return cached_.emplace(offset, now).first->second;
+}
+
+void SectorModel::on_write(std::size_t offset, std::uint32_t bits) {
+    controller_.program(cells_[offset / 4], bits);
+}
+
+FlashModel::FlashModel(std::uint32_t seed, std::size_t words)
+    : Peripheral{&block_, sizeof block_}, random_{seed}, first_{*this, 2, words}, second_{*this, 3, words} {}
+
+void FlashModel::restore_power() {
+    operations_left_ = until_failure_ = never_happens;
+    status_ = control_ = busy_reads_ = 0;
+    access_control_ = acr::data;
+    first_.forget_cached();
+    second_.forget_cached();
+    locked_ = true;
+    jammed_ = first_key_given_ = false;
+}
+
+std::uint32_t FlashModel::on_read(std::size_t offset) {
+    switch (offset) {
+        case 0x00:
+            return access_control_;
+        case 0x0C:
+            busy_reads_ -= busy_reads_ > 0 ? 1 : 0;
+            return status_ | (busy_reads_ > 0 || stays_busy_ ? sr::busy : 0U);
+        case 0x10:
+            return control_ | (locked_ ? cr::lock : 0U);
+        default:
+            fault("a read of a key or an option");
+            return 0;
+    }
+}
+
+void FlashModel::on_write(std::size_t offset, std::uint32_t bits) {
+    switch (offset) {
+        case 0x00:
+            if ((bits & acr::reset_data) != 0 && (bits & acr::data) != 0) {
+                fault("the data cache is reset while it is on");
+            }
+            access_control_ = bits;
+            if ((bits & acr::reset_data) != 0) {
+                first_.forget_cached();
+                second_.forget_cached();
+            }
+            return;
+        case 0x04:
+            return write_key(bits);
+        case 0x0C:
+            status_ &= ~(bits & (sr::errors | sr::done));
+            return;
+        case 0x10:
+            return write_control(bits);
+        default:
+            fault("a write to an option");
+    }
+}
+
+void FlashModel::write_key(std::uint32_t key) {
+    if (!first_key_given_ && key == 0x45670123U) {
+        first_key_given_ = true;
+    } else if (first_key_given_ && key == 0xCDEF89ABU && !jammed_) {
+        locked_ = first_key_given_ = false;
+    } else {
+        jammed_ = true;
+        fault("a wrong key locks the controller until the next reset");
+    }
+}
+
+void FlashModel::write_control(std::uint32_t bits) {
+    if (busy_reads_ > 0) {
+        fault("FLASH_CR is written while the controller is busy");
+    } else if ((bits & cr::lock) != 0) {
+        locked_ = true;
+        control_ = 0;
+    } else if (locked_) {
+        fault("FLASH_CR is written while it is locked");
+    } else {
+        control_ = bits & ~cr::start;
+        if ((bits & cr::start) != 0) {
+            erase();
+        }
+    }
+}
+
+FlashModel::Outcome FlashModel::begin_operation() {
+    busy_reads_ = 3;
+    if (operations_left_ == 0) {
+        return Outcome::off;
+    }
+    if (until_failure_ != never_happens && until_failure_-- == 0) {
+        until_failure_ = never_happens;
+        status_ |= write_protection_error;
+        return Outcome::failed;
+    }
+    ++operations_;
+    if (operations_left_ != never_happens && --operations_left_ == 0) {
+        return Outcome::cut;
+    }
+    return Outcome::done;
+}
+
+void FlashModel::erase() {
+    const std::uint32_t number = control_ >> cr::sector_shift & 0xFU;
+    if ((control_ & cr::erase_sector) == 0 || (number != first_.number() && number != second_.number())) {
+        return fault("an erase of what is no sector of the journal");
+    }
+    const Outcome outcome = begin_operation();
+    const std::size_t which = number == first_.number() ? 0 : 1;
+    if (outcome == Outcome::done || outcome == Outcome::cut) {
+        ++erases_[which];
+        for (std::uint32_t& cell : sector(which).cells()) {
+            cell |= outcome == Outcome::done ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
+        }
+    }
+}
+
+/// Programming turns ones to zeros; a cut leaves some of them as they were.
+void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
+    if (locked_ || (control_ & cr::program) == 0) {
+        status_ |= sequence_error;
+        return fault("a word is written without leave to program");
+    }
+    if ((control_ & cr::by_words) != cr::by_words) {
+        status_ |= parallelism_error;
+        return;
+    }
+    switch (begin_operation()) {
+        case Outcome::done:
+            cell &= bits;
+            return;
+        case Outcome::cut:
+            cell &= bits | static_cast<std::uint32_t>(random_());
+            return;
+        default:
+            return;
+    }
+}
+
+}  // namespace canproof::test

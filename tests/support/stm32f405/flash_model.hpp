@@ -1,0 +1,88 @@
+// The flash controller and two sectors as their driver meets them (RM0090 chapter 3): the unlock sequence, busy times,
+// errors, bits that only an erase sets, and a power cut in the midst of a word or of an erase.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <random>
+
+#include "target/stm32f405/flash.hpp"
+#include "target/stm32f405/parameter_journal.hpp"
+#include "tests/support/stm32f405/peripheral.hpp"
+
+namespace canproof::test {
+
+class FlashModel;
+
+/// The words of one sector.
+class SectorModel final : public Peripheral {
+  public:
+    SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words);
+
+    stm32f405::FlashSector sector() { return {number_, Slots<stm32f405::Register>{place_.data(), place_.size()}}; }
+    std::vector<std::uint32_t>& cells() { return cells_; }
+    std::uint32_t number() const { return number_; }
+    void forget_cached() { cached_.clear(); }
+
+  private:
+    SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place);
+    std::uint32_t on_read(std::size_t offset) override;
+    void on_write(std::size_t offset, std::uint32_t bits) override;
+
+    FlashModel& controller_;
+    std::uint32_t number_;
+    std::vector<stm32f405::Register> place_;
+    std::vector<std::uint32_t> cells_;
+    std::map<std::size_t, std::uint32_t> cached_;
+};
+
+class FlashModel final : public Peripheral {
+  public:
+    static constexpr std::size_t words_a_sector = 4096;  ///< 16 KiB
+
+    explicit FlashModel(std::uint32_t seed = 1, std::size_t words = words_a_sector);
+
+    stm32f405::FlashRegisters& registers() { return block_; }
+    std::array<stm32f405::FlashSector, 2> sectors() { return {first_.sector(), second_.sector()}; }
+    SectorModel& sector(std::size_t which) { return which == 0 ? first_ : second_; }
+
+    /// Power fails in the midst of the operation after `count` more of them; nothing after it has an effect.
+    void cut_power_after(std::size_t count) { operations_left_ = count; }
+    /// Power is back: the controller is as after a reset.
+    void restore_power();
+    /// The operation after `count` more of them ends with an error and no effect.
+    void fail_after(std::size_t count) { until_failure_ = count; }
+    void stay_busy(bool stays) { stays_busy_ = stays; }
+    /// Words programmed and sectors erased so far.
+    std::size_t operations() const { return operations_; }
+    std::size_t erases(std::size_t which) const { return erases_[which]; }
+    bool is_locked() const { return locked_; }
+    bool caches_data() const { return (access_control_ & stm32f405::flash_acr::data) != 0; }
+
+  private:
+    friend class SectorModel;
+
+    std::uint32_t on_read(std::size_t offset) override;
+    void on_write(std::size_t offset, std::uint32_t bits) override;
+    void write_key(std::uint32_t key);
+    void write_control(std::uint32_t bits);
+    void erase();
+    void program(std::uint32_t& cell, std::uint32_t bits);
+    enum class Outcome { done, cut, off, failed };
+    Outcome begin_operation();
+
+    static constexpr std::size_t never_happens = std::numeric_limits<std::size_t>::max();
+
+    stm32f405::FlashRegisters block_{};
+    std::mt19937 random_;
+    SectorModel first_, second_;
+    std::uint32_t access_control_{stm32f405::flash_acr::data};
+    std::uint32_t status_{0}, control_{0};
+    bool locked_{true}, jammed_{false}, first_key_given_{false};
+    std::size_t operations_{0}, operations_left_{never_happens}, until_failure_{never_happens};
+    std::array<std::size_t, 2> erases_{};
+    std::uint32_t busy_reads_{0};
+    bool stays_busy_{false};
+};
+
+}  // namespace canproof::test

@@ -1,0 +1,117 @@
+// Bit timing of the CAN controller for every rate that a device's LSS or switch offers, by arithmetic: clock of APB1
+// divided by prescaler times quanta.
+#include "target/stm32f405/bit_timing.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+
+constexpr std::uint32_t mhz_42 = 42000000;  // APB1 at 168 MHz: a quarter of it
+constexpr std::uint32_t mhz_40 = 40000000;  // and at 160 MHz
+
+double given_rate(const BitTiming& timing, std::uint32_t clock) {
+    return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);
+}
+
+double sample_point(const BitTiming& timing) {
+    return (1.0 + timing.before_sample) / (1 + timing.before_sample + timing.after_sample);
+}
+
+/// Rates in bit/s with the clocks of a bit: clock / rate.
+using Clocks = std::map<std::uint32_t, std::uint32_t>;
+
+void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
+    for (const auto& [rate, clocks] : clocks_of) {
+        SCOPED_TRACE(rate);
+        const auto found = bit_timing(clock, rate);
+        ASSERT_TRUE(found.ok());
+        const BitTiming& timing = found.value();
+        EXPECT_EQ(timing.clocks(), clocks);
+        EXPECT_LE(std::abs(given_rate(timing, clock) / rate - 1), 0.0041);
+        EXPECT_GE(sample_point(timing), 0.75);
+        EXPECT_LE(sample_point(timing), 0.90);
+        EXPECT_GE(timing.jump, 1U);
+        EXPECT_LE(timing.jump, timing.after_sample);
+    }
+}
+
+}  // namespace
+
+TEST(BitTiming, RatesOfTheAx130751At168MHz) {
+    verifies<req::CO_CAN_001>();
+    // 3.1 of its manual: 42 MHz / 666.667 kbit/s = 63, no remainder.
+    expect_timings(mhz_42, {{1000000, 42},
+                            {666667, 63},
+                            {500000, 84},
+                            {250000, 168},
+                            {125000, 336},
+                            {50000, 840},
+                            {20000, 2100},
+                            {10000, 4200}});
+}
+
+TEST(BitTiming, RatesOfTheOthersAt160MHz) {
+    verifies<req::CO_CAN_001>();
+    // 800 kbit/s, index 1 of CiA 305, needs 40 MHz / 50: 42 MHz / 0.8 MHz is 52.5.
+    expect_timings(mhz_40, {{1000000, 40},
+                            {800000, 50},
+                            {500000, 80},
+                            {250000, 160},
+                            {125000, 320},
+                            {50000, 800},
+                            {20000, 2000},
+                            {10000, 4000}});
+    // Table 11 of the CAN-CBX-AO412: thirds and sixths of a megabit; 40 MHz / 166 kHz = 240.96, and 240 is a product.
+    expect_timings(mhz_40, {{666667, 60},
+                            {333333, 120},
+                            {166000, 240},
+                            {100000, 400},
+                            {83333, 480},
+                            {66667, 600},
+                            {33333, 1200},
+                            {12500, 3200}});
+}
+
+TEST(BitTiming, ARateThatTheClockDoesNotGiveIsRefused) {
+    verifies<req::CO_CAN_001>();
+    // 52 or 53 clocks: 0.96 % too fast, 0.94 % too slow.
+    for (const std::uint32_t rate : {800000U, 0U, 100U, 6000000U, 42000000U, 4294967295U}) {
+        SCOPED_TRACE(rate);
+        EXPECT_EQ(bit_timing(mhz_42, rate).error(), BitTimingError::no_such_rate);
+    }
+}
+
+TEST(BitTiming, RegisterOfOneMegabit) {
+    verifies<req::CO_CAN_001>();
+    // 3 clocks a quantum, 1 + 11 + 2 quanta, jump 2: each less one, at bits 0, 16, 20 and 24.
+    EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
+    EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
+}
+
+TEST(BitTiming, EveryFieldStaysInItsBounds) {
+    verifies<req::CO_CAN_001>();
+    for (std::uint32_t rate = 5000; rate <= 1000000; rate += 997) {
+        for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 45000000U}) {
+            const auto found = bit_timing(clock, rate);
+            if (!found.ok()) {
+                continue;
+            }
+            const BitTiming& timing = found.value();
+            ASSERT_TRUE(timing.prescaler >= 1 && timing.prescaler <= 1024) << rate;
+            ASSERT_TRUE(timing.before_sample >= 1 && timing.before_sample <= 16) << rate;
+            ASSERT_TRUE(timing.after_sample >= 1 && timing.after_sample <= 8) << rate;
+            ASSERT_TRUE(timing.jump >= 1 && timing.jump <= 4) << rate;
+            ASSERT_LE(std::abs(given_rate(timing, clock) / rate - 1), 0.0042) << rate;
+        }
+    }
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,156 @@
+// Frames out of the two FIFOs of the CAN controller, against a model of its registers.
+#include <gmock/gmock.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "target/stm32f405/bxcan.hpp"
+#include "tests/support/stm32f405/bxcan_model.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct Bench {
+    BxcanModel model;
+    Bxcan can{model.registers(), 42000000};
+    TransmitQueue queue;
+
+    Bench() {
+        can.set_bit_rate(1000000, Instant{});
+        can.advance(queue, Instant{1000});
+        can.advance(queue, Instant{2000});
+        EXPECT_TRUE(can.is_on_bus());
+    }
+    std::vector<std::uint32_t> received() {
+        std::vector<std::uint32_t> ids;
+        Frame frame;
+        while (can.receive(frame)) {
+            ids.push_back(frame.id);
+        }
+        return ids;
+    }
+};
+
+}  // namespace
+
+TEST(CanReceiver, AFrameComesAsItWasOnTheBus) {
+    verifies<req::CO_CAN_003>();
+    Bench bench;
+    Frame sent = data_frame(0x603, 8);
+    sent.data = {0x40, 0x00, 0x10, 0x00, 0xA5, 0x5A, 0xFF, 0x01};
+    bench.model.receive(sent);
+    Frame remote = data_frame(0x703, 1);
+    remote.remote = true;
+    bench.model.receive(remote);
+    bench.can.drain();
+    Frame got;
+    ASSERT_TRUE(bench.can.receive(got));
+    EXPECT_EQ(got.id, 0x603U);
+    EXPECT_EQ(got.length, 8U);
+    EXPECT_FALSE(got.remote || got.extended);
+    EXPECT_EQ(got.data, sent.data);
+    ASSERT_TRUE(bench.can.receive(got));
+    EXPECT_EQ(got.id, 0x703U);
+    EXPECT_TRUE(got.remote);
+    EXPECT_FALSE(bench.can.receive(got));
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanReceiver, ALengthCodeAboveEightStandsForEightBytes) {
+    verifies<req::CO_CAN_003>();
+    Bench bench;
+    bench.model.receive(data_frame(0x203, 15));
+    bench.can.drain();
+    Frame got;
+    ASSERT_TRUE(bench.can.receive(got));
+    EXPECT_EQ(got.length, 8U);
+}
+
+TEST(CanReceiver, OrderOfTheBusAcrossBothFifos) {
+    verifies<req::CO_CAN_004>();
+    Bench bench;
+    // The model's time stamps wrap within the first hundred bits.
+    for (const std::uint32_t id : {0x203U, 0x603U, 0x080U, 0x7E5U, 0x603U, 0x000U}) {
+        ASSERT_EQ(bench.model.receive(data_frame(id, 0)), BxcanModel::Taken::kept);
+    }
+    bench.can.drain();
+    EXPECT_THAT(bench.received(), ElementsAre(0x203, 0x603, 0x080, 0x7E5, 0x603, 0x000));
+    EXPECT_FALSE(bench.can.take_overrun());
+}
+
+TEST(CanReceiver, AFullFifoKeepsTheOldFramesAndReportsTheLoss) {
+    verifies<req::CO_CAN_005>();
+    for (const std::uint32_t base : {0x200U, 0x600U}) {
+        Bench bench;
+        for (std::uint32_t i = 0; i < fifo_depth; ++i) {
+            ASSERT_EQ(bench.model.receive(data_frame(base + i, 0)), BxcanModel::Taken::kept);
+        }
+        ASSERT_EQ(bench.model.receive(data_frame(base + 3, 0)), BxcanModel::Taken::lost);
+        bench.can.drain();
+        EXPECT_THAT(bench.received(), ElementsAre(base, base + 1, base + 2));
+        EXPECT_TRUE(bench.can.take_overrun());
+        EXPECT_FALSE(bench.can.take_overrun());
+        bench.model.receive(data_frame(base + 4, 0));
+        bench.can.drain();
+        EXPECT_THAT(bench.received(), ElementsAre(base + 4));
+        EXPECT_FALSE(bench.can.take_overrun());
+    }
+}
+
+TEST(CanReceiver, TheModelOverwritesTheLastFrameWithoutTheLock) {
+    verifies<req::CO_CAN_005>();
+    Bench bench;
+    auto& registers = bench.model.registers();
+    registers.master_control.write(mcr::time_stamps);  // RFLM off: what the driver does not want
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        bench.model.receive(data_frame(0x200 + i, 0));
+    }
+    bench.can.drain();
+    EXPECT_THAT(bench.received(), ElementsAre(0x200, 0x201, 0x203));
+    EXPECT_TRUE(bench.can.take_overrun());
+}
+
+TEST(CanReceiver, APlaceThatIsStillGivenBackIsNotReadTwice) {
+    verifies<req::CO_CAN_004>();
+    Bench bench;
+    bench.model.release_slowly(true);
+    bench.model.receive(data_frame(0x203, 0));
+    bench.model.receive(data_frame(0x603, 0));
+    bench.can.drain();
+    EXPECT_THAT(bench.received(), ElementsAre(0x203));
+    bench.model.finish_release();
+    bench.can.drain();
+    EXPECT_THAT(bench.received(), ElementsAre(0x603));
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanReceiver, AFullRingReportsTheLossAndKeepsWhatItHas) {
+    verifies<req::CO_CAN_005>();
+    Bench bench;
+    for (std::uint32_t i = 0; i < ReceiveRing::capacity; ++i) {
+        bench.model.receive(data_frame(i, 0));
+        bench.can.drain();
+    }
+    EXPECT_FALSE(bench.can.take_overrun());
+    bench.model.receive(data_frame(0x7FF, 0));
+    bench.can.drain();
+    EXPECT_TRUE(bench.can.take_overrun());
+    const auto ids = bench.received();
+    ASSERT_EQ(ids.size(), ReceiveRing::capacity);
+    EXPECT_EQ(ids.back(), ReceiveRing::capacity - 1);
+}
+
+TEST(CanReceiver, InterruptsForBothFifosAndNothingElse) {
+    verifies<req::CO_CAN_004>();
+    Bench bench;
+    bench.can.interrupt_on_frames(true);
+    EXPECT_EQ(bench.model.interrupts(), 0x12U);  // FMPIE0 and FMPIE1, bits 1 and 4
+    bench.can.interrupt_on_frames(false);
+    EXPECT_EQ(bench.model.interrupts(), 0U);
+}
+
+}  // namespace canproof::test

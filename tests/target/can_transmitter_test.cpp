@@ -1,0 +1,246 @@
+// The three mailboxes under the transmit queue, against a model of their registers.
+#include <gmock/gmock.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "target/stm32f405/bxcan.hpp"
+#include "tests/support/stm32f405/bxcan_model.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+Frame numbered(std::uint32_t id, std::uint8_t number) {
+    Frame frame = data_frame(id, 1);
+    frame.data[0] = number;
+    return frame;
+}
+
+struct Bench {
+    BxcanModel model;
+    Bxcan can{model.registers(), 42000000};
+    TransmitQueue queue;
+    Instant now{};
+
+    Bench() {
+        can.set_bit_rate(1000000, now);
+        serve();
+        serve();
+        EXPECT_TRUE(can.is_on_bus());
+    }
+    void serve() {
+        now.us += 100;
+        can.advance(queue, now);
+    }
+    void queue_up(std::initializer_list<std::pair<std::uint32_t, int>> frames) {
+        for (const auto& [id, number] : frames) {
+            ASSERT_TRUE(queue.push(numbered(id, static_cast<std::uint8_t>(number))));
+        }
+    }
+    /// All that goes out, with its first byte.
+    std::vector<std::pair<std::uint32_t, int>> sent() {
+        std::vector<std::pair<std::uint32_t, int>> frames;
+        serve();
+        while (const auto frame = model.transmit()) {
+            frames.emplace_back(frame->id, frame->data[0]);
+            serve();
+        }
+        return frames;
+    }
+};
+
+}  // namespace
+
+TEST(CanTransmitter, AFrameGoesOutAsItWasQueued) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    Frame frame = data_frame(0x583, 8);
+    frame.data = {0x43, 0x00, 0x10, 0x00, 0x91, 0x01, 0x08, 0xFF};
+    bench.queue.push(frame);
+    Frame remote = data_frame(0x702, 1);
+    remote.remote = true;
+    bench.queue.push(remote);
+    bench.serve();
+    const auto first = bench.model.transmit();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->id, 0x583U);
+    EXPECT_EQ(first->length, 8U);
+    EXPECT_EQ(first->data, frame.data);
+    const auto second = bench.model.transmit();
+    ASSERT_TRUE(second);
+    EXPECT_TRUE(second->remote);
+    EXPECT_FALSE(bench.model.transmit());
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanTransmitter, A29BitIdentifierKeepsItsBits) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    Frame frame = data_frame(0x1ABCDEF5, 0);
+    frame.extended = true;
+    bench.queue.push(frame);
+    bench.serve();
+    const auto sent = bench.model.transmit();
+    ASSERT_TRUE(sent);
+    EXPECT_TRUE(sent->extended);
+    EXPECT_EQ(sent->id, 0x1ABCDEF5U);
+}
+
+TEST(CanTransmitter, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x183, 2}, {0x583, 3}, {0x083, 4}, {0x183, 5}, {0x583, 6}});
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x183, 2), Pair(0x183, 5), Pair(0x583, 1),
+                                          Pair(0x583, 3), Pair(0x583, 6)));
+}
+
+TEST(CanTransmitter, AFreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    // 083h in mailbox 0, the others behind it; when 083h is sent, mailbox 0 would win against 583h #1 in mailbox 1.
+    bench.queue_up({{0x083, 1}, {0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
+    EXPECT_THAT(bench.sent(),
+                ElementsAre(Pair(0x083, 1), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
+}
+
+TEST(CanTransmitter, AnUrgentFrameTakesThePlaceOfTheLeastUrgentOne) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}, {0x703, 3}});
+    bench.serve();
+    EXPECT_TRUE(bench.queue.empty());
+    bench.queue_up({{0x083, 4}});
+    bench.serve();
+    ASSERT_NE(bench.queue.front(), nullptr);
+    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // back in the queue
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x583, 1), Pair(0x583, 2), Pair(0x703, 3)));
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanTransmitter, AFramePutBackStaysInFrontOfItsLikes) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
+    bench.serve();
+    ASSERT_NE(bench.queue.front(), nullptr);
+    EXPECT_EQ(bench.queue.front()->data[0], 4);  // no more urgent than its like: it waits
+    bench.queue_up({{0x083, 5}});
+    EXPECT_THAT(bench.sent(),
+                ElementsAre(Pair(0x083, 5), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
+}
+
+TEST(CanTransmitter, AnAbortThatComesTooLateDoesNotSendTheFrameTwice) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
+    bench.serve();
+    const auto on_bus = bench.model.begin_transmission();  // #1, the least mailbox
+    ASSERT_TRUE(on_bus);
+    ASSERT_EQ(on_bus->data[0], 1);
+    bench.model.end_transmission(true);
+    ASSERT_TRUE(bench.model.begin_transmission());  // #2
+    bench.model.end_transmission(true);
+    const auto last = bench.model.begin_transmission();  // #3 is on the bus when all that comes is urgent
+    ASSERT_EQ(last->data[0], 3);
+    bench.queue_up({{0x083, 4}, {0x083, 5}, {0x083, 6}});
+    bench.serve();
+    bench.model.end_transmission(true);
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x083, 5), Pair(0x083, 6)));
+}
+
+TEST(CanTransmitter, TheAbortOfATransmissionIsDecidedByItsEnd) {
+    verifies<req::CO_CAN_006>();
+    for (const bool sent : {true, false}) {
+        Bench bench;
+        bench.queue_up({{0x583, 1}});
+        bench.serve();
+        ASSERT_TRUE(bench.model.begin_transmission());
+        bench.queue_up({{0x183, 2}, {0x183, 3}, {0x083, 4}});
+        bench.serve();  // 083h and 183h fill the mailboxes; the next is less urgent than none but 583h, which is on the
+                        // bus
+        bench.model.end_transmission(sent);
+        const auto rest = bench.sent();
+        if (sent) {
+            EXPECT_THAT(rest, ElementsAre(Pair(0x083, 4), Pair(0x183, 2), Pair(0x183, 3)));
+        } else {
+            EXPECT_THAT(rest, ElementsAre(Pair(0x083, 4), Pair(0x183, 2), Pair(0x183, 3), Pair(0x583, 1)));
+        }
+        EXPECT_THAT(bench.model.faults(), IsEmpty());
+    }
+}
+
+TEST(CanTransmitter, AFrameThatFindsNoRoomInTheQueueStaysInItsMailbox) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}});
+    bench.serve();
+    ASSERT_TRUE(bench.model.begin_transmission());
+    bench.queue_up({{0x183, 1}, {0x183, 2}, {0x083, 3}});
+    bench.serve();  // asks for the abort of 583h
+    for (int i = 0; bench.queue.size() < TransmitQueue::capacity; ++i) {
+        bench.queue_up({{0x703, i}});
+    }
+    bench.model.end_transmission(false);
+    const auto rest = bench.sent();
+    ASSERT_EQ(rest.size(), 4 + TransmitQueue::capacity - 1);  // 183h #2 was still in the queue
+    EXPECT_EQ(std::count(rest.begin(), rest.end(), std::pair(0x583U, 1)), 1);
+    EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
+}
+
+TEST(CanTransmitter, NothingOvertakesTheBootUpMessage) {
+    verifies<req::CO_CAN_006, req::CO_NMT_001>();
+    Bench bench;
+    bench.queue.push_boot_up(numbered(0x703, 0));
+    bench.serve();
+    bench.queue_up({{0x083, 1}, {0x183, 2}});
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 1), Pair(0x183, 2)));
+}
+
+TEST(CanTransmitter, AResetDropsWhatWaitedInTheMailboxes) {
+    verifies<req::CO_CAN_006, req::CO_NMT_001>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
+    bench.serve();
+    ASSERT_TRUE(bench.model.begin_transmission());
+    bench.queue.push_boot_up(numbered(0x703, 0));
+    bench.queue_up({{0x083, 5}});
+    bench.serve();
+    bench.model.end_transmission(false);  // the one on the bus fails, and is not tried again
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 5)));
+}
+
+TEST(CanTransmitter, ANewBitRateForgetsWhatWaitsInTheMailboxes) {
+    verifies<req::CO_CAN_001, req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}});
+    bench.serve();
+    bench.can.set_bit_rate(125000, bench.now);
+    bench.serve();
+    bench.serve();
+    ASSERT_TRUE(bench.can.is_on_bus());
+    bench.queue_up({{0x703, 3}});
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 3)));
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanTransmitter, BusOffForgetsWhatWaitsInTheMailboxes) {
+    verifies<req::CO_CAN_006, req::CO_CAN_008>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}});
+    bench.serve();
+    bench.model.count_errors(256, 0);
+    for (int i = 0; i < 1010; ++i) {  // 101 ms
+        bench.serve();
+    }
+    bench.model.pass_recessive(128);
+    EXPECT_THAT(bench.sent(), IsEmpty());
+    bench.queue_up({{0x703, 3}});
+    EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 3)));
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,284 @@
+// Parameter memory in two sectors of flash, against a model of the flash controller: what is committed outlives a loss
+// of power at any word and at any erase.
+#include "target/stm32f405/parameter_journal.hpp"
+
+#include <gmock/gmock.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/stm32f405/flash_model.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+using testing::IsEmpty;
+
+constexpr std::size_t size = 256;  // 16 lines
+using Bytes = std::vector<std::uint8_t>;
+
+/// The unit: what is lost with the power, on a flash that stays.
+struct Unit {
+    Flash flash;
+    JournalRam<size> ram{};
+    ParameterJournal journal;
+
+    explicit Unit(FlashModel& model)
+        : flash{model.registers(), 1000},
+          journal{flash, model.sectors(), MutableBytes{ram.bytes}, Slots<std::uint32_t>{ram.changed}} {
+        journal.open();
+    }
+    bool store(std::size_t at, const Bytes& bytes) {
+        return journal.write(at, ByteView{bytes.data(), bytes.size()}) && journal.commit();
+    }
+    Bytes content() const {
+        Bytes bytes(size);
+        EXPECT_TRUE(journal.read(0, MutableBytes{bytes.data(), bytes.size()}));
+        return bytes;
+    }
+};
+
+Bytes blank() {
+    return Bytes(size, 0xFF);
+}
+
+Bytes with(Bytes bytes, std::size_t at, const Bytes& part) {
+    std::copy(part.begin(), part.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    return bytes;
+}
+
+/// What the `number`th save of a test writes: two lines apart, and one across a border of lines.
+Bytes pattern(std::size_t number) {
+    return Bytes(20, static_cast<std::uint8_t>(number));
+}
+std::size_t place(std::size_t number) {
+    return number * 36 % (size - 20);
+}
+
+/// A sector of 20 slots: the second sector is begun after a few saves.
+constexpr std::size_t small_sector = 20 * 6;
+
+}  // namespace
+
+TEST(ParameterJournal, IsBlankOnABlankFlash) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    Unit unit{model};
+    EXPECT_EQ(unit.content(), blank());
+    EXPECT_EQ(unit.journal.size(), size);
+    EXPECT_EQ(unit.journal.generation(), 0U);
+    EXPECT_EQ(model.operations(), 0U);
+}
+
+TEST(ParameterJournal, KeepsWhatIsCommittedAndNothingElse) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    {
+        Unit unit{model};
+        ASSERT_TRUE(unit.journal.prepare());
+        ASSERT_TRUE(unit.store(100, {1, 2, 3}));
+        ASSERT_TRUE(unit.journal.write(0, ByteView{Bytes{9, 9}.data(), 2}));
+        EXPECT_EQ(unit.content(), with(with(blank(), 100, {1, 2, 3}), 0, {9, 9}));
+    }
+    EXPECT_EQ(Unit{model}.content(), with(blank(), 100, {1, 2, 3}));
+    EXPECT_TRUE(model.is_locked());
+    EXPECT_THAT(model.faults(), IsEmpty());
+}
+
+TEST(ParameterJournal, WhatHasNotChangedIsNotProgrammed) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    Unit unit{model};
+    ASSERT_TRUE(unit.store(32, Bytes(48, 7)));
+    const std::size_t before = model.operations();
+    ASSERT_TRUE(unit.store(32, Bytes(48, 7)));
+    EXPECT_EQ(model.operations(), before);
+    ASSERT_TRUE(unit.store(40, {8}));
+    EXPECT_EQ(model.operations(), before + 6);  // one slot
+}
+
+TEST(ParameterJournal, RefusesWhatLiesOutside) {
+    verifies<req::CO_FLASH_003>();
+    FlashModel model;
+    Unit unit{model};
+    Bytes two(2);
+    EXPECT_FALSE(unit.journal.write(size - 1, ByteView{two.data(), 2}));
+    EXPECT_FALSE(unit.journal.write(size + 1, ByteView{two.data(), 0}));
+    EXPECT_FALSE(unit.journal.read(size - 1, MutableBytes{two.data(), 2}));
+    EXPECT_TRUE(unit.journal.read(size - 2, MutableBytes{two.data(), 2}));
+    EXPECT_EQ(unit.content(), blank());
+}
+
+TEST(ParameterJournal, GoesOnInTheOtherSectorAndErasesAtPowerOn) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model{1, small_sector};
+    Bytes expected = blank();
+    for (std::size_t number = 1; number <= 60; ++number) {
+        Unit unit{model};
+        ASSERT_TRUE(unit.journal.prepare());
+        const std::size_t erased = model.erases(0) + model.erases(1);
+        ASSERT_TRUE(unit.store(place(number), pattern(number))) << number;
+        EXPECT_EQ(model.erases(0) + model.erases(1), erased) << "no commit has to erase";
+        expected = with(expected, place(number), pattern(number));
+        ASSERT_EQ(Unit{model}.content(), expected) << number;
+    }
+    EXPECT_GT(Unit{model}.journal.generation(), 4U);
+    EXPECT_LE(model.erases(0), model.erases(1) + 1);
+    EXPECT_LE(model.erases(1), model.erases(0) + 1);
+    EXPECT_THAT(model.faults(), IsEmpty());
+    EXPECT_THAT(model.sector(0).faults(), IsEmpty());
+}
+
+TEST(ParameterJournal, ErasesInACommitWhereNobodyPrepared) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model{1, small_sector};
+    Unit unit{model};
+    Bytes expected = blank();
+    for (std::size_t number = 1; number <= 60; ++number) {
+        ASSERT_TRUE(unit.store(place(number), pattern(number))) << number;
+        expected = with(expected, place(number), pattern(number));
+    }
+    EXPECT_EQ(Unit{model}.content(), expected);
+}
+
+TEST(ParameterJournal, APowerCutAtAnyOperationLeavesTheOldSetOrTheNew) {
+    verifies<req::CO_FLASH_002>();
+    constexpr std::size_t saves = 12;
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        for (std::size_t cut = 1;; ++cut) {
+            FlashModel model{seed, small_sector};
+            model.cut_power_after(cut);
+            Bytes confirmed = blank();
+            Bytes attempted = blank();
+            std::size_t number = 0;
+            {
+                Unit unit{model};
+                bool goes_on = unit.journal.prepare();
+                while (goes_on && number < saves) {
+                    ++number;
+                    attempted = with(confirmed, place(number), pattern(number));
+                    goes_on = unit.store(place(number), pattern(number));
+                    confirmed = goes_on ? attempted : confirmed;
+                }
+                if (goes_on) {
+                    ASSERT_GT(cut, 150U) << "twelve saves are as many operations at least";
+                    break;
+                }
+            }
+            model.restore_power();
+            Unit after{model};
+            const Bytes found = after.content();
+            ASSERT_TRUE(found == confirmed || found == attempted) << "seed " << seed << ", cut " << cut;
+            // And the unit goes on as if nothing had been.
+            ASSERT_TRUE(after.journal.prepare());
+            ASSERT_TRUE(after.store(place(99), pattern(99)));
+            ASSERT_EQ(Unit{model}.content(), with(found, place(99), pattern(99))) << "seed " << seed << ", cut " << cut;
+        }
+    }
+}
+
+TEST(ParameterJournal, AFailedOperationLeavesWhatWasConfirmed) {
+    verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
+    constexpr std::size_t saves = 12;
+    for (std::size_t failure = 0;; ++failure) {
+        FlashModel model{1, small_sector};
+        Unit unit{model};
+        model.fail_after(failure);
+        Bytes expected = blank();
+        std::size_t refused = 0;
+        for (std::size_t number = 1; number <= saves; ++number) {
+            if (unit.store(place(number), pattern(number))) {
+                expected = with(expected, place(number), pattern(number));
+            } else {
+                ++refused;
+            }
+            ASSERT_EQ(unit.content(), expected) << "failure " << failure << ", save " << number;
+        }
+        ASSERT_EQ(Unit{model}.content(), expected) << "failure " << failure;
+        if (refused == 0) {
+            ASSERT_GT(failure, 150U);
+            break;
+        }
+        ASSERT_EQ(refused, 1U);
+    }
+}
+
+TEST(ParameterJournal, ABusyFlashIsNotWaitedForWithoutEnd) {
+    verifies<req::CO_FLASH_001>();
+    FlashModel model;
+    Unit unit{model};
+    ASSERT_TRUE(unit.store(0, {1}));
+    model.stay_busy(true);
+    EXPECT_FALSE(unit.store(0, {2}));
+    EXPECT_FALSE(unit.journal.prepare());
+    EXPECT_EQ(unit.content(), with(blank(), 0, {1}));
+    model.stay_busy(false);
+    EXPECT_TRUE(unit.store(0, {3}));
+    EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
+}
+
+TEST(ParameterJournal, ACellThatDoesNotHoldItsBitsFailsTheCommit) {
+    verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
+    FlashModel model;
+    Unit unit{model};
+    ASSERT_TRUE(unit.store(0, {1}));
+    // The next slot's second word: its bits are stuck at 0, and it is not blank; the slot after it is taken.
+    model.sector(0).cells()[2 * 6 + 1] = 0;
+    EXPECT_FALSE(unit.store(0, {2}));
+    EXPECT_EQ(unit.content(), with(blank(), 0, {1}));
+    EXPECT_TRUE(unit.store(0, {3}));
+    EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
+}
+
+TEST(ParameterJournal, ADamagedLineIsNotRead) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    {
+        Unit unit{model};
+        ASSERT_TRUE(unit.store(0, {1}));
+        ASSERT_TRUE(unit.store(0, {2}));
+    }
+    model.sector(0).cells()[2 * 6 + 1] ^= 0x10U;  // of the second save
+    EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
+}
+
+TEST(ParameterJournal, ASlotThatReadsAsBlankAgainIsNotTheEnd) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    {
+        Unit unit{model};
+        for (const std::uint8_t number : Bytes{1, 2, 3}) {
+            ASSERT_TRUE(unit.store(0, {number}));
+        }
+    }
+    // A word that lost its power while it was programmed may read as anything (RM0090 3.6): here the whole second slot.
+    std::fill_n(model.sector(0).cells().begin() + 2 * 6, 6, 0xFFFFFFFFU);
+    Unit unit{model};
+    EXPECT_EQ(unit.content(), with(blank(), 0, {3}));
+    EXPECT_TRUE(unit.store(0, {4}));
+    EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
+}
+
+TEST(Flash, AWrongStateOfTheControllerIsSeenByTheModel) {
+    verifies<req::CO_FLASH_001>();
+    FlashModel model;
+    Flash flash{model.registers(), 100};
+    EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0));  // nobody unlocked it
+    EXPECT_FALSE(model.faults().empty());
+    EXPECT_EQ(model.sector(0).cells()[0], 0xFFFFFFFFU);
+}
+
+TEST(Flash, DataAreNotReadFromACacheThatKnewThemBefore) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    Unit unit{model};
+    Register& word = model.sectors()[0].words[6];
+    EXPECT_EQ(word.read(), 0xFFFFFFFFU);  // now in the cache
+    ASSERT_TRUE(unit.store(0, {1}));
+    EXPECT_TRUE(model.caches_data());
+    EXPECT_NE(word.read(), 0xFFFFFFFFU);
+    EXPECT_THAT(model.faults(), IsEmpty());
+}
+
+}  // namespace canproof::test
