@@ -30,12 +30,13 @@ std::size_t piece_end(const std::string& body, std::size_t at) {
     return end;
 }
 
-/// Returns whether a file says only why something was decided, what can be wrong, and who read it: the audit and its
-/// pages take that from spec/ itself, and it is half the register.
+/// Returns whether a file says only what a manual asks for, why something was decided, what can be wrong, and who read
+/// it: the audit and its pages take that from spec/ itself, and it is more than half the register.
 bool is_background(const std::string& path, const std::string& body) {
     const toml::table root = toml::parse(body, path);
     return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {
-        return item.first == "decision" || item.first == "hazard" || item.first == "review";
+        return item.first == "statement" || item.first == "decision" || item.first == "hazard" ||
+               item.first == "review";
     });
 }
 
@@ -44,7 +45,7 @@ bool is_background(const std::string& path, const std::string& body) {
 std::string write_embedded(const SpecFiles& files) {
     std::string text =
         "// Written by canproof's speccompiler: the register's own files, for a program without a folder beside it; "
-        "decisions, hazards and reviews are left out.\n"
+        "statements, decisions, hazards and reviews are left out.\n"
         "#include \"host/register/embedded_spec.hpp\"\n\nnamespace canproof::host {\n\n"
         "const SpecFiles& embedded_spec() {\n    static const SpecFiles files{\n";
     for (const auto& [path, body] : files) {

@@ -5,39 +5,13 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 
+#include "host/register/refs.hpp"
 #include "host/register/spec_files.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-/// All REFs of a manual: section numbers, "Table 5", "Figure 3", and the objects its sections describe.
-std::set<std::string> refs_of(const Manual& manual) {
-    std::set<std::string> refs;
-    for (const auto& section : manual.sections) {
-        refs.insert(section.ref);
-        refs.insert(section.objects.begin(), section.objects.end());
-    }
-    return refs;
-}
-
-/// "1.3 Table 7" → "1.3", "Table 7".
-std::vector<std::string> split_refs(const std::string& text) {
-    std::vector<std::string> refs;
-    std::istringstream words{text};
-    std::string word;
-    while (words >> word) {
-        if (word == "Table" || word == "Figure") {
-            std::string number;
-            words >> number;
-            word += " " + number;
-        }
-        refs.push_back(word);
-    }
-    return refs;
-}
 
 /// Two or more words of capitals and digits with a dash between: AO4-AOUT-002.
 bool is_id(const std::string& text) {

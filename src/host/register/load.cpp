@@ -9,6 +9,7 @@
 #include "host/register/check_names.hpp"
 #include "host/register/check_objects.hpp"
 #include "host/register/check_references.hpp"
+#include "host/register/check_statements.hpp"
 #include "host/register/check_tables.hpp"
 #include "host/register/check_topics.hpp"
 #include "host/register/reader.hpp"
@@ -24,6 +25,7 @@ LoadResult load_register(const SpecFiles& files) {
     check_references(result.content, result.faults);
     check_topics(result.content, result.faults);
     check_hazards(result.content, result.faults);
+    check_statements(result.content, result.faults);
     for (Part& part : result.content.parts) {
         check_tables(result.content, part, result.faults);
         check_literals(part, result.faults);

@@ -9,6 +9,7 @@
 
 #include "host/register/read_hazard.hpp"
 #include "host/register/read_item.hpp"
+#include "host/register/read_manual.hpp"
 #include "host/register/read_object.hpp"
 #include "host/register/read_review.hpp"
 #include "host/register/read_table.hpp"
@@ -21,38 +22,6 @@ namespace {
 
 const std::vector<std::string> kinds{"functional", "range", "timing", "protocol", "fault", "physical", "storage"};
 const std::vector<std::string> verifications{"test", "property", "fuzz", "analysis", "target", "inspection"};
-
-Manual read_manual(TomlItem& item) {
-    Manual manual;
-    manual.place = item.place();
-    manual.key = item.text("key");
-    manual.title = item.text("title");
-    manual.publisher = item.text("publisher");
-    manual.revision = item.text("revision");
-    manual.date = item.text("date");
-    for (TomlItem& one : item.items("section")) {
-        Section section;
-        section.place = one.place();
-        section.ref = one.text("ref");
-        section.title = one.text("title");
-        const std::string disposition = one.word("disposition", {"normative", "informative", "condition-of-use"}, "");
-        section.normative = disposition == "normative";
-        section.reason = one.text_or("reason", "");
-        section.objects = one.texts("objects", false);
-        section.conditions = one.texts("conditions", false);
-        if (disposition == "condition-of-use" && section.conditions.empty()) {
-            one.fault(fmt::format("section {} gives no condition of use", section.ref),
-                      "add `conditions = [\"…\"]`, or give it another disposition");
-        } else if (disposition == "informative" && section.reason.empty()) {
-            one.fault(fmt::format("informative section {} gives no reason", section.ref),
-                      "add `reason = …` or call it normative");
-        }
-        one.finish();
-        manual.sections.push_back(section);
-    }
-    item.finish();
-    return manual;
-}
 
 void read_device(TomlItem& item, Part& part) {
     DeviceInfo& info = part.info;
@@ -307,8 +276,8 @@ std::string part_of(const std::string& path) {
 void read_part_file(const std::string& path, const toml::table& root, Register& content, Faults& faults) {
     TomlItem item{root, path, faults};
     const std::string part = part_of(path);
-    if (path.rfind("spec/manuals/", 0) == 0) {
-        content.manuals.push_back(read_manual(item));
+    if (path.rfind(manuals_folder, 0) == 0) {
+        read_manual_file(item, content.manuals);
     } else if (part.empty()) {
         faults.push_back({{path, 1}, "file in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
@@ -353,6 +322,7 @@ Register read_register(const SpecFiles& files, Faults& faults) {
             }
         }
     }
+    number_statements(content.manuals);
     for (Part& part : content.parts) {
         std::sort(part.objects.begin(), part.objects.end(), [](const Object& a, const Object& b) {
             return std::tie(a.index, a.place.file, a.place.line) < std::tie(b.index, b.place.file, b.place.line);

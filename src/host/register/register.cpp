@@ -41,6 +41,14 @@ std::vector<std::string> Signal::names() const {
     return all;
 }
 
+const Section* Manual::describing(const std::string& ref) const {
+    const auto is_meant = [&](const Section& one) {
+        return one.ref == ref || std::find(one.objects.begin(), one.objects.end(), ref) != one.objects.end();
+    };
+    const auto found = std::find_if(sections.begin(), sections.end(), is_meant);
+    return found == sections.end() ? nullptr : &*found;
+}
+
 std::string Part::cpp_name() const {
     return snake_case(name);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/register/fault.hpp"
+#include "host/register/statement.hpp"
 
 namespace canproof::host {
 
@@ -38,6 +39,8 @@ struct Section {
     std::vector<std::string> objects;
     std::vector<std::string> conditions;  ///< of use: what installer and operator must keep, each a sentence
     Place place;
+
+    bool is_condition_of_use() const { return !normative && reason.empty(); }
 };
 
 struct Manual {
@@ -48,6 +51,11 @@ struct Manual {
     std::string date;
     std::vector<Section> sections;
     Place place;
+    std::vector<Statement> statements{};  ///< of all sections; none: coverage of this manual counts by section
+
+    /// The section, table or figure that is called so, or the section that describes this object; nullptr when there is
+    /// none.
+    const Section* describing(const std::string& ref) const;
 };
 
 /// What an item answers to a question that other items answer too. Without a topic it is compared with nothing.

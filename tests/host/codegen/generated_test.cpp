@@ -220,11 +220,13 @@ TEST_F(Generated, EmbeddedFilesComeInPiecesThatCompilersTake) {
     EXPECT_THAT(text, HasSubstr("const SpecFiles& embedded_spec()"));
 }
 
-TEST_F(Generated, FilesOfNothingButDecisionsAndReviewsAreNotEmbedded) {
-    const SpecFiles files{{"spec/a.toml", "[[decision]]\nid = \"A\"\n[[review]]\nby = \"B\"\n"},
+TEST_F(Generated, FilesOfNothingButStatementsDecisionsAndReviewsAreNotEmbedded) {
+    const SpecFiles files{{"spec/manuals/m/1.toml", "[[statement]]\nsection = \"1\"\n"},
+                          {"spec/a.toml", "[[decision]]\nid = \"A\"\n[[review]]\nby = \"B\"\n"},
                           {"spec/b.toml", "[[decision]]\nid = \"C\"\n[[constant]]\nid = \"D\"\n"},
                           {"spec/c.toml", "# nothing yet\n"}};
     const std::string text = write_embedded(files);
+    EXPECT_THAT(text, Not(HasSubstr("spec/manuals/m/1.toml")));
     EXPECT_THAT(text, Not(HasSubstr("spec/a.toml")));
     EXPECT_THAT(text, HasSubstr("spec/b.toml"));
     EXPECT_THAT(text, HasSubstr("spec/c.toml"));

@@ -1,26 +1,8 @@
 #include "host/assess/trace/section_index.hpp"
 
-#include <sstream>
+#include "host/register/refs.hpp"
 
 namespace canproof::host {
-
-namespace {
-
-/// "1.3 Table 7" names "1.3" and "Table 7".
-std::vector<std::string> refs_of(const std::string& text) {
-    std::istringstream words{text};
-    std::vector<std::string> refs;
-    for (std::string word; words >> word;) {
-        std::string number;
-        if ((word == "Table" || word == "Figure") && words >> number) {
-            word += " " + number;
-        }
-        refs.push_back(word);
-    }
-    return refs;
-}
-
-}  // namespace
 
 SectionIndex::SectionIndex(const Register& content) {
     std::size_t order = 0;
@@ -32,7 +14,7 @@ SectionIndex::SectionIndex(const Register& content) {
                 if (colon == std::string::npos) {
                     continue;
                 }
-                for (const auto& ref : refs_of(source.substr(colon + 1))) {
+                for (const auto& ref : split_refs(source.substr(colon + 1))) {
                     hits_[source.substr(0, colon + 1) + ref].push_back({order, item.id});
                 }
             }

@@ -1,0 +1,21 @@
+// Manuals and their statements as spec/manuals holds them.
+#pragma once
+
+#include <vector>
+
+#include "host/register/register.hpp"
+#include "host/register/toml_item.hpp"
+
+namespace canproof::host {
+
+/// Begins the paths of manuals and statements.
+inline const std::string manuals_folder = "spec/manuals/";
+
+/// Reads spec/manuals/NAME.toml, or statements of that manual from a file in spec/manuals/NAME/. The manual's own file
+/// comes first.
+void read_manual_file(TomlItem& item, std::vector<Manual>& manuals);
+
+/// Numbers the statements of each section, table, figure and object in the order in which they were read.
+void number_statements(std::vector<Manual>& manuals);
+
+}  // namespace canproof::host
