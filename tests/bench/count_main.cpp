@@ -1,6 +1,6 @@
-// Instructions of each transaction. Run by itself it only checks that the transactions work; under callgrind, told to
-// collect in receive(), pump() and change() of TestNode, each leaves a dump named after it, of which tests/bench/count
-// makes the table.
+// Instructions of each transaction, of a node and of the floor. Run by itself it only checks that the transactions
+// work; under callgrind, told to collect in receive(), pump() and change() of both, each leaves a dump named after it,
+// of which tests/bench/count makes the table.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -8,16 +8,25 @@
 
 #include "tests/bench/transactions.hpp"
 
+namespace {
+
+void count(const canproof::bench::Transaction& transaction, canproof::bench::Server& server, const std::string& name) {
+    transaction.prepare(server);
+    transaction.run(server);  // warm: statics are made, the branch is taken once
+    CALLGRIND_ZERO_STATS;
+    transaction.run(server);
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
+}
+
+}  // namespace
+
 int main() {
     try {
         for (const auto& transaction : canproof::bench::transactions()) {
             canproof::bench::TestNode node;
-            transaction.prepare(node);
-            transaction.run(node);  // warm: statics are made, the branch is taken once
-            CALLGRIND_ZERO_STATS;
-            transaction.run(node);
-            CALLGRIND_DUMP_STATS_AT(transaction.name.c_str());
-            std::printf("%s\t%.0f\t%.0f\n", transaction.name.c_str(), transaction.limit, transaction.best_other);
+            count(transaction, node, transaction.name);
+            count(transaction, *canproof::bench::make_floor(), "floor of " + transaction.name);
+            std::printf("%s\t%.0f\t%.0f\n", transaction.name.c_str(), transaction.limit, transaction.plain_limit);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

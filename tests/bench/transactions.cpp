@@ -5,6 +5,7 @@
 #include "firmware/base/crc16.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
+#include "tests/bench/floor/floor.hpp"
 #include "tests/bench/test_dictionary.hpp"
 
 namespace canproof::bench {
@@ -25,20 +26,20 @@ void expect(bool holds, const char* what) {
 }
 
 /// One request whose answer begins with `command`.
-void exchange(TestNode& node, const Frame& request, std::uint8_t command) {
-    node.receive(request);
-    expect(node.last().data[0] == command, "unexpected SDO answer");
+void exchange(Server& server, const Frame& request, std::uint8_t command) {
+    server.receive(request);
+    expect(server.last().data[0] == command, "unexpected SDO answer");
 }
 
-void segmented_upload(TestNode& node) {
+void segmented_upload(Server& server) {
     static const Frame begin = frame_of("605#40015F0000000000");
     static const Frame even = frame_of("605#6000000000000000");
     static const Frame odd = frame_of("605#7000000000000000");
-    exchange(node, begin, 0x41);
+    exchange(server, begin, 0x41);
     for (int segment = 0; segment < 9; ++segment) {  // nine segments of seven bytes, then the 64th
-        node.receive(segment % 2 == 0 ? even : odd);
+        server.receive(segment % 2 == 0 ? even : odd);
     }
-    exchange(node, odd, 0x1D);  // one byte, the last segment
+    exchange(server, odd, 0x1D);  // one byte, the last segment
 }
 
 /// 64 KiB in sub-blocks of 127 segments.
@@ -74,59 +75,62 @@ const BlockData& block_data() {
     return data;
 }
 
-void block_download(TestNode& node) {
+void block_download(Server& server) {
     static const Frame begin = frame_of("605#C6005F0000000100");  // CRC, size 10000h
     const BlockData& data = block_data();
-    exchange(node, begin, 0xA4);
+    exchange(server, begin, 0xA4);
     for (const Frame& segment : data.segments) {
-        node.receive(segment);
+        server.receive(segment);
     }
-    exchange(node, data.end, 0xA1);
+    exchange(server, data.end, 0xA1);
 }
 
-void block_upload(TestNode& node) {
+void block_upload(Server& server) {
     static const Frame begin = frame_of("605#A4005F007F000000");
     static const Frame start = frame_of("605#A300000000000000");
     static const Frame end = frame_of("605#A100000000000000");
-    exchange(node, begin, 0xC6);
-    node.receive(start);
+    exchange(server, begin, 0xC6);
+    server.receive(start);
     Frame acknowledge = data_frame(0x605, 8);
     acknowledge.data[0] = 0xA2;
     acknowledge.data[2] = sub_block;
     std::size_t left = block_data().segments.size();
     while (left > 0) {
-        node.pump();
+        server.pump();
         const std::size_t block = std::min<std::size_t>(left, sub_block);
-        expect((node.last().data[0] & 0x7FU) == block, "a sub-block ends with its last segment");
+        expect((server.last().data[0] & 0x7FU) == block, "a sub-block ends with its last segment");
         left -= block;
         acknowledge.data[1] = static_cast<std::uint8_t>(block);
-        node.receive(acknowledge);
+        server.receive(acknowledge);
     }
-    expect((node.last().data[0] & 0xE3U) == 0xC1U, "the upload ends with its CRC");
-    node.receive(end);
+    expect((server.last().data[0] & 0xE3U) == 0xC1U, "the upload ends with its CRC");
+    server.receive(end);
 }
 
-void map_words(TestNode& node, const std::string& communication, const std::string& mapping, const char* cob_id) {
-    node.send("605#23" + communication + "0105020080");
-    node.send("605#2F" + communication + "02FF000000");
-    node.send("605#2B" + communication + "0300000000");  // no inhibit time, no event timer
-    node.send("605#2B" + communication + "0500000000");
-    node.send("605#2F" + mapping + "0000000000");
-    for (const char* sub : {"01", "02", "03", "04"}) {
-        node.send("605#23" + mapping + sub + "10" + sub + "025F");
-    }
-    node.send("605#2F" + mapping + "0004000000");
-    node.send("605#23" + communication + "01" + cob_id);
-    node.send("000#0105");
-}
-
-void receive_words(TestNode& node) {
+void receive_same_words(Server& server) {
     static const Frame words = frame_of("205#1111222233334444");
-    node.receive(words);
+    server.receive(words);
 }
 
-void send_words(TestNode& node) {
-    expect(node.change(0x5F02, 1) == 1 && node.last().id == 0x185, "one TPDO");
+/// All four are others than before.
+void receive_new_words(Server& server) {
+    static Frame words = frame_of("205#0000000000000000");
+    for (std::size_t i = 0; i < words.length; ++i) {
+        ++words.data[i];
+    }
+    server.receive(words);
+}
+
+void prepare_to_receive(Server& server) {
+    static const Frame second_word = frame_of("605#40025F0200000000");
+    server.receive_words(0x205);
+    receive_same_words(server);
+    exchange(server, second_word, 0x4B);
+    expect(server.last().data[4] == 0x22 && server.last().data[5] == 0x22, "the second word has arrived");
+}
+
+void send_changed_words(Server& server) {
+    expect(server.change(0x5F02, 1) == 1 && server.last().id == 0x185, "one TPDO");
 }
 
 }  // namespace
@@ -135,29 +139,25 @@ TestNode::TestNode() {
     device_ = std::make_unique<host::GenericDevice>(test_part(), memory_, queue_);
     device_->lend(domain_index, 0, domain_size);
     device_->fill(domain_index, 0, block_data().bytes);
-    device_->power_on(node_id, now);
+    device_->power_on(node_id, now_);
     take_answers();
 }
 
 void TestNode::receive(const Frame& frame) {
-    device_->receive(frame, now);
+    device_->receive(frame, now_);
     take_answers();
 }
 
-void TestNode::send(const std::string& frame) {
-    receive(frame_of(frame));
-}
-
 void TestNode::pump() {
-    while (device_->next_deadline() <= now) {
-        device_->advance(now);
+    while (device_->next_deadline() <= now_) {
+        device_->advance(now_);
         take_answers();
     }
 }
 
 std::size_t TestNode::change(std::uint16_t index, std::uint8_t subindex) {
-    device_->node().process_value_changed(index, subindex, now);
-    device_->advance(now);
+    device_->node().process_value_changed(index, subindex, now_);
+    device_->advance(now_);
     return take_answers();
 }
 
@@ -170,19 +170,55 @@ std::size_t TestNode::take_answers() {
     return count;
 }
 
+void TestNode::receive_words(std::uint32_t identifier) {
+    map_words(0x1400, identifier);
+}
+
+void TestNode::send_words(std::uint32_t identifier) {
+    map_words(0x1800, identifier);
+}
+
+/// Maps 5F02h:1…4 into the first PDO of this direction, and enters operational.
+void TestNode::map_words(unsigned communication, std::uint32_t cob_id) {
+    const auto write = [this](unsigned index, unsigned subindex, std::size_t size, std::uint32_t value) {
+        Frame request = data_frame(0x605, 8);
+        request.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - size) << 2U));
+        write_le(MutableBytes{request.data}, 1, 2, index);
+        request.data[3] = static_cast<std::uint8_t>(subindex);
+        write_le(MutableBytes{request.data}, 4, 4, value);
+        receive(request);
+    };
+    const unsigned mapping = communication + 0x200;
+    write(communication, 1, 4, 0x80000000U | cob_id);
+    write(communication, 2, 1, 255);
+    write(communication, 3, 2, 0);  // no inhibit time, no event timer
+    write(communication, 5, 2, 0);
+    write(mapping, 0, 1, 0);
+    for (unsigned sub = 1; sub <= 4; ++sub) {
+        write(mapping, sub, 4, 0x5F020010U | (sub << 8U));
+    }
+    write(mapping, 0, 1, 4);
+    write(communication, 1, 4, cob_id);
+    receive(frame_of("000#0105"));
+}
+
+std::unique_ptr<Server> make_floor() {
+    return std::make_unique<Floor>(host::make_rows(test_part()), domain_index, block_data().bytes);
+}
+
 const std::vector<Transaction>& transactions() {
     static const Frame upload = frame_of("605#4018100100000000");
     static const Frame download = frame_of("605#2B025F0134120000");
-    const auto nothing = [](TestNode&) {};
+    const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
-        {"expedited upload u32", 300, 422, nothing, [](TestNode& node) { exchange(node, upload, 0x43); }},
-        {"expedited download u16", 320, 429, nothing, [](TestNode& node) { exchange(node, download, 0x60); }},
-        {"segmented upload, 64 bytes", 2600, 3905, nothing, segmented_upload},
-        {"block download, 64 KiB", 1.6e6, 2.51e6, nothing, block_download},
-        {"block upload, 64 KiB", 1.3e6, 1.84e6, nothing, block_upload},
-        {"RPDO, 4 x 16 bit", 350, 509, [](TestNode& node) { map_words(node, "0014", "0016", "05020000"); },
-         receive_words},
-        {"TPDO, 4 x 16 bit", 300, 440, [](TestNode& node) { map_words(node, "0018", "001A", "85010000"); }, send_words},
+        {"expedited upload u32", 280, 275, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
+        {"expedited download u16", 320, 320, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"segmented upload, 64 bytes", 2400, 2450, nothing, segmented_upload},
+        {"block download, 64 KiB", 1.35e6, 1.65e6, nothing, block_download},
+        {"block upload, 64 KiB", 1.3e6, 1.4e6, nothing, block_upload},
+        {"RPDO, 4 x 16 bit, values as before", 335, 400, prepare_to_receive, receive_same_words},
+        {"RPDO, 4 x 16 bit, new values", 620, 765, prepare_to_receive, receive_new_words},
+        {"TPDO, 4 x 16 bit", 310, 335, [](Server& server) { server.send_words(0x185); }, send_changed_words},
     };
     return all;
 }
