@@ -5,6 +5,7 @@ import os
 import re
 
 import bench
+import conform
 import conversation
 import flood
 import interface
@@ -71,15 +72,23 @@ def sanitized_beside(kinds):
     return verdicts
 
 
-kinds = programs()
-release = kinds.pop("release")
-warm_python.start()
-others = sanitized_beside(kinds) if kinds else None
-check_release(release)
-if others is not None:
+def check_everything(kinds):
+    release = kinds.pop("release")
+    warm_python.start()
+    others = sanitized_beside(kinds) if kinds else None
+    check_release(release)
+    if others is None:
+        return
     with os.fdopen(others, "rb") as pipe:
         told = pipe.read()
     with bench.check("the builds with sanitizers were checked to the end"):
         assert told, "no verdicts from them"
     bench.verdicts += [bool(verdict) for verdict in told]
+
+
+given = programs()
+if "conform" in given:
+    conform.check_all(given["conform"])
+else:
+    check_everything(given)
 bench.finish()

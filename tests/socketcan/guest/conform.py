@@ -1,0 +1,75 @@
+"""`canproof conform` against the four devices on interfaces of the kernel: the same verdicts as in virtual time.
+
+Three devices have a virtual interface each; the fourth is on an emulated SJA1000 controller with 125 kbit/s, and the test on another
+that shares its bus. All four are tested at once: a run waits most of its time."""
+import json
+import subprocess
+
+from bench import Ear, check, sh
+
+# device, node-ID, the device's interface, that of the test
+SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
+          ("ax130751", 7, "can0", "can1")]
+ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
+SECONDS = 1100  # one run, on a slow machine
+NO_SWITCH = "nobody can switch the slave off and on here"  # the one difference that there has to be
+
+
+def verdicts(report):
+    return {case["id"]: (case["verdict"], case["why"], case["step"]) for case in json.loads(report)["cases"]}
+
+
+def in_virtual_time(program, device):
+    done = subprocess.run([program, "conform", device, "--json"], capture_output=True, text=True)
+    assert done.returncode == 0, f"{device} in virtual time: {done.stderr[-2000:]}"
+    return verdicts(done.stdout)
+
+
+def run_slave(program, device, node, interface):
+    with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
+        slave = subprocess.Popen([program, "run", f"{device}@{node}", "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.DEVNULL, stderr=said)
+        if not interface.startswith("can"):  # a controller hears no frame of its own
+            ear.wait(f"70{node}#00")
+        return slave
+
+
+def begin(program, device, node, interface):
+    with open(f"/tmp/{device}.eds", "w") as sheet:
+        sheet.write(sh(program, "eds", device))
+    with open(f"/tmp/{device}.json", "w") as report:
+        return subprocess.Popen([program, "conform", "--eds", f"/tmp/{device}.eds", "--node", str(node), "--bus",
+                                 f"socketcan:{interface}", *ALLOWED, "--json"], stdout=report, stderr=subprocess.PIPE, text=True)
+
+
+def compare(program, device, process):
+    _, said = process.communicate(timeout=SECONDS)
+    with open(f"/tmp/{device}.json") as report:
+        text = report.read()
+    assert text, f"no report, status {process.returncode}: {said[-2000:]}"
+    bus, virtual = verdicts(text), in_virtual_time(program, device)
+    count = {word: sum(verdict == word for verdict, _, _ in bus.values()) for word in ("passed", "skipped", "unstable")}
+    print(f"{device}: {len(bus)} cases, {count}, {json.loads(text)['us'] / 1e6:.0f} s", flush=True)
+    others = [f"{name}: {bus[name]}, in virtual time {virtual[name]}" for name in virtual
+              if bus[name][0] != virtual[name][0] and bus[name][1] != NO_SWITCH]
+    assert not others and process.returncode == 0, "\n  ".join([f"status {process.returncode}", said[-500:], *others])
+
+
+def check_all(program):
+    for name in ("vcan0", "vcan1", "vcan2"):
+        sh("ip", "link", "add", "dev", name, "type", "vcan")
+        sh("ip", "link", "set", name, "up")
+    for name in ("can0", "can1"):
+        sh("ip", "link", "set", name, "type", "can", "bitrate", "125000")
+        sh("ip", "link", "set", name, "up")
+    started = []
+    try:
+        started += [run_slave(program, device, node, own) for device, node, own, _ in SLAVES]
+        tests = [begin(program, device, node, other) for device, node, _, other in SLAVES]
+        started += tests
+        for (device, _, own, other), test in zip(SLAVES, tests):
+            with check(f"{device} on {own}: the verdicts of `canproof conform` through {other} are those of virtual time"):
+                compare(program, device, test)
+    finally:
+        for one in started:
+            one.kill()
