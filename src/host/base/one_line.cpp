@@ -18,4 +18,9 @@ std::string one_line(const std::string& text) {
     return out;
 }
 
+std::string brief(const std::string& text) {
+    constexpr std::size_t longest = 90;
+    return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " …";
+}
+
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Text without line ends.
+// Text that goes into one line.
 #pragma once
 
 #include <string>
@@ -7,5 +7,8 @@ namespace canproof::host {
 
 /// On one line: each run of spaces, tabs and line ends is one space, none at either end.
 std::string one_line(const std::string& text);
+
+/// The text, or its first words, about 90 characters, and `…`.
+std::string brief(const std::string& text);
 
 }  // namespace canproof::host

@@ -66,7 +66,7 @@ class Canvas {
             width, height);
         put(left, 24.0, plot_.title, "font-size=\"15\" font-weight=\"bold\"");
         axes();
-        for (const Mark& mark : plot_.marks) {
+        for (const PlotMark& mark : plot_.marks) {
             text_ += fmt::format(
                 "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#999999\" "
                 "stroke-dasharray=\"3 3\"/>\n",

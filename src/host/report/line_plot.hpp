@@ -13,7 +13,7 @@ struct Curve {
 };
 
 /// A vertical line with a word on it.
-struct Mark {
+struct PlotMark {
     double x{0.0};
     std::string word;
 };
@@ -23,7 +23,7 @@ struct LinePlot {
     std::string x_label;  ///< with its unit
     std::string y_label;
     std::vector<Curve> curves;
-    std::vector<Mark> marks;
+    std::vector<PlotMark> marks;
 };
 
 /// Distance of the ticks of an axis from `low` to `high`: 1, 2 or 5 times a power of ten, for four to ten ticks.

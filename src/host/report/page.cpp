@@ -24,6 +24,8 @@ table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
 th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
 td{overflow-wrap:anywhere}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
+.tile{display:inline-block;border-left:.3rem solid;padding:0 .4rem;font-weight:600;white-space:nowrap}.tiles{display:flex;flex-wrap:wrap;gap:.3rem;margin:1rem 0}.tiles a{text-decoration:none;font-size:.8rem}td ul{margin:0;padding-left:1.1rem}td p{margin:.2rem 0}
+.proven{color:var(--good);background:#1c6b3a22}.unproven{color:var(--part);background:#7a5a0022}.uncovered{color:var(--bad);background:#a3201622}.aside{color:var(--quiet);background:#8882}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
 figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#fff;border-radius:.3rem}

@@ -77,7 +77,7 @@ class Bench {
     std::array<double, 3> angles_{};
 };
 
-std::vector<Mark> marks_of_turns() {
+std::vector<PlotMark> marks_of_turns() {
     return {{turn_seconds, "about X"}, {2.0 * turn_seconds, "about both"}};
 }
 

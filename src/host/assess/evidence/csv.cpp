@@ -55,4 +55,19 @@ std::string write_decisions_csv(const std::vector<PartAudit>& audits) {
     return text;
 }
 
+std::string write_statements_csv(const std::vector<PartAudit>& audits) {
+    std::string text = csv_line({"id", "part", "statement", "passages", "covered by", "reason", "state"});
+    for (const auto& audit : audits) {
+        for (const auto& one : audit.statements) {
+            std::vector<std::string> marks;
+            for (const Mark& mark : one.statement->marks) {
+                marks.push_back(mark.text());
+            }
+            text += csv_line({one.id, audit.part->name, one.statement->text, joined(marks),
+                              joined(one.statement->covered), one.statement->reason, one.status});
+        }
+    }
+    return text;
+}
+
 }  // namespace canproof::host

@@ -13,5 +13,7 @@ namespace canproof::host {
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence);
 /// A row a decision.
 std::string write_decisions_csv(const std::vector<PartAudit>& audits);
+/// A row a statement of a manual, in our words: what covers it, or why nothing does.
+std::string write_statements_csv(const std::vector<PartAudit>& audits);
 
 }  // namespace canproof::host

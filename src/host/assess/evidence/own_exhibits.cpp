@@ -12,6 +12,7 @@
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/review.hpp"
+#include "host/assess/trace/statement_audit.hpp"
 
 namespace canproof::host {
 
@@ -81,12 +82,45 @@ Exhibit sections_exhibit(const PackInput& input) {
     for (const auto& audit : input.audits) {
         for (const auto& section : audit.sections) {
             ++sections;
-            bare += section.covered_by.empty() ? 1 : 0;
+            bare += section.covered ? 0 : 1;
         }
     }
     return exhibit("sections", "Sections of the manuals", bare == 0,
                    fmt::format("{} normative sections, {} without anything that covers them", sections, bare),
                    "sections.html");
+}
+
+/// Holds while every manual has statements and every statement is covered or explained. Whether what covers it is
+/// shown is the audit's.
+std::optional<Exhibit> statements_exhibit(const PackInput& input) {
+    std::size_t statements = 0;
+    std::size_t bare = 0;
+    std::map<std::string, std::size_t> all;
+    std::vector<std::string> without;
+    for (const auto& audit : input.audits) {
+        const std::string& manual = audit.part->info.manual;
+        if (!manual.empty() && audit.statements.empty()) {
+            without.push_back(manual + " has no statements: it counts by section");
+        }
+        for (const auto& [status, count] : count_statements(audit)) {
+            all[status] += count;
+            statements += count;
+        }
+        bare += static_cast<std::size_t>(std::count_if(audit.statements.begin(), audit.statements.end(),
+                                                       [](const auto& one) { return one.statement->is_open(); }));
+    }
+    if (statements == 0) {
+        return std::nullopt;
+    }
+    Exhibit made =
+        exhibit("statements", "Statements of the manuals", bare == 0 && without.empty(),
+                fmt::format("{} normative statements, {} of them with neither an item nor a reason; {} shown, {} "
+                            "explained by a reason, {} with an item that is not shown",
+                            statements, bare, all["shown"], all["explained"],
+                            all["open"] - bare + all["suspect"] + all["failed"]),
+                "sections.html");
+    made.open = without;
+    return made;
 }
 
 Exhibit decisions_exhibit(const PackInput& input) {
@@ -203,6 +237,9 @@ Exhibits exhibits_of(const PackInput& input) {
     add(audit_exhibit(input), "tests");
     add(suspects_exhibit(input), "");
     add(sections_exhibit(input), "");
+    if (auto statements = statements_exhibit(input)) {
+        add(std::move(*statements), "");
+    }
     add(decisions_exhibit(input), "");
     add(hazards_exhibit(input), "");
     add(tests_exhibit(input), "tests");

@@ -11,6 +11,7 @@
 #include "host/assess/evidence/exhibit_page.hpp"
 #include "host/assess/evidence/hazards_page.hpp"
 #include "host/assess/evidence/junit.hpp"
+#include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/mutation_page.hpp"
 #include "host/assess/evidence/overview_page.hpp"
 #include "host/assess/evidence/own_exhibits.hpp"
@@ -53,8 +54,9 @@ std::string data_markup(const PackFiles& files) {
     static const std::map<std::string, std::string> words{
         {"data/register.reqif", "the register as ReqIF"}, {"data/junit.xml", "test cases as JUnit"},
         {"data/cobertura.xml", "coverage as Cobertura"},  {"data/requirements.csv", "requirements as CSV"},
-        {"data/decisions.csv", "decisions as CSV"},       {"data/sbom.cdx.json", "packages as CycloneDX"},
-        {"data/mutation.json", "altered cells as JSON"},  {"data/misra.sarif", "MISRA findings as SARIF"},
+        {"data/decisions.csv", "decisions as CSV"},       {"data/statements.csv", "statements of the manuals as CSV"},
+        {"data/sbom.cdx.json", "packages as CycloneDX"},  {"data/mutation.json", "altered cells as JSON"},
+        {"data/misra.sarif", "MISRA findings as SARIF"},
     };
     std::string text = "<h2>The same as data</h2>\n<ul>";
     for (auto file = files.lower_bound("data/"); file != files.end() && file->first.rfind("data/", 0) == 0; ++file) {
@@ -81,6 +83,11 @@ PackFiles make_pack(const PackInput& input) {
     page("hazards.html", "Hazards", hazards_page(input));
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
+    for (const auto& audit : input.audits) {
+        if (const Manual* manual = input.content->manual(audit.part->info.manual)) {
+            page(manual_page_name(*audit.part), "Manual " + manual->key, manual_page(input, audit, *manual));
+        }
+    }
     if (input.coverage.has_value()) {
         page("coverage.html", "Structural coverage", coverage_page(*input.coverage));
         files["data/cobertura.xml"] = write_cobertura(input.coverage->files);
@@ -97,6 +104,7 @@ PackFiles make_pack(const PackInput& input) {
     files["data/sbom.cdx.json"] = write_sbom(input.provenance);
     files["data/requirements.csv"] = write_requirements_csv(input.audits, input.evidence);
     files["data/decisions.csv"] = write_decisions_csv(input.audits);
+    files["data/statements.csv"] = write_statements_csv(input.audits);
     for (const auto& [name, text] : input.figures) {
         files["plots/" + name] = text;
     }

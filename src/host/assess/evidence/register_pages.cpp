@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
+#include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 
@@ -101,8 +105,52 @@ std::string conditions_table(const Manual& manual) {
                               html_table({{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
 }
 
+/// A row for each manual: how much of it is covered.
+std::string manuals_table(const PackInput& input) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& audit : input.audits) {
+        const Manual* manual = input.content->manual(audit.part->info.manual);
+        if (manual == nullptr) {
+            continue;
+        }
+        auto count = count_statements(audit);
+        const auto bare = std::count_if(audit.sections.begin(), audit.sections.end(),
+                                        [](const AuditedSection& section) { return !section.covered; });
+        rows.push_back({fmt::format("<a href=\"{}\">{}</a>", manual_page_name(*audit.part), escaped(manual->key)),
+                        std::to_string(audit.sections.size()), std::to_string(bare),
+                        std::to_string(audit.statements.size()), std::to_string(count["shown"]),
+                        std::to_string(count["explained"]),
+                        std::to_string(count["open"] + count["suspect"] + count["failed"])});
+    }
+    return html_table({{"Manual", 22},
+                       {"Normative sections"},
+                       {"Not covered"},
+                       {"Statements"},
+                       {"Shown"},
+                       {"Explained"},
+                       {"Not shown"}},
+                      rows);
+}
+
+/// The normative sections of a manual without statements, each with the items that have it as their source.
+std::string sections_table(const PartAudit& audit) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& section : audit.sections) {
+        std::string covered;
+        for (const auto& id : section.covered_by) {
+            covered += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
+        }
+        rows.push_back({escaped(section.section->ref), escaped(section.section->title),
+                        covered.empty() ? html_state("open") : covered});
+    }
+    return html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
+}
+
 std::string sections_page(const PackInput& input) {
-    std::string text = "<p>Each section of the manuals that asks for something, and what covers it.</p>\n";
+    std::string text =
+        "<p>What the manuals ask for, and what covers it. The page of a manual has its sections with our statement of "
+        "each sentence that asks for something. A manual without statements counts by section.</p>\n" +
+        manuals_table(input);
     for (const auto& audit : input.audits) {
         const Manual* manual = input.content->manual(audit.part->info.manual);
         if (manual == nullptr) {
@@ -111,16 +159,7 @@ std::string sections_page(const PackInput& input) {
         text += fmt::format("<h2 id=\"{}\">{}</h2><p class=quiet>{}, {}, {}</p>\n", escaped(audit.part->name),
                             escaped(manual->title), escaped(manual->publisher), escaped(manual->revision),
                             escaped(manual->date));
-        std::vector<std::vector<std::string>> rows;
-        for (const auto& section : audit.sections) {
-            std::string covered;
-            for (const auto& id : section.covered_by) {
-                covered += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
-            }
-            rows.push_back({escaped(section.section->ref), escaped(section.section->title),
-                            covered.empty() ? html_state("open") : covered});
-        }
-        text += html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
+        text += manual->statements.empty() ? sections_table(audit) : "";
         text += conditions_table(*manual);
     }
     return text;

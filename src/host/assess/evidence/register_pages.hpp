@@ -9,7 +9,7 @@ namespace canproof::host {
 
 /// Each item of the register with its sources, code, tests and state, to be searched.
 std::string audit_page(const PackInput& input);
-/// Each section of the manuals with the items that it is the source of.
+/// Each manual with its page, what is covered of it, and the sections of those without statements.
 std::string sections_page(const PackInput& input);
 std::string decisions_page(const PackInput& input);
 std::string tests_page(const PackInput& input);

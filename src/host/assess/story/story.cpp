@@ -4,6 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+
+#include "host/assess/trace/statement_audit.hpp"
+#include "host/base/one_line.hpp"
 
 namespace canproof::host {
 
@@ -15,11 +19,6 @@ std::string line(const char* what, const std::string& text) {
 
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
-}
-
-std::string brief(const std::string& text) {
-    constexpr std::size_t longest = 90;
-    return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " …";
 }
 
 std::string review_line(const Review& review) {
@@ -43,6 +42,11 @@ std::string item_line(const AuditedItem& audited) {
                        audited.kind.empty() ? audited.word : audited.kind, brief(audited.item->text));
 }
 
+std::string statement_line(const AuditedStatement& audited) {
+    return fmt::format("  {:<22} {:<9} {:<10} {}\n", audited.id, audited.status, "statement",
+                       brief(audited.statement->text));
+}
+
 StoryTeller::StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
                          const CountsByItem& mutations)
     : content_{content}, evidence_{evidence}, mutations_{mutations} {
@@ -54,6 +58,10 @@ StoryTeller::StoryTeller(const Register& content, const std::vector<PartAudit>& 
         for (const auto& one : audit.part->decisions) {
             decisions_[one.id] = &one;
         }
+        for (const auto& one : audit.statements) {
+            statements_[one.id] = &one;
+        }
+        audits_[audit.part->info.manual] = &audit;
     }
 }
 
@@ -63,6 +71,9 @@ std::optional<Story> StoryTeller::tell(const std::string& subject) const {
     }
     if (const auto found = decisions_.find(subject); found != decisions_.end()) {
         return decision(*found->second);
+    }
+    if (const auto found = statements_.find(subject); found != statements_.end()) {
+        return statement(*found->second);
     }
     for (const auto look : {&StoryTeller::section, &StoryTeller::file, &StoryTeller::test}) {
         if (auto story = (this->*look)(subject)) {
@@ -92,6 +103,17 @@ std::string StoryTeller::sections_of(const AuditedItem& audited) const {
     return text;
 }
 
+std::string StoryTeller::verdicts_of(const std::string& id) const {
+    std::string text;
+    if (const auto found = evidence_.verdicts.find(id); found != evidence_.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            text += line(verdict.kind.c_str(),
+                         fmt::format("{} {} {}", verdict.passed ? "passed" : "FAILED", verdict.test, verdict.file));
+        }
+    }
+    return text;
+}
+
 Story StoryTeller::item(const AuditedItem& audited) const {
     const Item& one = *audited.item;
     const Part& part = *parts_.at(one.id);
@@ -110,12 +132,7 @@ Story StoryTeller::item(const AuditedItem& audited) const {
             line("code", fmt::format("generated/{}/objects.hpp, read by the object dictionary", part.cpp_name()));
     }
     story.text += line("demanded", joined(audited.demanded));
-    if (const auto found = evidence_.verdicts.find(one.id); found != evidence_.verdicts.end()) {
-        for (const auto& verdict : found->second) {
-            story.text += line(verdict.kind.c_str(), fmt::format("{} {} {}", verdict.passed ? "passed" : "FAILED",
-                                                                 verdict.test, verdict.file));
-        }
-    }
+    story.text += verdicts_of(one.id);
     for (const auto& kind : audited.missing) {
         story.text += line(kind.c_str(), "none has passed");
     }
@@ -169,18 +186,68 @@ std::optional<Story> StoryTeller::section(const std::string& subject) const {
             continue;
         }
         const auto ids = SectionIndex{content_}.items_of(manual->key, one);
-        const char* disposition = one.normative        ? "normative"
-                                  : one.reason.empty() ? "condition of use"
-                                                       : "informative: ";
+        const char* disposition = one.normative               ? "normative"
+                                  : one.is_condition_of_use() ? "condition of use"
+                                                              : "informative: ";
         std::string head = fmt::format("{} {} ({}{})\n", subject, one.title, disposition, one.reason);
         for (const auto& condition : one.conditions) {
             head += line("condition", condition);
         }
+        const auto statements = statements_of(*manual, one);
+        for (const auto* statement : statements) {
+            head += statement_line(*statement);
+        }
         Story story = list(head, ids);
-        story.open = story.open || (one.normative && ids.empty());
+        const bool covered = manual->statements.empty() ? !ids.empty() : !statements.empty();
+        story.open = story.open || (one.normative && !covered) ||
+                     std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->open(); });
         return story;
     }
     return std::nullopt;
+}
+
+std::vector<const AuditedStatement*> StoryTeller::statements_of(const Manual& manual, const Section& section) const {
+    std::vector<const AuditedStatement*> found;
+    if (const auto audit = audits_.find(manual.key); audit != audits_.end()) {
+        const auto& all = audit->second->statements;
+        const auto sections = by_section(manual, all);
+        if (const auto here = sections.find(section.ref); here != sections.end()) {
+            std::transform(here->second.begin(), here->second.end(), std::back_inserter(found),
+                           [&](const std::size_t at) { return &all[at]; });
+        }
+    }
+    return found;
+}
+
+Story StoryTeller::statement(const AuditedStatement& audited) const {
+    const Statement& one = *audited.statement;
+    Story story{fmt::format("{} (statement, {}:{})\n  {}\n", audited.id, one.place.file, one.place.line, one.text),
+                audited.open()};
+    const Manual* manual = content_.manual(audited.id.substr(0, audited.id.find(':')));
+    if (const Section* section = manual->describing(one.section)) {
+        story.text += line("section", section->ref + " " + section->title);
+    }
+    std::vector<std::string> marks;
+    for (const Mark& mark : one.marks) {
+        marks.push_back(mark.text());
+    }
+    story.text += line("passage", joined(marks));
+    if (one.is_open()) {
+        story.text += line("covered by", "nothing, and no reason says why");
+    } else if (!one.reason.empty()) {
+        story.text += line("not covered", one.reason);
+    }
+    for (const auto& id : one.covered) {
+        if (const auto item = items_.find(id); item != items_.end()) {
+            story.text += item_line(*item->second) + verdicts_of(id);
+        } else if (const auto found = decisions_.find(id); found != decisions_.end()) {
+            story.text += fmt::format("  {:<22} {:<8} {:<11} {}\n", id, "", "decision", brief(found->second->chosen));
+        } else {
+            story.text += fmt::format("  {:<22} {}\n", id, "shared, shown with canproof");
+        }
+    }
+    story.text += line("verdict", audited.status);
+    return story;
 }
 
 std::optional<Story> StoryTeller::file(const std::string& subject) const {

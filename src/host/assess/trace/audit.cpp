@@ -9,6 +9,7 @@
 
 #include "host/assess/firmware_scope.hpp"
 #include "host/assess/trace/review.hpp"
+#include "host/assess/trace/statement_audit.hpp"
 
 namespace canproof::host {
 
@@ -129,8 +130,9 @@ class PartAuditor {
             if (!section.normative) {
                 continue;
             }
-            audit_.sections.push_back({&section, index.items_of(manual.key, section)});
-            if (audit_.sections.back().covered_by.empty()) {
+            const auto items = index.items_of(manual.key, section);
+            audit_.sections.push_back({&section, items, !items.empty()});
+            if (items.empty() && manual.statements.empty()) {
                 audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, and nothing has it as its source", manual.key,
                                                   section.ref, section.title));
             }
@@ -153,8 +155,9 @@ std::string AuditedItem::status() const {
 }
 
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence) {
-    return PartAuditor{content, part, evidence, decisions_by_item(content), ReviewState{content, evidence.work}}.run(
-        SectionIndex{content});
+    std::vector<PartAudit> all = audit_all(content, evidence);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const PartAudit& one) { return one.part == &part; });
+    return found == all.end() ? PartAudit{} : std::move(*found);
 }
 
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence) {
@@ -167,6 +170,7 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
             all.push_back(PartAuditor{content, part, evidence, decisions, reviews}.run(sections));
         }
     }
+    audit_statements(content, all);
     return all;
 }
 

@@ -1,5 +1,5 @@
-// The audit: manual section → requirement → decision → table or object → code → test → verdict, and what is missing on
-// the way.
+// The audit: manual section and statement → requirement → decision → table or object → code → test → verdict, and what
+// is missing on the way.
 #pragma once
 
 #include <map>
@@ -31,18 +31,31 @@ struct AuditedItem {
 
 struct AuditedSection {
     const Section* section{nullptr};
-    std::vector<std::string> covered_by;  ///< ids
+    std::vector<std::string> covered_by;  ///< ids of items that have it as their source
+    bool covered{false};                  ///< it has a statement; in a manual without any, an item has it as its source
+};
+
+/// A statement of the manual with what shows it.
+struct AuditedStatement {
+    const Statement* statement{nullptr};
+    std::string id;  ///< AX130751:1.3/2
+    std::string
+        status;  ///< as its weakest item: failed, open, suspect or shown; open without items; explained by a reason
+
+    bool open() const { return status != "shown" && status != "explained"; }
 };
 
 struct PartAudit {
     const Part* part{nullptr};
     std::vector<AuditedItem> items;
-    std::vector<AuditedSection> sections;  ///< normative ones
-    std::vector<std::string> gaps;         ///< each a sentence
-    std::vector<std::string> suspects;     ///< each a sentence
+    std::vector<AuditedSection> sections;      ///< normative ones
+    std::vector<AuditedStatement> statements;  ///< of its manual, in the register's order
+    std::vector<std::string> gaps;             ///< each a sentence
+    std::vector<std::string> suspects;         ///< each a sentence
 };
 
-/// Audits one part: a device with its manual, or the shared part (which has no manual of its own).
+/// Audits one part: a device with its manual, or the shared part (which has no manual of its own). `part` is one of
+/// `content`, and no shared part that comes with canproof.
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
 /// All parts of the project, in the register's order: shared rules that come with canproof are proven there.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);

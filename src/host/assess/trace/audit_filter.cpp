@@ -7,6 +7,7 @@
 #include <set>
 
 #include "host/base/input_error.hpp"
+#include "host/register/refs.hpp"
 
 namespace canproof::host {
 
@@ -14,9 +15,8 @@ namespace {
 
 /// Whether the manual has that section, or one below it.
 bool has_section(const Manual& manual, const std::string& ref) {
-    return std::any_of(manual.sections.begin(), manual.sections.end(), [&](const Section& section) {
-        return section.ref == ref || section.ref.rfind(ref + ".", 0) == 0;
-    });
+    return std::any_of(manual.sections.begin(), manual.sections.end(),
+                       [&](const Section& section) { return is_within(section.ref, ref); });
 }
 
 /// `AX130751:1.3` for `1.3`.
@@ -65,6 +65,9 @@ void check_kind(const std::string& kind, const std::vector<PartAudit>& audits) {
                 kinds.insert(item.kind);
             }
         }
+        if (!audit.statements.empty()) {
+            kinds.insert("statement");
+        }
     }
     if (kinds.count(kind) == 0) {
         throw InputError{
@@ -92,6 +95,17 @@ bool passes(const AuditedItem& item, const AuditFilter& filter) {
     return (filter.section.empty() || std::any_of(sources.begin(), sources.end(), from_section)) &&
            (filter.kind.empty() || filter.kind == item.kind || filter.kind == item.word) &&
            (filter.status.empty() || filter.status == item.status());
+}
+
+bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter) {
+    const Section* section = manual.describing(statement.statement->section);
+    const auto is_from = [&](const std::string& ref) {
+        return filter.section == manual.key + ":" || is_within(manual.key + ":" + ref, filter.section);
+    };
+    return (filter.section.empty() || is_from(statement.statement->section) ||
+            (section != nullptr && is_from(section->ref))) &&
+           (filter.kind.empty() || filter.kind == "statement") &&
+           (filter.status.empty() || filter.status == statement.status);
 }
 
 AuditFilter resolved(AuditFilter filter, const Register& content, const std::vector<PartAudit>& audits) {

@@ -1,4 +1,4 @@
-// Which items an audit lists.
+// Which items and statements an audit lists.
 #pragma once
 
 #include <string>
@@ -11,12 +11,14 @@ namespace canproof::host {
 /// An empty field takes all.
 struct AuditFilter {
     std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" takes 1.3 as well
-    std::string kind;     ///< of a requirement, or the word of another item
-    std::string status;   ///< failed, open, suspect or shown
+    std::string kind;     ///< of a requirement, or the word of another item; `statement`: statements alone
+    std::string status;   ///< failed, open, suspect or shown; of a statement `explained` too
     bool empty() const { return section.empty() && kind.empty() && status.empty(); }
 };
 
 bool passes(const AuditedItem& item, const AuditFilter& filter);
+/// The same for a statement of that manual. One about an object is in the section that describes it as well.
+bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter);
 
 /// Returns the filter with the manual's key in front of a section that only one manual of these audits has.
 /// Throws InputError for a section that no manual has, or several have without a key, and for a kind that no item has.

@@ -70,7 +70,7 @@ TEST(ThermocoupleFigures, TheRampMarksEachEmergencyMessage) {
     verifies<req::TCS_LIM_003>();
     const LinePlot plot = ramp_plot();
     std::vector<std::string> words;
-    for (const Mark& mark : plot.marks) {
+    for (const PlotMark& mark : plot.marks) {
         words.push_back(mark.word);
     }
     // As worked out in the test of the replay.

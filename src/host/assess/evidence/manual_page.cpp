@@ -1,0 +1,208 @@
+#include "host/assess/evidence/manual_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
+#include "host/assess/trace/section_index.hpp"
+#include "host/assess/trace/statement_audit.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+/// A state of a section: its word, its class in the style sheet, its symbol for readers without colour.
+struct StateLook {
+    const char* word;
+    const char* style;
+    const char* symbol;
+    const char* meaning;
+};
+constexpr std::array<StateLook, 6> looks{
+    {{"proven", "proven", "✓", "every statement is covered, and every item that covers one is shown"},
+     {"not proven", "unproven", "◐", "every statement is covered, and an item that covers one is not shown"},
+     {"uncovered", "uncovered", "✗", "nothing covers a statement, or the section has none"},
+     {"explained", "aside", "–", "every statement has a reason why no item covers it"},
+     {"informative", "aside", "·", "asks for nothing"},
+     {"condition of use", "aside", "§", "asks for something of whoever installs or operates the device"}}};
+
+const StateLook& look_of(const std::string& word) {
+    return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
+}
+
+/// The name of a place as an anchor of the page.
+std::string anchor(std::string place) {
+    std::replace(place.begin(), place.end(), ' ', '-');
+    return escaped(place);
+}
+
+class ManualPage {
+  public:
+    ManualPage(const PackInput& input, const PartAudit& audit, const Manual& manual)
+        : audit_{audit}, manual_{manual}, sections_{by_section(manual, audit.statements)}, index_{*input.content} {
+        for (const auto& one : input.audits) {
+            for (const auto& item : one.items) {
+                states_[item.item->id] = item.status();
+            }
+            for (const auto& decision : one.part->decisions) {
+                decisions_.insert(decision.id);
+            }
+        }
+    }
+
+    std::string markup() const {
+        std::string tiles;
+        std::vector<std::vector<std::string>> rows;
+        std::map<std::string, std::size_t> count;
+        for (const Section& section : manual_.sections) {
+            const StateLook& look = look_of(state_of(section));
+            ++count[look.word];
+            tiles +=
+                fmt::format("<a class=\"tile {}\" href=\"#{}\" title=\"{}: {}\">{} {}</a>\n", look.style,
+                            anchor(section.ref), escaped(section.title), look.word, look.symbol, escaped(section.ref));
+            rows.push_back(row_of(section, look));
+        }
+        return head() + legend(count) + "<div class=tiles>\n" + tiles + "</div>\n" +
+               html_table({{"Section", 9}, {"Title", 21}, {"State", 12}, {"Asks for, and what covers it"}}, rows,
+                          Search::yes);
+    }
+
+  private:
+    std::vector<const AuditedStatement*> statements_of(const Section& section) const {
+        std::vector<const AuditedStatement*> all;
+        if (const auto found = sections_.find(section.ref); found != sections_.end()) {
+            std::transform(found->second.begin(), found->second.end(), std::back_inserter(all),
+                           [&](const std::size_t at) { return &audit_.statements[at]; });
+        }
+        return all;
+    }
+
+    std::string state_of(const Section& section) const {
+        std::vector<std::string> item_states;
+        for (const auto& id : index_.items_of(manual_.key, section)) {
+            const auto found = states_.find(id);
+            item_states.push_back(found == states_.end() ? "shown" : found->second);
+        }
+        return section_state(section, statements_of(section), item_states, manual_.statements.empty());
+    }
+
+    std::string head() const {
+        std::string text = fmt::format(
+            "<p>{}, {}, {}, {}. Each section of the manual with what it asks for in our words, and the "
+            "items of the register that cover it. The manual's own text is not here.</p>\n",
+            escaped(manual_.title), escaped(manual_.publisher), escaped(manual_.revision), escaped(manual_.date));
+        if (manual_.statements.empty()) {
+            return text +
+                   "<p>This manual has no statements: an item that has a section as its source covers the whole "
+                   "section.</p>\n";
+        }
+        auto count = count_statements(audit_);
+        return text + fmt::format(
+                          "<p><b>{}</b> statements: {} shown, {} explained by a reason, {} suspect, {} open, "
+                          "{} failed.</p>\n",
+                          audit_.statements.size(), count["shown"], count["explained"], count["suspect"], count["open"],
+                          count["failed"]);
+    }
+
+    static std::string legend(std::map<std::string, std::size_t>& count) {
+        std::vector<std::vector<std::string>> rows;
+        for (const StateLook& look : looks) {
+            rows.push_back({fmt::format("<span class=\"tile {}\">{} {}</span>", look.style, look.symbol, look.word),
+                            std::to_string(count[look.word]), look.meaning});
+        }
+        return html_table({{"State", 18}, {"Sections", 10}, {"Meaning"}}, rows);
+    }
+
+    std::vector<std::string> row_of(const Section& section, const StateLook& look) const {
+        std::string text;
+        for (const auto* statement : statements_of(section)) {
+            text += statement_markup(*statement);
+        }
+        if (!text.empty()) {
+            text = "<ul>" + text + "</ul>";
+        } else if (manual_.statements.empty() && section.normative) {
+            for (const auto& id : index_.items_of(manual_.key, section)) {
+                text += link_to(id) + " ";
+            }
+        }
+        for (const auto& condition : section.conditions) {
+            text += fmt::format("<p>{}</p>", escaped(condition));
+        }
+        if (!section.normative && !section.reason.empty()) {
+            text += fmt::format("<small>{}</small>", escaped(section.reason));
+        }
+        return {fmt::format("<span id=\"{}\">{}</span>", anchor(section.ref), escaped(section.ref)),
+                escaped(section.title),
+                fmt::format("<span class=\"tile {}\">{} {}</span>", look.style, look.symbol, look.word), text};
+    }
+
+    std::string statement_markup(const AuditedStatement& audited) const {
+        const Statement& one = *audited.statement;
+        const std::string place = audited.id.substr(manual_.key.size() + 1);
+        std::string links;
+        for (const auto& id : one.covered) {
+            links += " " + link_to(id);
+        }
+        const std::string state =
+            audited.status == "explained" ? "<span class=quiet>– explained</span>" : html_state(audited.status);
+        return fmt::format("<li id=\"{}\"><small>{}</small> {} {} <small>{}{}</small>\n", anchor(place), escaped(place),
+                           state, escaped(one.text), links, escaped(one.reason));
+    }
+
+    /// A shared item of an outside project has no page there.
+    std::string link_to(const std::string& id) const {
+        if (decisions_.count(id) != 0) {
+            return fmt::format("<a href=\"decisions.html#{0}\">{0}</a>", escaped(id));
+        }
+        return states_.count(id) == 0 ? fmt::format("<code>{}</code>", escaped(id))
+                                      : fmt::format("<a href=\"audit.html#{0}\">{0}</a>", escaped(id));
+    }
+
+    const PartAudit& audit_;
+    const Manual& manual_;
+    std::map<std::string, std::vector<std::size_t>> sections_;
+    SectionIndex index_;
+    std::map<std::string, std::string> states_;
+    std::set<std::string> decisions_;
+};
+
+bool all_shown(const std::vector<std::string>& states) {
+    return std::all_of(states.begin(), states.end(), [](const std::string& state) { return state == "shown"; });
+}
+
+}  // namespace
+
+std::string section_state(const Section& section, const std::vector<const AuditedStatement*>& statements,
+                          const std::vector<std::string>& item_states, const bool counts_by_section) {
+    const bool all_explained =
+        std::all_of(statements.begin(), statements.end(), [](const auto* one) { return one->status == "explained"; });
+    if (!section.normative && all_explained) {
+        return section.is_condition_of_use() ? "condition of use" : "informative";
+    }
+    if (counts_by_section) {
+        return item_states.empty() ? "uncovered" : all_shown(item_states) ? "proven" : "not proven";
+    }
+    const bool any_bare =
+        std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->statement->is_open(); });
+    if (statements.empty() || any_bare) {
+        return "uncovered";
+    }
+    const bool any_open =
+        std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->open(); });
+    return all_explained ? "explained" : any_open ? "not proven" : "proven";
+}
+
+std::string manual_page_name(const Part& part) {
+    return "manual-" + part.name + ".html";
+}
+
+std::string manual_page(const PackInput& input, const PartAudit& audit, const Manual& manual) {
+    return ManualPage{input, audit, manual}.markup();
+}
+
+}  // namespace canproof::host

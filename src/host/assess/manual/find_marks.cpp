@@ -1,0 +1,65 @@
+#include "host/assess/manual/find_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "host/base/sha256.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using Places = std::map<Mark, std::vector<std::size_t>>;
+
+/// The marks of one length by the number that their hash is.
+using ByHash = std::map<std::uint64_t, Mark>;
+
+std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
+    std::map<std::size_t, ByHash> all;
+    constexpr int hexadecimal = 16;
+    for (const Mark& mark : marks) {
+        all[mark.length][std::stoull(mark.hash, nullptr, hexadecimal)] = mark;
+    }
+    return all;
+}
+
+enum class Ends { at_words, anywhere };
+
+/// Hashes a passage of each length at each word: the hash alone is known, and no part of it can be carried over.
+void search(const ManualText& text, const std::set<Mark>& marks, const Ends ends, Places& places) {
+    const auto lengths = by_length(marks);
+    const std::string_view whole{text.letters()};
+    Sha256 hash;
+    for (const std::size_t begin : text.word_begins()) {
+        for (const auto& [length, known] : lengths) {
+            if (begin + length > whole.size()) {
+                break;
+            }
+            if (ends == Ends::at_words && !text.is_word_end(begin + length)) {
+                continue;
+            }
+            const auto found = known.find(hash.first_bytes(whole.substr(begin, length), Mark::hash_digits / 2));
+            if (found != known.end()) {
+                places[found->second].push_back(begin);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Places find_marks(const ManualText& text, const std::set<Mark>& marks) {
+    Places places;
+    search(text, marks, Ends::at_words, places);
+    std::set<Mark> left;
+    for (const Mark& mark : marks) {
+        if (places.count(mark) == 0) {
+            left.insert(mark);
+        }
+    }
+    search(text, left, Ends::anywhere, places);
+    return places;
+}
+
+}  // namespace canproof::host

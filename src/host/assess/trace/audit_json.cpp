@@ -1,0 +1,77 @@
+#include "host/assess/trace/audit_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace canproof::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const AuditedItem& item) {
+    return {{"id", item.item->id},         {"word", item.word},       {"kind", item.kind},
+            {"text", item.item->text},     {"status", item.status()}, {"sources", item.item->sources},
+            {"decisions", item.decisions}, {"missing", item.missing}, {"without_code", item.without_code},
+            {"suspect", item.suspect}};
+}
+
+Json json_of(const AuditedStatement& statement) {
+    const Statement& one = *statement.statement;
+    Json made{{"id", statement.id}, {"section", one.section}, {"text", one.text}, {"status", statement.status}};
+    made["covered"] = one.covered;
+    if (!one.reason.empty()) {
+        made["reason"] = one.reason;
+    }
+    return made;
+}
+
+Json json_of(const AuditedSection& section) {
+    return {{"ref", section.section->ref},
+            {"title", section.section->title},
+            {"covered", section.covered},
+            {"source_of", section.covered_by}};
+}
+
+template <typename All, typename Takes>
+Json list_of(const All& all, const Takes& takes) {
+    Json list = Json::array();
+    for (const auto& one : all) {
+        if (takes(one)) {
+            list.push_back(json_of(one));
+        }
+    }
+    return list;
+}
+
+Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& filter) {
+    Json made{{"part", audit.part->name}};
+    made["items"] = list_of(audit.items, [&](const AuditedItem& one) { return passes(one, filter); });
+    if (manual != nullptr) {
+        made["manual"] = manual->key;
+        made["counts_by"] = manual->statements.empty() ? "section" : "statement";
+        made["statements"] =
+            list_of(audit.statements, [&](const AuditedStatement& one) { return passes(one, *manual, filter); });
+    }
+    if (filter.empty()) {
+        made["sections"] = list_of(audit.sections, [](const AuditedSection&) { return true; });
+        made["gaps"] = audit.gaps;
+        made["suspects"] = audit.suspects;
+    }
+    return made;
+}
+
+}  // namespace
+
+std::string write_audit_json(const Register& content, const std::vector<PartAudit>& audits, const AuditFilter& filter,
+                             const std::map<std::string, std::vector<std::string>>& findings) {
+    Json whole{{"parts", Json::array()}};
+    for (const auto& audit : audits) {
+        whole["parts"].push_back(json_of(audit, content.manual(audit.part->info.manual), filter));
+    }
+    for (const auto& [name, sentences] : findings) {
+        whole[name] = sentences;
+    }
+    return whole.dump(2) + "\n";
+}
+
+}  // namespace canproof::host

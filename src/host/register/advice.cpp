@@ -1,0 +1,153 @@
+#include "host/register/advice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "host/register/refs.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+using Sources = std::vector<std::string>;
+
+/// What each item and decision has as its source, by id.
+std::map<std::string, Sources> sources_by_id(const Register& content) {
+    std::map<std::string, Sources> all;
+    for (const Part& part : content.parts) {
+        content.for_each_item(part, [&](const Item& item, const char*) { all[item.id] = item.sources; });
+        for (const auto& decision : part.decisions) {
+            for (const auto& reading : decision.readings) {
+                all[decision.id].push_back(reading.source);
+            }
+        }
+    }
+    return all;
+}
+
+/// The statement's place, and what is the same place by another name: an object and the sections that describe it.
+std::set<std::string> names_of_place(const Manual& manual, const std::string& place) {
+    std::set<std::string> names{place};
+    for (const auto& section : manual.sections) {
+        const auto& objects = section.objects;
+        if (section.ref == place) {
+            names.insert(objects.begin(), objects.end());
+        } else if (std::find(objects.begin(), objects.end(), place) != objects.end()) {
+            names.insert(section.ref);
+        }
+    }
+    return names;
+}
+
+/// Whether one of the sources names one of the places, a section above it or one below it.
+bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
+    for (const auto& source : sources) {
+        if (source.rfind(key + ":", 0) != 0) {
+            continue;
+        }
+        for (const auto& ref : split_refs(source.substr(key.size() + 1))) {
+            const auto near = [&](const std::string& place) { return is_within(ref, place) || is_within(place, ref); };
+            if (std::any_of(places.begin(), places.end(), near)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void advise_on_statements(const Register& content, Faults& advice) {
+    const auto sources = sources_by_id(content);
+    for (const Manual& manual : content.manuals) {
+        for (const Statement& statement : manual.statements) {
+            const std::string id = statement.id(manual.key);
+            if (statement.is_open()) {
+                advice.emplace_back(statement.place, fmt::format("{} has neither `covered` nor `reason`", id),
+                                    "name the items that cover it, or say why none does");
+            }
+            const auto places = names_of_place(manual, statement.section);
+            const auto is_cited = [&](const std::string& item) {
+                const auto found = sources.find(item);
+                return found == sources.end() || cites(found->second, manual.key, places);
+            };
+            if (!statement.covered.empty() &&
+                std::none_of(statement.covered.begin(), statement.covered.end(), is_cited)) {
+                advice.emplace_back(statement.covered_place,
+                                    fmt::format("nothing that covers {} cites {} ({})", id, statement.section,
+                                                fmt::join(statement.covered, ", ")),
+                                    "add the place to the source of one, or name an item that cites it");
+            }
+        }
+    }
+}
+
+/// Words between spaces, with their punctuation.
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in{text};
+    return {std::istream_iterator<std::string>{in}, std::istream_iterator<std::string>{}};
+}
+
+/// Whether a sentence ends with this word: its last character, before a closing quote or bracket, is a full stop.
+bool ends_sentence(std::string word) {
+    while (!word.empty() && (word.back() == '"' || word.back() == ')')) {
+        word.pop_back();
+    }
+    return !word.empty() && (word.back() == '.' || word.back() == '!' || word.back() == '?');
+}
+
+bool begins_sentence(const std::string& word) {
+    return (word.front() >= 'A' && word.front() <= 'Z') || (word.front() >= '0' && word.front() <= '9');
+}
+
+struct Demands {
+    std::size_t shalls{0};
+    std::size_t sentences{1};
+};
+
+Demands demands_in(const std::string& text) {
+    const std::vector<std::string> words = words_of(text);
+    Demands found;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        found.shalls += word == "shall" || word == "shall," ? 1U : 0U;
+        found.sentences += i > 0 && ends_sentence(words[i - 1]) && begins_sentence(word) ? 1U : 0U;
+    }
+    return found;
+}
+
+void advise_on_requirements(const Register& content, Faults& advice) {
+    for (const Part& part : content.parts) {
+        if (part.inherited) {
+            continue;
+        }
+        for (const auto& requirement : part.requirements) {
+            const Demands found = demands_in(requirement.text);
+            if (requirement.retired.empty() && (found.shalls > 1 || found.sentences > 1)) {
+                advice.emplace_back(requirement.place,
+                                    fmt::format("{} asks for several things: {} sentence(s), \"shall\" {} time(s)",
+                                                requirement.id, found.sentences, found.shalls),
+                                    "make one requirement of each");
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Faults advice_on(const Register& content) {
+    Faults advice;
+    advise_on_statements(content, advice);
+    advise_on_requirements(content, advice);
+    std::sort(advice.begin(), advice.end(), [](const Fault& a, const Fault& b) {
+        return std::tie(a.place.file, a.place.line, a.what) < std::tie(b.place.file, b.place.line, b.what);
+    });
+    return advice;
+}
+
+}  // namespace canproof::host

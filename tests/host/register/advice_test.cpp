@@ -1,0 +1,96 @@
+// Warnings about a sound register: open statements, coverage from elsewhere, requirements that ask for several things.
+#include "host/register/advice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/register/load.hpp"
+#include "host/register/spec_files.hpp"
+#include "tests/host/register/small_register.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string requirement(const std::string& text, const std::string& source = "M1:1") {
+    return "[[requirement]]\nid = \"AO4-R-1\"\ntext = \"" + text + "\"\nsource = [\"" + source +
+           "\"]\nkind = \"functional\"\nverify = [\"test\"]\n";
+}
+
+std::string statement(const std::string& place, const std::string& rest) {
+    return "[[statement]]\nsection = \"" + place + "\"\ntext = \"It blinks.\"\nmark = \"8:00000000000a\"\n" + rest;
+}
+
+std::vector<std::string> advice_of(const SpecFiles& files) {
+    const LoadResult loaded = load_register(files);
+    EXPECT_EQ(all_faults(loaded), "");
+    std::vector<std::string> all;
+    for (const Fault& one : advice_on(loaded.content)) {
+        all.push_back(one.text());
+    }
+    return all;
+}
+
+std::vector<std::string> advice_on_text(const std::string& text) {
+    return advice_of(with(items_file, requirement(text)));
+}
+
+std::vector<std::string> advice_on_statement(const std::string& place, const std::string& rest,
+                                             const std::string& source) {
+    SpecFiles files = with(items_file, requirement("It shall blink.", source));
+    files["spec/manuals/m/1.toml"] = statement(place, rest);
+    return advice_of(files);
+}
+
+}  // namespace
+
+TEST(RegisterAdvice, IsSilentAboutOneDemandInOneSentence) {
+    EXPECT_THAT(advice_on_text("When bit 3 of 1.5 V is set, e.g. by a master, the box shall blink (see 2000h)."),
+                IsEmpty());
+}
+
+TEST(RegisterAdvice, TellsARequirementOfSeveralDemands) {
+    EXPECT_THAT(advice_on_text("The box shall blink and shall not sound."),
+                ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 asks for several things: 1 sentence(s), \"shall\" "
+                            "2 time(s); make one requirement of each"));
+    EXPECT_THAT(advice_on_text("The box shall blink. It is silent."), ElementsAre(HasSubstr("2 sentence(s)")));
+    EXPECT_THAT(advice_on_text("The box shall blink (fast). 3 s later it ends."),
+                ElementsAre(HasSubstr("2 sentence(s)")));
+}
+
+TEST(RegisterAdvice, LeavesARetiredRequirementAlone) {
+    const std::string text = requirement("The box blinks. It is silent.") + "retired = \"merged\"\n";
+    EXPECT_THAT(advice_of(with(items_file, text)), IsEmpty());
+}
+
+TEST(RegisterAdvice, TellsAStatementThatNothingCovers) {
+    EXPECT_THAT(advice_on_statement("1", "", "M1:1"),
+                ElementsAre("spec/manuals/m/1.toml:1: M1:1/1 has neither `covered` nor `reason`; name the items that "
+                            "cover it, or say why none does"));
+    EXPECT_THAT(advice_on_statement("1", "reason = \"hardware\"\n", "M1:1"), IsEmpty());
+}
+
+TEST(RegisterAdvice, TellsAStatementWhoseItemsCiteAnotherPlace) {
+    EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
+                ElementsAre("spec/manuals/m/1.toml:5: nothing that covers M1:1/1 cites 1 (AO4-R-1); add the place to "
+                            "the source of one, or name an item that cites it"));
+}
+
+TEST(RegisterAdvice, TakesAnObjectForTheSectionThatDescribesIt) {
+    EXPECT_THAT(advice_on_statement("2000h", "covered = [\"AO4-R-1\"]\n", "M1:1"), IsEmpty());
+    EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3 2000h"), IsEmpty());
+}
+
+TEST(RegisterAdvice, TakesASectionForTheOneAboveIt) {
+    EXPECT_THAT(advice_on_statement("2.1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"), testing::SizeIs(1));
+    SpecFiles files = with(items_file, requirement("It shall blink.", "M1:2"));
+    files[manual_file] += "[[section]]\nref = \"2\"\ntitle = \"t\"\ndisposition = \"normative\"\n";
+    files["spec/manuals/m/1.toml"] = statement("2.1", "covered = [\"AO4-R-1\"]\n");
+    EXPECT_THAT(advice_of(files), IsEmpty());
+}
+
+}  // namespace canproof::host::test
