@@ -156,6 +156,31 @@ TEST_F(Ax188001Errors, LifeGuardingHasItsOwnField) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
+// 3.2.5, 3.2.6: 100 ms times 2
+TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
+    verifies<req::TCS_GUARD_001>();
+    EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
+    EXPECT_EQ(write(0x100D, 0, 1, 0), 0U);
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
+    EXPECT_EQ(pass(1000), Frames{});
+
+    EXPECT_EQ(write(0x100D, 0, 1, 2), 0U);
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#FF"}));
+    EXPECT_EQ(pass(199), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#3081010010000000"}));
+    EXPECT_EQ(send("77F#R"), (Frames{"0FF#0000000000000000", "77F#7F"}));
+
+    EXPECT_EQ(write(0x100C, 0, 2, 0), 0U);
+    EXPECT_EQ(send("77F#R"), (Frames{"77F#FF"}));
+    EXPECT_EQ(pass(1000), Frames{});
+
+    EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
+    EXPECT_EQ(write(0x1017, 0, 2, 1000), 0U);
+    EXPECT_EQ(send("77F#R"), Frames{});
+    EXPECT_EQ(pass(999), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
+}
+
 TEST_F(Ax188001Errors, AnRpdoThatStaysAwayIsACommunicationError) {
     verifies<req::TCS_ERR_008, req::TCS_OD_1400, req::TCS_OD_1029, req::TCS_ERR_010>();
     EXPECT_EQ(write(0x1400, 5, 2, 500), 0U);
