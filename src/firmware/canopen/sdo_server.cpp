@@ -263,6 +263,7 @@ void SdoServer::send_command(const std::uint8_t command) noexcept {
     send(answer(command));
 }
 
+static_assert(implements<req::CO_SDO_041>);
 void SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) noexcept {
     Frame frame = answer(command);
     set_field_le<sdo::index_position, 2U>(frame.data, index_);
