@@ -134,13 +134,14 @@ class Node {
         consumers_.fill(Consumer{});
         say(0);
     }
-    /// A guarding that runs goes on with the new time; one that is off waits for the next request.
+    /// A guarding that runs goes on with the new time; one that is off waits for the next request. 0 ends its error.
     bool write_life_time(unsigned guard_ms, unsigned factor) {
         guard_ms_ = guard_ms;
         life_factor_ = factor;
         if (guarded_until_ != 0) {
             guarded_until_ = life_ms() == 0 ? 0 : now_ + life_ms();
         }
+        guarding_failed_ = guarding_failed_ && life_ms() != 0;
         return settle();
     }
     void tick() {

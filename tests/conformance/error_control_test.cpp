@@ -236,6 +236,20 @@ TEST_F(ErrorControlService, AHeartbeatEndsAFailedLifeGuarding) {
     EXPECT_EQ(send("603#2B171000F4010000"), (Frames{"083#0000000100000000", "583#6017100000000000"}));
 }
 
+TEST_F(ErrorControlService, AGuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
+    verifies<req::CO_GUARD_006>();
+    for (const std::string off : {"603#2B0C100000000000", "603#2F0D100000000000"}) {
+        write("603#2B0C100064000000");  // 100 ms …
+        write("603#2F0D100001000000");  // … once
+        EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
+        EXPECT_EQ(pass(100), (Frames{"100:083#3081110100000000"}));
+        EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
+        EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
+        EXPECT_TRUE(pass(1000).empty()) << off;
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h begin anew
+    }
+}
+
 TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
     verifies<req::CO_GUARD_003>();
     write("603#2B0C100064000000");

@@ -39,6 +39,21 @@ TEST_F(Sdo, ExpeditedDownloadWithAndWithoutItsSize) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
 }
 
+TEST_F(Sdo, AnUploadIsAskedForWith40hAndAnAbortIs80h) {
+    verifies<req::CO_SDO_042>();
+    EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));
+    EXPECT_EQ(send("603#4010200000000000"), (Frames{"583#8010200000000206"}));
+}
+
+TEST_F(Sdo, NumbersTravelFromTheirLowestByteOn) {
+    verifies<req::CO_SDO_041>();
+    EXPECT_EQ(send("603#2320100178563412"), (Frames{"583#6020100100000000"}));  // 1020h:1 = 12345678h
+    EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
+    EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
+    EXPECT_EQ(send("603#4010200100000000"), (Frames{"583#8010200100000206"}));  // 2010h is absent: 06020000h
+    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // a size of 13 bytes
+}
+
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     verifies<req::CO_SDO_004>();
     EXPECT_EQ(send("603#2120100104000000"), (Frames{"583#6020100100000000"}));

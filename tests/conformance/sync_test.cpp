@@ -166,11 +166,20 @@ TEST_F(SyncService, CounterAndIdentifierAreLockedWhileInUse) {
 }
 
 TEST_F(SyncService, IdentifierMustBeFreeAndOfElevenBits) {
-    verifies<req::CO_SYNC_006, req::AO4_OD_1005>();
+    verifies<req::CO_SYNC_006, req::CO_SYNC_008, req::AO4_OD_1005>();
     EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
     EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
     EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11
-    write("603#2305100080000080");                                              // bit 31 has no meaning
+}
+
+TEST_F(SyncService, Bit31Of1005hIsKeptAndMeansNothing) {
+    verifies<req::CO_SYNC_008>();
+    write("603#2305100080000080");
+    EXPECT_EQ(send("603#4005100000000000"), (Frames{"583#4305100080000080"}));
+    make_rpdo2_synchronous();
+    send("303#1100000000000000");
+    send("080#");
+    EXPECT_EQ(output1(), "1100");
 }
 
 TEST_F(SyncService, ReservedCounterValuesAreRefused) {

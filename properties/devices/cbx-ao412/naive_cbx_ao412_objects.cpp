@@ -89,6 +89,7 @@ std::uint32_t Device::change_supervision(unsigned index, unsigned sub, std::uint
         case 0x100C:
         case 0x100D:
             (index == 0x100C ? settings_.guard_ms : settings_.life_factor) = value;
+            guarding_failed_ = guarding_failed_ && settings_.guard_ms * settings_.life_factor != 0;
             if (guarded_until_) {
                 const unsigned life_ms = settings_.guard_ms * settings_.life_factor;
                 guarded_until_ = life_ms == 0 ? std::nullopt : std::optional<std::uint64_t>{now_ + life_ms};

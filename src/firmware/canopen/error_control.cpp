@@ -104,14 +104,16 @@ AbortCode ErrorControl::before_write(const EntryRef& entry, const std::uint32_t 
     return fits ? AbortCode::none : AbortCode::value_range;
 }
 
+static_assert(implements<req::CO_GUARD_006>);
 void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcept {
     refresh();
     if (entry.index == index::producer_heartbeat_time) {
         start_heartbeat(now);
     } else if ((entry.index == index::guard_time) || (entry.index == index::life_time_factor)) {
         // A running life guarding goes on with the new time; one that is off waits for the next request.
-        const bool goes_on = (life_deadline_ != never) && (life_time_.us != 0U);
-        life_deadline_ = goes_on ? (now + life_time_) : never;
+        const bool is_on = life_time_.us != 0U;
+        life_deadline_ = (is_on && (life_deadline_ != never)) ? (now + life_time_) : never;
+        life_failed_ = is_on && life_failed_;
     } else {
         // 100Eh: the next message takes the new identifier.
     }

@@ -172,6 +172,7 @@ ByteView SdoServer::keep(const ByteView value) noexcept {
     return ByteView{buffer_.data(), value.size()};
 }
 
+static_assert(implements<req::CO_SDO_042>);
 void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) noexcept {
     select(request);
     const auto read = objects_.read(index_, subindex_);
@@ -263,6 +264,7 @@ void SdoServer::send_command(const std::uint8_t command) noexcept {
     send(answer(command));
 }
 
+static_assert(implements<req::CO_SDO_041>);
 void SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) noexcept {
     Frame frame = answer(command);
     set_field_le<sdo::index_position, 2U>(frame.data, index_);
@@ -273,6 +275,7 @@ void SdoServer::answer_object(const std::uint8_t command, const std::uint32_t da
 
 static_assert(implements<req::CO_SDO_015>);
 static_assert(implements<req::CO_SDO_036>);
+static_assert(implements<req::CO_SDO_042>);
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
     answer_object(sdo::aborted, static_cast<std::uint32_t>(code));

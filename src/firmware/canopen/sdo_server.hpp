@@ -101,6 +101,7 @@ class SdoServer {
     void select(const sdo::Request& request) noexcept {
         static_assert(implements<req::CO_SDO_012>);
         abandon();  // a new initiate ends the transfer before it
+        static_assert(implements<req::CO_SDO_041>);
         index_ = static_cast<std::uint16_t>(field_le<sdo::index_position, 2U>(request));
         subindex_ = request[sdo::subindex_position];
     }

@@ -53,7 +53,7 @@ bool Sync::produce(const Instant now) noexcept {
     return true;
 }
 
-static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007>);
+static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007> && implements<req::CO_SYNC_008>);
 AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index == index::sync_cob_id) {
         const std::uint32_t current = objects_.read(index::sync_cob_id, 0U);
