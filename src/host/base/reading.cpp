@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
@@ -21,8 +19,7 @@ void check_read(const std::istream& in, const std::string& name) {
 }
 
 bool LineReader::next() {
-    std::array<char, longest_line + 1> buffer{};
-    in_.getline(buffer.data(), buffer.size());
+    in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     check_read(in_, name_);
     const auto count = static_cast<std::size_t>(in_.gcount());
     if (in_.fail() && count == 0) {
@@ -34,7 +31,7 @@ bool LineReader::next() {
             fmt::format("{}: a line has more than {} characters; is this a file of text?", where(), longest_line)};
     }
     // The count takes the line's end in, which the last line may lack.
-    line_.assign(buffer.data(), in_.eof() ? count : count - 1);
+    line_.assign(buffer_.data(), in_.eof() ? count : count - 1);
     if (number_ == 1 && line_.compare(0, byte_order_mark.size(), byte_order_mark) == 0) {
         line_.erase(0, byte_order_mark.size());
     }

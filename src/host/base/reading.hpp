@@ -1,6 +1,7 @@
 // Streams read so that a read error is never taken for the end, and no line beyond a bound.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <istream>
 #include <string>
@@ -32,6 +33,7 @@ class LineReader {
     std::istream& in_;
     std::string name_;
     std::string line_;
+    std::array<char, longest_line + 1> buffer_{};
     std::size_t number_{0};
 };
 

@@ -9,22 +9,39 @@ namespace canproof::host {
 namespace {
 
 constexpr std::uint64_t micros = 1000000;
+constexpr std::size_t most_whole_digits = 12;
+constexpr std::size_t most_decimals = 6;
 
-bool is_decimal(const std::string& text) {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+/// At most eighteen digits.
+std::optional<std::uint64_t> decimal(std::string_view digits) {
+    std::uint64_t value = 0;
+    for (const char c : digits) {
+        if (c < '0' || c > '9') {
+            return std::nullopt;
+        }
+        value = 10U * value + static_cast<std::uint64_t>(c - '0');
+    }
+    return digits.empty() ? std::nullopt : std::optional{value};
 }
 
 }  // namespace
 
-std::optional<Instant> seconds_of(const std::string& text) {
+std::optional<Instant> seconds_of(std::string_view text) {
     const auto point = text.find('.');
-    const std::string whole = text.substr(0, point);
-    std::string fraction = point == std::string::npos ? "0" : text.substr(point + 1);
-    if (!is_decimal(whole) || whole.size() > 12 || !is_decimal(fraction) || fraction.size() > 6) {
+    const std::string_view whole = text.substr(0, point);
+    const std::string_view fraction = point == std::string_view::npos ? "0" : text.substr(point + 1);
+    if (whole.size() > most_whole_digits || fraction.size() > most_decimals) {
         return std::nullopt;
     }
-    fraction.resize(6, '0');
-    return Instant{std::stoull(whole) * micros + std::stoull(fraction)};
+    const auto seconds = decimal(whole);
+    auto rest = decimal(fraction);
+    if (!seconds || !rest) {
+        return std::nullopt;
+    }
+    for (std::size_t digits = fraction.size(); digits < most_decimals; ++digits) {
+        *rest *= 10U;
+    }
+    return Instant{*seconds * micros + *rest};
 }
 
 Instant parse_seconds(const std::string& text, const std::string& where) {
@@ -36,8 +53,17 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
     return *time;
 }
 
+void append_seconds(std::string& text, Instant time) {
+    text += fmt::format_int{time.us / micros}.str();
+    text += '.';
+    const std::string decimals = fmt::format_int{micros + time.us % micros}.str();  // a digit more: zeros stay
+    text.append(decimals, 1, most_decimals);
+}
+
 std::string format_seconds(Instant time) {
-    return fmt::format("{}.{:06}", time.us / micros, time.us % micros);
+    std::string text;
+    append_seconds(text, time);
+    return text;
 }
 
 }  // namespace canproof::host

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/base/input_error.hpp"
+#include "host/sim/bus/bit_rate_vote.hpp"
 #include "host/sim/bus/can_bits.hpp"
 
 namespace canproof::host {
@@ -33,15 +34,22 @@ ArbitratedBus::ArbitratedBus(std::string interface, std::uint32_t bit_rate, cons
     add_port(outside_, true);
 }
 
-ArbitratedBus::Port& ArbitratedBus::add_port(BusNode& node, bool gateway) {
-    ports_.push_back(std::make_unique<Port>());
-    ports_.back()->node = &node;
-    ports_.back()->gateway = gateway;
-    return *ports_.back();
+void ArbitratedBus::add_port(BusNode& node, bool gateway) {
+    Port& port = ports_[next_number_];
+    port.node = &node;
+    port.number = next_number_;
+    port.gateway = gateway;
+    ++next_number_;
+    if (node.tells_changes()) {
+        node.on_change([this, &port] { look_again(port); });
+        look_again(port);
+    } else {
+        watched_.push_back(&port);
+    }
 }
 
 void ArbitratedBus::attach(BusNode& node) {
-    const auto nodes = std::count_if(ports_.begin(), ports_.end(), [](const auto& port) { return !port->gateway; });
+    const auto nodes = std::count_if(ports_.begin(), ports_.end(), [](const auto& one) { return !one.second.gateway; });
     if (static_cast<std::size_t>(nodes) == most_nodes) {
         throw InputError{fmt::format("{} is one node too many; a CANopen bus has at most {}", node.name(), most_nodes)};
     }
@@ -54,27 +62,26 @@ void ArbitratedBus::attach_gateway(Gateway& gateway) {
 
 void ArbitratedBus::detach_gateway(const Gateway& gateway) {
     const auto found =
-        std::find_if(ports_.begin(), ports_.end(), [&](const auto& port) { return port->node == &gateway; });
+        std::find_if(ports_.begin(), ports_.end(), [&](const auto& one) { return one.second.node == &gateway; });
     if (found == ports_.end()) {
         return;
     }
-    const auto at = static_cast<std::size_t>(found - ports_.begin());
-    if (running_ && running_->port == at) {
+    Port& port = found->second;
+    if (running_ && running_->port == &port) {
         break_off(advanced_to_);
     }
-    if (running_ && running_->port > at) {
-        --running_->port;
-    }
+    waiting_.set(port.number, nullptr);
+    readers_.set(port.number, {});
+    changed_.erase(std::remove(changed_.begin(), changed_.end(), &port), changed_.end());
+    watched_.erase(std::remove(watched_.begin(), watched_.end(), &port), watched_.end());
     ports_.erase(found);
 }
 
 bool ArbitratedBus::is_sending(const Gateway& gateway) const {
-    for (std::size_t i = 0; i < ports_.size(); ++i) {
-        if (ports_[i]->node == &gateway) {
-            return ports_[i]->repeated.has_value() || (running_ && running_->port == i);
-        }
-    }
-    return false;
+    return std::any_of(ports_.begin(), ports_.end(), [&](const auto& one) {
+        const Port& port = one.second;
+        return port.node == &gateway && (port.repeated.has_value() || (running_ && running_->port == &port));
+    });
 }
 
 bool ArbitratedBus::put(const Frame& frame, Instant) {
@@ -91,29 +98,23 @@ bool ArbitratedBus::takes_part(const Port& port) const {
 }
 
 void ArbitratedBus::follow_bit_rates() {
-    std::map<std::uint32_t, std::size_t> votes;
-    for (const auto& port : ports_) {
-        if (!port->gateway && port->node->bit_rate() != 0) {
-            ++votes[port->node->bit_rate()];
-        }
+    BitRateVote vote;
+    for (const auto& [number, port] : ports_) {
+        vote.add(port.gateway ? 0U : port.node->bit_rate());
     }
-    for (const auto& [rate, count] : votes) {
-        const auto own = votes.find(bit_rate_);
-        if (own == votes.end() || count > own->second) {
-            bit_rate_ = rate;
-        }
-    }
+    bit_rate_ = vote.outcome(bit_rate_);
+    rates_differ_ = false;
     tell_bit_rates();
 }
 
 void ArbitratedBus::tell_bit_rates() {
-    for (auto& port : ports_) {
-        const std::uint32_t before = port->rate;
-        port->rate = port->gateway ? 0 : port->node->bit_rate();
-        if (before != 0 && port->rate != before) {
+    for (auto& [number, port] : ports_) {
+        const std::uint32_t before = port.rate;
+        port.rate = port.gateway ? 0 : port.node->bit_rate();
+        if (before != 0 && port.rate != before) {
             const char* const outcome =
-                port->rate == bit_rate_ ? "the bus has it now" : "it hears and is heard by no other";
-            notice(fmt::format("{}: LSS sets {} bit/s; {}", port->node->name(), port->rate, outcome));
+                port.rate == bit_rate_ ? "the bus has it now" : "it hears and is heard by no other";
+            notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }
 }
@@ -123,41 +124,55 @@ void ArbitratedBus::advance(Instant now) {
     advanced_to_ = at;
     bool any = true;
     while (any) {
-        if (!running_) {
+        recover(at);
+        look(at);
+        if (!running_ && rates_differ_) {
             follow_bit_rates();
         }
-        recover(at);
-        note_waiting(at);
         any = complete(at) || start(at);
     }
-    while (!busy_.empty() && busy_.front().end + ns_per_s < at) {
-        busy_.pop_front();
+    load_.forget_before(at);
+}
+
+void ArbitratedBus::look_again(Port& port) {
+    if (!port.changed) {
+        port.changed = true;
+        changed_.push_back(&port);
     }
 }
 
-void ArbitratedBus::note_waiting(Nanoseconds now) {
-    for (std::size_t i = 0; i < ports_.size(); ++i) {
-        Port& port = *ports_[i];
-        if (running_ && running_->port == i) {
-            continue;  // the frame on the wire is its first one still
-        }
-        const bool waits = port.next() != nullptr;
-        if (waits && !port.waits) {
-            port.first_since = now;
-        }
-        port.waits = waits;
+void ArbitratedBus::look(Nanoseconds now) {
+    for (Port* const port : changed_) {
+        port->changed = false;
+        look_at(*port, now);
     }
+    changed_.clear();
+    for (Port* const port : watched_) {
+        look_at(*port, now);
+    }
+}
+
+void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
+    rates_differ_ = rates_differ_ || (!port.gateway && port.node->bit_rate() != port.rate);
+    readers_.set(port.number, port.node->filters());
+    if (running_ && running_->port == &port) {
+        return;  // the frame on the wire is its first one still
+    }
+    const Frame* const next = port.next();
+    if (next != nullptr && !waiting_.has(port.number)) {
+        port.first_since = now;
+    }
+    waiting_.set(port.number, next);
 }
 
 ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
-    Port* best = nullptr;
-    for (auto& port : ports_) {
-        if (port->waits && takes_part(*port) && port->may_send_from <= at &&
-            (best == nullptr || arbitration_rank(*port->next()) < arbitration_rank(*best->next()))) {
-            best = port.get();
+    for (const auto& [rank, number] : waiting_.places()) {
+        Port& port = ports_.at(number);
+        if (takes_part(port) && port.may_send_from <= at) {
+            return &port;
         }
     }
-    return best;
+    return nullptr;
 }
 
 /// Frames that waited for the bus start at once when it falls idle, in the middle of a microsecond if need be.
@@ -178,9 +193,7 @@ bool ArbitratedBus::start(Nanoseconds now) {
         return false;
     }
     Transmission next;
-    next.port = static_cast<std::size_t>(
-        std::find_if(ports_.begin(), ports_.end(), [&](const auto& one) { return one.get() == port; }) -
-        ports_.begin());
+    next.port = port;
     next.frame = *port->next();
     if (port->repeated) {
         port->repeated.reset();
@@ -204,8 +217,9 @@ bool ArbitratedBus::complete(Nanoseconds now) {
     const Transmission done = *running_;
     running_.reset();
     idle_from_ = done.end + bits(intermission_bits);
-    busy_.push_back({done.start, idle_from_});
-    Port& sender = *ports_[done.port];
+    load_.add(done.start, idle_from_);
+    Port& sender = *done.port;
+    look_again(sender);
     const bool steps_back = sender.gateway || sender.counters.state() >= CanState::error_passive;
     sender.may_send_from = steps_back ? idle_from_ + bits(suspend_bits) : 0;
     if (done.corrupted) {
@@ -219,7 +233,7 @@ bool ArbitratedBus::complete(Nanoseconds now) {
 void ArbitratedBus::end_corrupted(const Transmission& done) {
     ++errors_;
     const Instant now = instant_of(done.end);
-    Port& sender = *ports_[done.port];
+    Port& sender = *done.port;
     sender.repeated = done.frame;
     if (!sender.gateway) {
         sender.counters.transmit_failed();
@@ -229,10 +243,11 @@ void ArbitratedBus::end_corrupted(const Transmission& done) {
 }
 
 void ArbitratedBus::tell_receivers_error(const Port& sender, Instant now) {
-    for (auto& port : ports_) {
-        if (port.get() != &sender && !port->gateway && takes_part(*port)) {
-            port->counters.receive_failed();
-            tell_state(*port, now);
+    troubled_ = true;
+    for (auto& [number, port] : ports_) {
+        if (&port != &sender && !port.gateway && takes_part(port)) {
+            port.counters.receive_failed();
+            tell_state(port, now);
         }
     }
 }
@@ -243,16 +258,17 @@ void ArbitratedBus::break_off(Nanoseconds at) {
     running_.reset();
     ++errors_;
     idle_from_ = at + bits(error_frame_bits + intermission_bits);
-    busy_.push_back({lost.start, idle_from_});
-    tell_receivers_error(*ports_[lost.port], instant_of(at));
+    load_.add(lost.start, idle_from_);
+    look_again(*lost.port);
+    tell_receivers_error(*lost.port, instant_of(at));
 }
 
 void ArbitratedBus::deliver(const Transmission& done) {
     ++frames_;
     const Instant now = instant_of(done.end);
-    Port& sender = *ports_[done.port];
+    Port& sender = *done.port;
     worst_latency_ = std::max(worst_latency_, done.end - sender.first_since);
-    sender.waits = sender.next() != nullptr;
+    waiting_.set(sender.number, sender.next());
     sender.first_since = done.end;
     tell(BusFrame{now, done.frame, sender.gateway ? nullptr : sender.node});
     if (!sender.gateway) {
@@ -262,26 +278,40 @@ void ArbitratedBus::deliver(const Transmission& done) {
         }
         tell_state(sender, now);
     }
-    const std::size_t loser = faults_.loses() ? faults_.pick(ports_.size()) : ports_.size();
-    for (std::size_t i = 0; i < ports_.size(); ++i) {
-        Port& port = *ports_[i];
-        if (&port == &sender || !takes_part(port)) {
-            continue;
-        }
-        const bool lost = i == loser && !port.gateway;
-        set_overrun(port, lost, now);
-        if (!lost) {
-            port.counters.received();
-            tell_state(port, now);
+    const Port* loser = nullptr;
+    if (faults_.loses()) {
+        const Port& picked =
+            std::next(ports_.begin(), static_cast<std::ptrdiff_t>(faults_.pick(ports_.size())))->second;
+        loser = picked.gateway ? nullptr : &picked;
+    }
+    count_reception(sender, loser, now);
+    for (const std::size_t number : readers_.of(done.frame)) {
+        Port& port = ports_.at(number);
+        if (&port != &sender && &port != loser && takes_part(port)) {
             port.node->receive(done.frame, now);
         }
     }
 }
 
-void ArbitratedBus::set_overrun(Port& port, bool lost, Instant now) {
-    if (port.overrun != lost) {
-        port.overrun = lost;
-        port.node->set_overrun(lost, now);
+/// What a frame does to each station, whether it reads the frame or not. Nothing, as long as none has seen an error.
+void ArbitratedBus::count_reception(const Port& sender, const Port* loser, Instant now) {
+    if (!troubled_ && loser == nullptr) {
+        return;
+    }
+    troubled_ = false;
+    for (auto& [number, port] : ports_) {
+        if (&port != &sender && takes_part(port)) {
+            const bool lost = &port == loser;
+            if (port.overrun != lost) {
+                port.overrun = lost;
+                port.node->set_overrun(lost, now);
+            }
+            if (!lost) {
+                port.counters.received();
+                tell_state(port, now);
+            }
+        }
+        troubled_ = troubled_ || port.overrun || port.counters.receive_errors() != 0U;
     }
 }
 
@@ -291,8 +321,10 @@ void ArbitratedBus::tell_state(Port& port, Instant now) {
         return;
     }
     port.told = state;
+    look_again(port);
     if (state == CanState::bus_off) {
         port.repeated.reset();
+        off_.push_back(&port);
         port.back_on_bus = now.us * ns_per_us + bits(bus_off_recovery_bits);
     }
     if (!port.gateway) {
@@ -301,57 +333,65 @@ void ArbitratedBus::tell_state(Port& port, Instant now) {
 }
 
 void ArbitratedBus::switch_off(const BusNode& node, Instant now) {
-    for (std::size_t i = 0; i < ports_.size(); ++i) {
-        Port& port = *ports_[i];
-        if (port.node != &node) {
-            continue;
+    for (auto& [number, port] : ports_) {
+        if (port.node == &node) {
+            port.counters.switch_off();
+            if (running_ && running_->port == &port) {
+                break_off(now.us * ns_per_us);
+            }
+            tell_state(port, now);
         }
-        port.counters.switch_off();
-        if (running_ && running_->port == i) {
-            break_off(now.us * ns_per_us);
-        }
-        tell_state(port, now);
     }
 }
 
 void ArbitratedBus::recover(Nanoseconds now) {
-    for (auto& port : ports_) {
-        if (port->told == CanState::bus_off && port->back_on_bus <= now) {
-            port->counters.recover();
-            tell_state(*port, instant_of(port->back_on_bus));
+    for (std::size_t i = 0; i < off_.size();) {
+        Port& port = *off_[i];
+        if (port.back_on_bus > now) {
+            ++i;
+            continue;
         }
+        off_.erase(off_.begin() + static_cast<std::ptrdiff_t>(i));
+        port.counters.recover();
+        tell_state(port, instant_of(port.back_on_bus));
     }
+}
+
+/// When the port can send what it has to send; never when it has nothing or is not on the bus.
+Instant ArbitratedBus::may_start(const Port& port) const {
+    const bool sends = port.told != CanState::bus_off && port.next() != nullptr && takes_part(port);
+    return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;
 }
 
 Instant ArbitratedBus::next_deadline() const {
     Instant next = running_ ? instant_of(running_->end) : never;
-    for (const auto& port : ports_) {
-        if (port->told == CanState::bus_off) {
-            next = earliest(next, instant_of(port->back_on_bus));
-        } else if (!running_ && port->next() != nullptr && takes_part(*port)) {
-            next = earliest(next, instant_of(std::max(idle_from_, port->may_send_from)));
+    for (const Port* const port : off_) {
+        next = earliest(next, instant_of(port->back_on_bus));
+    }
+    if (running_) {
+        return next;
+    }
+    for (const Port* const port : changed_) {
+        next = earliest(next, may_start(*port));
+    }
+    for (const Port* const port : watched_) {
+        next = earliest(next, may_start(*port));
+    }
+    for (const auto& [rank, number] : waiting_.places()) {
+        next = earliest(next, may_start(ports_.at(number)));
+        if (next <= instant_of(idle_from_)) {
+            return next;  // no other can start earlier
         }
     }
     return next;
 }
 
 BusReport ArbitratedBus::report(Instant now) const {
-    const Nanoseconds end = now.us * ns_per_us;
-    const Nanoseconds window = std::min<Nanoseconds>(end, ns_per_s);
-    const Nanoseconds begin = end - window;
-    Nanoseconds used = 0;
-    for (const Busy& one : busy_) {
-        const Nanoseconds from = std::max(one.start, begin);
-        const Nanoseconds to = std::min(one.end, end);
-        used += to > from ? to - from : 0;
-    }
-    if (running_ && running_->start < end) {
-        used += end - std::max(running_->start, begin);
-    }
+    const Nanoseconds at = now.us * ns_per_us;
     BusReport report;
     report.frames = frames_;
     report.errors = errors_;
-    report.load = window == 0 ? 0.0 : static_cast<double>(used) / static_cast<double>(window);
+    report.load = load_.at(at, running_ ? running_->start : at);
     report.worst_latency = Duration{(worst_latency_ + ns_per_us - 1) / ns_per_us};
     report.bit_rate = bit_rate_;
     return report;

@@ -29,6 +29,22 @@ class BusNode {
     virtual const std::vector<AcceptanceFilter>& filters() const = 0;
     /// bit/s that its CAN controller works at; 0: whatever the bus has.
     virtual std::uint32_t bit_rate() const = 0;
+    /// Whether it says when its next frame, its filters or its bit rate may be others. A bus looks at another node
+    /// again and again.
+    virtual bool tells_changes() const { return false; }
+
+    /// Has `listener` called at each such change; as long as the node lives.
+    void on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }
+
+  protected:
+    void tell_change() const {
+        for (const auto& listener : listeners_) {
+            listener();
+        }
+    }
+
+  private:
+    std::vector<std::function<void()>> listeners_;
 };
 
 /// A frame that went over the bus.

@@ -2,134 +2,94 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <sstream>
+#include <string_view>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/time_text.hpp"
+#include "host/sim/bus/frame_text.hpp"
 
 namespace canproof::host {
 
 namespace {
+
+constexpr std::size_t longest_usual_line = 64;  // room for `(1436509052.249713) vcan0 1FFFFFFF#0102030405060708`
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw InputError{
         fmt::format("{}: {}; a line of a candump log reads `(1.000000) can0 603#2B116401B33E0000`", where, what)};
 }
 
-bool all_of(const std::string& text, const char* allowed) {
-    return text.find_first_not_of(allowed) == std::string::npos;
+/// Cuts the next word off a line; empty when there is none.
+std::string_view next_word(std::string_view& line) {
+    constexpr std::string_view blanks = " \t\n\v\f\r";
+    std::size_t begin = 0;
+    while (begin < line.size() && blanks.find(line[begin]) != std::string_view::npos) {
+        ++begin;
+    }
+    std::size_t end = begin;
+    while (end < line.size() && blanks.find(line[end]) == std::string_view::npos) {
+        ++end;
+    }
+    const std::string_view word = line.substr(begin, end - begin);
+    line.remove_prefix(end);
+    return word;
 }
 
-constexpr const char* hex_digits = "0123456789abcdefABCDEF";
-
-/// By hand: a log has thousands of frames a second.
-void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
-    for (unsigned left = digits; left > 0U; --left) {
-        text += "0123456789ABCDEF"[(value >> (4U * (left - 1U))) & 0xFU];
-    }
+LogMark mark_of(std::string_view word) {
+    return word == "T" ? LogMark::transmitted : (word == "R" ? LogMark::received : LogMark::none);
 }
 
-void read_data(Frame& frame, const std::string& data, const std::string& where) {
-    if (data.size() % 2 != 0 || data.size() > 2 * max_frame_length || !all_of(data, hex_digits)) {
-        refuse(where, fmt::format("data `{}` is not up to eight bytes in hexadecimal", data));
+TextFault read_time(std::string_view text, Instant& time) {
+    if (text.size() < 3 || text.front() != '(' || text.back() != ')') {
+        return fmt::format("time `{}` does not stand in brackets", text);
     }
-    frame.length = static_cast<std::uint8_t>(data.size() / 2);
-    for (std::size_t i = 0; i < frame.length; ++i) {
-        frame.data[i] = static_cast<std::uint8_t>(std::stoul(data.substr(2 * i, 2), nullptr, 16));
+    const std::string_view seconds = text.substr(1, text.size() - 2);
+    const std::optional<Instant> at = seconds_of(seconds);
+    if (!at) {
+        return fmt::format("`{}` is no time in seconds with up to six decimals", seconds);
     }
+    time = *at;
+    return std::nullopt;
 }
 
-/// Classic CAN has codes from 9 to 15 for a length of eight as well: candump writes one of those behind `_`.
-std::string without_length_code(const std::string& data, const std::string& where) {
-    const auto at = data.find('_');
-    if (at == std::string::npos) {
-        return data;
+TextFault read_line(std::string_view line, LoggedFrame& logged) {
+    const std::string_view time = next_word(line);
+    const std::string_view interface = next_word(line);
+    const std::string_view text = next_word(line);
+    const std::string_view mark = next_word(line);
+    if (text.empty() || (!mark.empty() && mark != "R" && mark != "T")) {
+        return "not time, interface and frame";
     }
-    const std::string code = data.substr(at + 1);
-    const std::string rest = data.substr(0, at);
-    const bool has_eight = rest.size() == 2 * max_frame_length || rest == "R8" || rest == "r8";
-    if (!has_eight || code.size() != 1 || !all_of(code, "9ABCDEFabcdef")) {
-        refuse(where, fmt::format("`_{}` is no length code from 9 to F behind eight bytes", code));
+    if (TextFault fault = read_time(time, logged.time)) {
+        return fault;
     }
-    return rest;
+    logged.interface = interface;
+    logged.mark = mark_of(mark);
+    FrameText read;
+    TextFault fault = read_logged_frame(text, read);
+    logged.frame = read.frame;
+    logged.error = read.error;
+    logged.coded = read.coded;
+    return fault;
 }
 
 }  // namespace
 
 Frame parse_frame(const std::string& text, const std::string& where) {
-    const auto hash = text.find('#');
-    const std::string id = text.substr(0, hash);
-    if (hash == std::string::npos || !all_of(id, hex_digits) || (id.size() != 3 && id.size() != 8)) {
-        refuse(where, fmt::format("`{}` has no identifier of three or eight hexadecimal digits before #", text));
+    FrameText read;
+    if (const TextFault fault = read_frame_text(text, read)) {
+        refuse(where, *fault);
     }
-    Frame frame{};
-    frame.extended = id.size() == 8;
-    frame.id = static_cast<std::uint32_t>(std::stoul(id, nullptr, 16));
-    if (frame.id > (frame.extended ? 0x1FFFFFFFU : 0x7FFU)) {
-        refuse(where, fmt::format("identifier {} is too large", id));
-    }
-    const std::string data = without_length_code(text.substr(hash + 1), where);
-    if (data.find_first_of("Rr") == 0) {
-        frame.remote = true;
-        const std::string length = data.substr(1);
-        if (length.size() > 1 || (length.size() == 1 && (length[0] < '0' || length[0] > '8'))) {
-            refuse(where, fmt::format("`{}` is no length from 0 to 8 after R", length));
-        }
-        frame.length = length.empty() ? std::uint8_t{0} : static_cast<std::uint8_t>(length[0] - '0');
-    } else {
-        read_data(frame, data, where);
-    }
-    return frame;
+    return read.frame;
 }
-
-namespace {
-
-constexpr std::uint32_t error_flag = 0x20000000U;
-constexpr std::uint32_t highest_identifier = 0x1FFFFFFFU;
-
-/// `20000004#0000000000000000`: of the identifier one bit says that this is an error frame, others which.
-bool is_error_frame(const std::string& frame) {
-    const std::string id = frame.substr(0, frame.find('#'));
-    return id.size() == 8 && id.size() < frame.size() && all_of(id, hex_digits) &&
-           (std::stoul(id, nullptr, 16) & ~std::uint64_t{highest_identifier}) == error_flag;
-}
-
-LogMark mark_of(const std::string& word) {
-    return word == "T" ? LogMark::transmitted : (word == "R" ? LogMark::received : LogMark::none);
-}
-
-}  // namespace
 
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where) {
-    std::istringstream words{line};
-    std::string time;
     LoggedFrame logged;
-    std::string frame;
-    std::string rest;
-    words >> time >> logged.interface >> frame >> rest;
-    if (frame.empty() || (!rest.empty() && rest != "R" && rest != "T")) {
-        refuse(where, "not time, interface and frame");
+    if (const TextFault fault = read_line(line, logged)) {
+        refuse(where, *fault);
     }
-    if (time.size() < 3 || time.front() != '(' || time.back() != ')') {
-        refuse(where, fmt::format("time `{}` does not stand in brackets", time));
-    }
-    const std::string seconds = time.substr(1, time.size() - 2);
-    const std::optional<Instant> at = seconds_of(seconds);
-    if (!at) {
-        refuse(where, fmt::format("`{}` is no time in seconds with up to six decimals", seconds));
-    }
-    logged.time = *at;
-    logged.mark = mark_of(rest);
-    logged.error = is_error_frame(frame);
-    if (logged.error) {
-        read_data(logged.frame, frame.substr(frame.find('#') + 1), where);
-        return logged;
-    }
-    logged.coded = frame.find('_') != std::string::npos;
-    logged.frame = parse_frame(frame, where);
     return logged;
 }
 
@@ -138,7 +98,9 @@ bool CandumpReader::next(LoggedFrame& frame) {
         if (lines_.line().find_first_not_of(" \t") == std::string::npos) {
             continue;
         }
-        frame = parse_candump_line(lines_.line(), lines_.where());
+        if (const TextFault fault = read_line(lines_.line(), frame)) {
+            refuse(lines_.where(), *fault);
+        }
         if (frame.time < last_) {
             throw InputError{fmt::format("{}: time goes backwards; sort the log by time", lines_.where())};
         }
@@ -163,24 +125,17 @@ std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& n
 
 std::string format_frame(const Frame& frame) {
     std::string text;
-    append_hex(text, frame.id, frame.extended ? 8U : 3U);
-    text += '#';
-    if (frame.remote) {
-        text += "R";
-        if (frame.length > 0) {
-            text += std::to_string(frame.length);
-        }
-        return text;
-    }
-    for (std::size_t i = 0; i < frame.length; ++i) {
-        append_hex(text, frame.data[i], 2U);
-    }
+    append_frame(text, frame);
     return text;
 }
 
 std::string format_candump_line(const LoggedFrame& logged) {
-    std::string line = "(" + format_seconds(logged.time) + ") ";
-    return line.append(logged.interface).append(" ").append(format_frame(logged.frame));
+    std::string line = "(";
+    line.reserve(longest_usual_line);
+    append_seconds(line, logged.time);
+    line.append(") ").append(logged.interface).append(" ");
+    append_frame(line, logged.frame);
+    return line;
 }
 
 }  // namespace canproof::host

@@ -7,6 +7,7 @@
 
 #include "host/base/input_error.hpp"
 #include "host/base/time_text.hpp"
+#include "host/sim/bus/frame_text.hpp"
 #include "host/sim/devices/advance_device.hpp"
 #include "host/sim/devices/forward_time.hpp"
 #include "host/sim/replay/output_changes.hpp"
@@ -174,9 +175,8 @@ class Player {
 
     /// The frame that the log shows now has waited for the bus until now.
     void write_held() {
-        const auto found = std::find_if(held_.begin(), held_.end(), [this](const LoggedFrame& one) {
-            return format_frame(one.frame) == format_frame(frame_.frame);
-        });
+        const auto found = std::find_if(held_.begin(), held_.end(),
+                                        [this](const LoggedFrame& one) { return are_alike(one.frame, frame_.frame); });
         if (found != held_.end()) {
             held_.erase(found);
             write({frame_.time, interface_, frame_.frame});

@@ -15,30 +15,47 @@ class DeviceNode final : public BusNode {
     DeviceNode(std::string name, std::unique_ptr<SimulatedDevice> device)
         : name_{std::move(name)}, device_{std::move(device)} {}
 
-    SimulatedDevice& device() { return *device_; }
+    /// Whoever changes the device through this reference asks for it anew each time: a bus and a session look at the
+    /// node after that.
+    SimulatedDevice& device() {
+        tell_change();
+        return *device_;
+    }
     const SimulatedDevice& device() const { return *device_; }
 
     void power_on(Instant now) {
         device_->power_on(now);
         refresh_filters();
+        tell_change();
+    }
+    /// False when the device has no input of that name.
+    bool set_input(const std::string& name, double value, Instant now) {
+        const bool found = device_->set_input(name, value, now);
+        tell_change();
+        return found;
     }
 
     const std::string& name() const override { return name_; }
     const Frame* next_frame() const override { return device_->queue().front(); }
-    void take_frame() override { device_->queue().pop(); }
+    void take_frame() override {
+        device_->queue().pop();
+        tell_change();
+    }
     void receive(const Frame& frame, Instant now) override {
         device_->receive(frame, now);
         if (may_configure(frame)) {
             refresh_filters();
         }
+        tell_change();
     }
     /// Through the device's own inputs: what they do is the device's to say. One without them has no such behaviour.
     void set_can_state(CanState state, Instant now) override {
-        device_->set_input("can_state", static_cast<double>(state), now);
+        set_input("can_state", static_cast<double>(state), now);
     }
-    void set_overrun(bool lost, Instant now) override { device_->set_input("can_overrun", lost ? 1.0 : 0.0, now); }
+    void set_overrun(bool lost, Instant now) override { set_input("can_overrun", lost ? 1.0 : 0.0, now); }
     const std::vector<AcceptanceFilter>& filters() const override { return filters_; }
     std::uint32_t bit_rate() const override { return device_->bit_rate(); }
+    bool tells_changes() const override { return true; }
 
   private:
     /// What a node listens to changes by frames alone: NMT, LSS, SDO; servers beside the first have identifiers of any

@@ -1,6 +1,7 @@
 #include "host/sim/run/run_session.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
@@ -16,9 +17,16 @@ RunSession::RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<Dev
       traffic_(nodes_.size()),
       stimuli_{std::move(stimuli)},
       outputs_{outputs},
-      log_{outputs.log, outputs.log_format} {
-    for (const auto& node : nodes_) {
-        changes_.emplace_back(nodes_.size() > 1 ? node->name() + "." : "");
+      log_{outputs.log, outputs.log_format},
+      deadlines_{nodes_.size()},
+      is_changed_(nodes_.size()) {
+    for (std::size_t number = 0; number < nodes_.size(); ++number) {
+        DeviceNode& node = *nodes_[number];
+        changes_.emplace_back(nodes_.size() > 1 ? node.name() + "." : "");
+        numbers_.emplace(&node, number);
+        by_name_.emplace(node.name(), number);
+        node.on_change([this, number] { note_change(number); });
+        note_change(number);
     }
     bus_->listen([this](const BusFrame& frame) { record(frame); });
 }
@@ -38,10 +46,24 @@ void RunSession::power_on() {
     observe(Instant{});
 }
 
+void RunSession::note_change(std::size_t number) {
+    if (!is_changed_[number]) {
+        is_changed_[number] = true;
+        changed_.push_back(number);
+        deadlines_.set(number, never);  // until follow_deadlines() its device is asked
+    }
+}
+
+void RunSession::follow_deadlines() {
+    for (const std::size_t number : changed_) {
+        deadlines_.set(number, std::as_const(*nodes_[number]).device().next_deadline());
+    }
+}
+
 Instant RunSession::next_deadline() const {
-    Instant next = bus_->next_deadline();
-    for (const auto& node : nodes_) {
-        next = earliest(next, node->device().next_deadline());
+    Instant next = earliest(bus_->next_deadline(), deadlines_.first());
+    for (const std::size_t number : changed_) {
+        next = earliest(next, std::as_const(*nodes_[number]).device().next_deadline());
     }
     return next_stimulus_ < stimuli_.size() ? earliest(next, stimuli_[next_stimulus_].time) : next;
 }
@@ -81,8 +103,9 @@ void RunSession::schedule(const Stimulus& stimulus) {
 
 /// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
-    for (auto& node : nodes_) {
-        advance_device(node->device(), node->name(), at);
+    follow_deadlines();
+    for (const std::size_t number : deadlines_.due_at(at)) {
+        advance_device(nodes_[number]->device(), nodes_[number]->name(), at);
     }
     stimulate(at);
     bus_->advance(at);
@@ -100,12 +123,15 @@ void RunSession::stimulate(Instant at) {
     for (; next_stimulus_ < stimuli_.size() && stimuli_[next_stimulus_].time <= at; ++next_stimulus_) {
         const Stimulus& one = stimuli_[next_stimulus_];
         const auto point = one.signal.rfind('.');
-        for (auto& node : nodes_) {
-            if (point == std::string::npos) {
-                node->device().set_input(one.signal, one.value, at);  // false where a device lacks it
-            } else if (one.signal.substr(0, point) == node->name()) {
-                node->device().set_input(one.signal.substr(point + 1), one.value, at);
+        if (point == std::string::npos) {
+            for (auto& node : nodes_) {
+                node->set_input(one.signal, one.value, at);  // false where a device lacks it
             }
+            continue;
+        }
+        const auto [first, last] = by_name_.equal_range(one.signal.substr(0, point));
+        for (auto named = first; named != last; ++named) {
+            nodes_[named->second]->set_input(one.signal.substr(point + 1), one.value, at);
         }
     }
 }
@@ -116,21 +142,27 @@ void RunSession::record(const BusFrame& frame) {
         *outputs_.frames << format_candump_line(logged) << '\n';
     }
     log_.write(logged, frame.sender != nullptr);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        if (nodes_[i].get() == frame.sender) {
-            ++traffic_[i].frames;
-            traffic_[i].last = logged;
-        }
+    const auto sender = numbers_.find(frame.sender);
+    if (sender != numbers_.end()) {
+        ++traffic_[sender->second].frames;
+        traffic_[sender->second].last = logged;
     }
     if (outputs_.observer != nullptr) {
         outputs_.observer->on_frame(frame);
     }
 }
 
+/// Of the nodes that something was done to: the outputs of others are as they were.
 void RunSession::write_outputs(Instant at) {
-    for (std::size_t n = 0; outputs_.outputs != nullptr && n < nodes_.size(); ++n) {
-        changes_[n].write(*outputs_.outputs, at, nodes_[n]->device());
+    follow_deadlines();
+    std::sort(changed_.begin(), changed_.end());
+    for (const std::size_t number : changed_) {
+        is_changed_[number] = false;
+        if (outputs_.outputs != nullptr) {
+            changes_[number].write(*outputs_.outputs, at, std::as_const(*nodes_[number]).device());
+        }
     }
+    changed_.clear();
 }
 
 }  // namespace canproof::host

@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "firmware/base/time.hpp"
@@ -16,6 +17,7 @@
 #include "host/sim/devices/forward_time.hpp"
 #include "host/sim/replay/output_changes.hpp"
 #include "host/sim/replay/stimulus.hpp"
+#include "host/sim/run/deadlines.hpp"
 #include "host/sim/run/device_node.hpp"
 #include "host/sim/run/frame_log.hpp"
 
@@ -75,6 +77,8 @@ class RunSession {
     void advance_known(Instant now, const std::function<bool()>& may_go_on);
     void step(Instant at);
     void stimulate(Instant at);
+    void note_change(std::size_t number);
+    void follow_deadlines();
     void record(const BusFrame& frame);
     void write_outputs(Instant at);
     void observe(Instant at);
@@ -87,6 +91,11 @@ class RunSession {
     SessionOutputs outputs_;
     FrameLog log_;
     std::vector<OutputChanges> changes_;  ///< parallel to nodes_
+    std::unordered_map<const BusNode*, std::size_t> numbers_;
+    std::unordered_multimap<std::string, std::size_t> by_name_;
+    Deadlines deadlines_;               ///< of the devices; never of those in changed_
+    std::vector<std::size_t> changed_;  ///< nodes that something was done to since the last step, each once
+    std::vector<bool> is_changed_;      ///< parallel to nodes_: stands in changed_
     ForwardTime time_;
 };
 

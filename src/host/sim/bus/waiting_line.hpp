@@ -1,0 +1,42 @@
+// Who waits for the bus, in the order in which arbitration lets them go.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "firmware/canopen/frame.hpp"
+#include "host/sim/bus/can_bits.hpp"
+
+namespace canproof::host {
+
+/// Senders are numbers; of two with the same identifier the lower number goes first.
+class WaitingLine {
+  public:
+    using Place = std::pair<std::uint32_t, std::size_t>;  ///< arbitration rank, sender
+
+    /// `frame` is what the sender sends next; nullptr: nothing.
+    void set(std::size_t sender, const Frame* frame) {
+        const auto known = ranks_.find(sender);
+        if (known != ranks_.end()) {
+            places_.erase({known->second, sender});
+            ranks_.erase(known);
+        }
+        if (frame != nullptr) {
+            const std::uint32_t rank = arbitration_rank(*frame);
+            ranks_.emplace(sender, rank);
+            places_.emplace(rank, sender);
+        }
+    }
+    bool has(std::size_t sender) const { return ranks_.count(sender) != 0U; }
+    /// The winner first.
+    const std::set<Place>& places() const { return places_; }
+
+  private:
+    std::unordered_map<std::size_t, std::uint32_t> ranks_;
+    std::set<Place> places_;
+};
+
+}  // namespace canproof::host

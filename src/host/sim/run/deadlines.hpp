@@ -1,0 +1,54 @@
+// The deadlines of many devices: the earliest is known at once, and one that changes costs a step for each doubling of
+// their number.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "firmware/base/time.hpp"
+
+namespace canproof::host {
+
+class Deadlines {
+  public:
+    /// `count` deadlines, numbered from 0; each is never at first.
+    explicit Deadlines(std::size_t count) {
+        while (leaves_ < count) {
+            leaves_ *= 2;
+        }
+        earliest_.assign(2 * leaves_, never);
+    }
+
+    void set(std::size_t number, Instant due) {
+        std::size_t at = leaves_ + number;
+        earliest_[at] = due;
+        for (at /= 2; at > 0; at /= 2) {
+            earliest_[at] = earliest(earliest_[2 * at], earliest_[2 * at + 1]);
+        }
+    }
+    Instant first() const { return earliest_[1]; }
+    /// The numbers of those that are due at `now`, ascending.
+    std::vector<std::size_t> due_at(Instant now) const {
+        std::vector<std::size_t> numbers;
+        collect(1, now, numbers);
+        return numbers;
+    }
+
+  private:
+    void collect(std::size_t at, Instant now, std::vector<std::size_t>& numbers) const {
+        if (now < earliest_[at]) {
+            return;
+        }
+        if (at >= leaves_) {
+            numbers.push_back(at - leaves_);
+            return;
+        }
+        collect(2 * at, now, numbers);
+        collect(2 * at + 1, now, numbers);
+    }
+
+    std::size_t leaves_{1};
+    std::vector<Instant> earliest_;  ///< a binary tree: 1 is the root, the children of n are 2n and 2n + 1
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,111 @@
+// Which nodes of the in-process bus get a frame, and what a frame does to those that do not read it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/sim/bus/arbitrated_bus.hpp"
+#include "tests/host/sim/bus/bus_bench.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// One that says when it has changed, as a device does.
+class TellingNode final : public PlainNode {
+  public:
+    using PlainNode::PlainNode;
+
+    bool tells_changes() const override { return true; }
+    void send_and_tell(const std::string& text) {
+        send(text);
+        tell_change();
+    }
+    void accept(const std::vector<AcceptanceFilter>& filters) {
+        accepted = filters;
+        tell_change();
+    }
+};
+
+}  // namespace
+
+TEST(Delivery, NodeGetsTheFramesThatItsFiltersLetThrough) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    PlainNode sender{"sender"};
+    PlainNode reader{"reader"};
+    PlainNode deaf{"deaf"};
+    reader.accepted = {{0x205, 0x7FF, false}};
+    deaf.accepted = {};
+    for (PlainNode* const node : {&sender, &reader, &deaf}) {
+        bus.attach(*node);
+    }
+    sender.send("205#01");
+    sender.send("206#02");
+    run_until(bus, Instant{0}, Instant{10000});
+    EXPECT_THAT(reader.heard, SizeIs(1));
+    EXPECT_THAT(deaf.heard, IsEmpty());
+    EXPECT_EQ(bus.report(Instant{10000}).frames, 2U);
+}
+
+TEST(Delivery, NodeThatTellsItsChangesIsHeardAndHearsByThem) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    TellingNode a{"a"};
+    TellingNode b{"b"};
+    bus.attach(a);
+    bus.attach(b);
+    b.accept({{0x205, 0x7FF, false}});
+    a.send_and_tell("206#01");
+    EXPECT_EQ(bus.next_deadline(), Instant{0});  // before any advance()
+    run_until(bus, Instant{0}, Instant{10000});
+    b.accept({{0x206, 0x7FF, false}});
+    a.send_and_tell("206#02");
+    a.send_and_tell("205#03");
+    run_until(bus, Instant{10000}, Instant{20000});
+    ASSERT_THAT(b.heard, SizeIs(1));
+    EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
+}
+
+TEST(Delivery, ErrorCountersOfANodeFollowEachFrameWhetherItReadsItOrNot) {
+    // 96 corrupted frames are a warning for whoever hears them; each sound one takes one error back.
+    BusFaultRates faults;
+    faults.corrupted = 0.7;
+    faults.seed = 3;
+    ArbitratedBus bus{"inproc", 1000000, faults};
+    PlainNode reader{"reader"};
+    PlainNode deaf{"deaf"};
+    deaf.accepted = {};
+    bus.attach(reader);
+    bus.attach(deaf);
+    Gateway door{"door", 600, {}};
+    bus.attach_gateway(door);
+    for (int i = 0; i < 600; ++i) {
+        ASSERT_TRUE(door.put(parse_frame("123#0102030405060708", "test")));
+    }
+    run_until(bus, Instant{0}, Instant{2000000});
+    EXPECT_FALSE(reader.states.empty());
+    EXPECT_EQ(deaf.states, reader.states);
+}
+
+TEST(Delivery, LossOfAFrameIsToldToANodeThatWouldNotReadItAndEndsWithTheNext) {
+    BusFaultRates faults;
+    faults.lost = 0.5;
+    faults.seed = 5;
+    ArbitratedBus bus{"inproc", 1000000, faults};
+    PlainNode deaf{"deaf"};
+    deaf.accepted = {};
+    bus.attach(deaf);
+    Gateway door{"door", 100, {}};
+    bus.attach_gateway(door);
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(door.put(parse_frame("123#", "test")));
+    }
+    run_until(bus, Instant{0}, Instant{100000});
+    ASSERT_GT(deaf.overruns.size(), 3U);
+    for (std::size_t i = 0; i < deaf.overruns.size(); ++i) {
+        EXPECT_EQ(deaf.overruns[i], i % 2 == 0) << i;  // lost, then room again
+    }
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,63 @@
+// Who reads which frame, by identifier and by wider filters.
+#include "host/sim/bus/frame_readers.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/sim/bus/candump.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Frame frame_of(const char* text) {
+    return parse_frame(text, "test");
+}
+
+}  // namespace
+
+TEST(FrameReaders, FrameHasTheReadersOfItsIdentifierInAscendingOrder) {
+    FrameReaders readers;
+    readers.set(7, {{0x080, 0x7FF, false}, {0x205, 0x7FF, false}});
+    readers.set(2, {{0x080, 0x7FF, false}});
+    readers.set(9, {{0x206, 0x7FF, false}});
+    EXPECT_THAT(readers.of(frame_of("080#")), ElementsAre(2U, 7U));
+    EXPECT_THAT(readers.of(frame_of("205#00")), ElementsAre(7U));
+    EXPECT_THAT(readers.of(frame_of("205#R")), ElementsAre(7U));
+    EXPECT_THAT(readers.of(frame_of("207#")), IsEmpty());
+}
+
+TEST(FrameReaders, BaseAndExtendedIdentifiersAreApart) {
+    FrameReaders readers;
+    readers.set(1, {{0x205, 0x7FF, false}});
+    readers.set(2, {{0x205, 0x1FFFFFFF, true}});
+    EXPECT_THAT(readers.of(frame_of("205#")), ElementsAre(1U));
+    EXPECT_THAT(readers.of(frame_of("00000205#")), ElementsAre(2U));
+}
+
+TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOfThemOnce) {
+    FrameReaders readers;
+    readers.set(3, accept_everything());
+    readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and one of them again
+    EXPECT_THAT(readers.of(frame_of("705#05")), ElementsAre(1U, 3U));
+    EXPECT_THAT(readers.of(frame_of("77F#05")), ElementsAre(1U, 3U));
+    EXPECT_THAT(readers.of(frame_of("780#05")), ElementsAre(3U));
+    EXPECT_THAT(readers.of(frame_of("1FFFFFFF#05")), ElementsAre(3U));
+}
+
+TEST(FrameReaders, NewFiltersReplaceThoseOfTheReaderAlone) {
+    FrameReaders readers;
+    readers.set(1, {{0x205, 0x7FF, false}, {0x700, 0x780, false}});
+    readers.set(2, {{0x205, 0x7FF, false}});
+    readers.set(1, {{0x206, 0x7FF, false}});
+    EXPECT_THAT(readers.of(frame_of("205#")), ElementsAre(2U));
+    EXPECT_THAT(readers.of(frame_of("206#")), ElementsAre(1U));
+    EXPECT_THAT(readers.of(frame_of("705#")), IsEmpty());
+    readers.set(1, {});
+    EXPECT_THAT(readers.of(frame_of("206#")), IsEmpty());
+}
+
+}  // namespace canproof::host::test
