@@ -1,0 +1,46 @@
+// How the AX060805's sensor meets the pins of a microcontroller. Its manual names neither: this board with an analog
+// accelerometer is ours (src/target/stm32f405/README.md).
+#pragma once
+
+#include "devices/ax060805/firmware/ax060805.hpp"
+#include "target/stm32f405/chip.hpp"
+
+namespace canproof::ax060805 {
+
+class Wiring {
+  public:
+    using Inputs = ax060805::Inputs;
+    using Outputs = ax060805::Outputs;
+
+    explicit Wiring(stm32f405::Chip& chip) : chip_{chip} {}
+
+    void start() {
+        for (const std::uint32_t pin : {0U, 1U, 2U, 3U, 4U}) {
+            chip_.port_a.configure(pin, stm32f405::PinMode::analog);
+        }
+        chip_.port_b.configure(5, stm32f405::PinMode::output);
+        chip_.analog_in.start(0x1FU | stm32f405::bit(stm32f405::AnalogInputs::temperature_channel));
+    }
+
+    void read(Inputs& inputs) {
+        chip_.analog_in.advance();
+        inputs.acceleration_x = acceleration(0);
+        inputs.acceleration_y = acceleration(1);
+        inputs.acceleration_z = acceleration(2);
+        inputs.accelerometer_fault = !chip_.port_b.is_high(0);                    // its self-test passes
+        inputs.sensor_temperature = (chip_.analog_in.share(3) * 330.0F) - 50.0F;  // 10 mV a degree, 0.5 V at 0
+        inputs.supply_voltage = chip_.analog_in.share(4) * 72.6F;                 // divided by 22
+        inputs.processor_temperature = chip_.analog_in.chip_temperature();
+    }
+
+    /// The slope pin of the transceiver: low is fast.
+    void drive(const Outputs& outputs) { chip_.port_b.set(5, !outputs.slew_rate_fast); }
+
+  private:
+    /// 0.55 V a g around 1.65 V: -3 to 3 g.
+    float acceleration(std::size_t channel) const { return (chip_.analog_in.share(channel) - 0.5F) * 6.0F; }
+
+    stm32f405::Chip& chip_;
+};
+
+}  // namespace canproof::ax060805

@@ -1,0 +1,26 @@
+// The AX188001 as it is flashed onto an STM32F405.
+#include "devices/ax188001/target/wiring.hpp"
+#include "target/image/image.hpp"
+
+namespace {
+
+using namespace canproof;
+
+// Its table of bit rates has 800 kbit/s.
+stm32f405::Chip chip{stm32f405::core_160_mhz};
+stm32f405::JournalRam<1024> ram;
+stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},
+                                   Slots<std::uint32_t>{ram.changed}};
+TransmitQueue queue;
+ax188001::Device device{memory, queue, ax188001::FactoryData{}};
+ax188001::Wiring wiring{chip};
+
+}  // namespace
+
+extern "C" void can_received() {
+    chip.can.drain();
+}
+
+extern "C" void image_main() {
+    stm32f405::run_image(device, queue, wiring, chip, memory, target::is_sound());
+}

@@ -1,0 +1,49 @@
+// What a device's image has beside startup.cpp: the interrupts of the chip, and where its parts lie in flash. The
+// linker places them (stm32f405/device.ld).
+#include <array>
+
+#include "target/image/image.hpp"
+
+extern "C" {
+extern const std::uint8_t vectors_begin[];
+extern const std::uint8_t vectors_end[];
+extern const std::uint8_t image_begin[];
+extern const std::uint8_t image_end[];
+[[noreturn]] void fault();
+}
+
+namespace {
+
+using Handler = void (*)();
+constexpr std::size_t can1_rx0 = 20;  // RM0090 12.2, Table 61
+constexpr std::size_t can1_rx1 = 21;
+
+constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
+    std::array<Handler, can1_rx1 + 1> handlers{};
+    for (Handler& one : handlers) {
+        one = fault;  // nobody has enabled it
+    }
+    handlers[can1_rx0] = can_received;
+    handlers[can1_rx1] = can_received;
+    return handlers;
+}
+
+[[gnu::section(".vectors.interrupts"), gnu::used]] constexpr std::array<Handler, can1_rx1 + 1> interrupts =
+    make_interrupts();
+
+/// src/target/image/seal writes the CRC here.
+[[gnu::section(".seal"), gnu::used]] const volatile std::uint32_t seal = 0xFFFFFFFFU;
+
+canproof::ByteView between(const std::uint8_t* begin, const std::uint8_t* end) {
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+}  // namespace
+
+namespace canproof::target {
+
+bool is_sound() {
+    return stm32f405::is_sound_image(between(vectors_begin, vectors_end), between(image_begin, image_end));
+}
+
+}  // namespace canproof::target

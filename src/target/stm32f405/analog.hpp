@@ -1,0 +1,94 @@
+// Analog pins of a board: inputs one after the other through ADC1, outputs by the two channels of the DAC and by timers
+// whose duty a filter makes a voltage (RM0090 chapters 13, 14 and 18).
+#pragma once
+
+#include "target/stm32f405/time_base.hpp"
+
+namespace canproof::stm32f405 {
+
+struct AdcRegisters {
+    Register status;                       ///< 00h ADC_SR
+    Register control_1;                    ///< 04h ADC_CR1
+    Register control_2;                    ///< 08h ADC_CR2
+    std::array<Register, 2U> sample_time;  ///< 0Ch ADC_SMPR1, ADC_SMPR2
+    Reserved<6U> reserved_14;
+    std::array<Register, 3U> sequence;  ///< 2Ch ADC_SQR1 to ADC_SQR3
+    Reserved<5U> reserved_38;
+    Register data;  ///< 4Ch ADC_DR
+    Reserved<173U> reserved_50;
+    Register common;  ///< 304h ADC_CCR
+};
+
+static_assert(sizeof(AdcRegisters) == 0x308U, "ADC_CCR lies at 304h of ADC1");
+
+struct DacRegisters {
+    Register control;  ///< 00h DAC_CR
+    Register trigger;  ///< 04h DAC_SWTRIGR
+    Register data_1;   ///< 08h DAC_DHR12R1
+    Reserved<2U> reserved_0c;
+    Register data_2;  ///< 14h DAC_DHR12R2
+};
+
+/// A share of the whole range, 0 to 1, of a converter of 12 bits.
+constexpr float full_scale_12_bit = 4095.0F;
+
+class AnalogInputs {
+  public:
+    /// The sensor in the chip itself.
+    static constexpr std::size_t temperature_channel = 16U;
+    static constexpr std::size_t channel_count = 17U;
+
+    explicit AnalogInputs(AdcRegisters& registers) noexcept : registers_{registers} {}
+
+    /// `channels`: a bit a channel that is read. Ends with a first value of each, or without those that do not come.
+    void start(std::uint32_t channels) noexcept;
+    /// Takes a conversion that is done, and starts that of the next channel.
+    void advance() noexcept;
+    /// The channel's last conversion, 0 to 1 of the reference; 0 before the first.
+    float share(const std::size_t channel) const noexcept {
+        return static_cast<float>(values_[channel]) / full_scale_12_bit;
+    }
+    /// Of the chip, in degrees Celsius, for a reference of 3.3 V (RM0090 13.10, data sheet).
+    float chip_temperature() const noexcept;
+
+  private:
+    void convert() noexcept;
+
+    AdcRegisters& registers_;
+    std::array<std::uint16_t, channel_count> values_{};
+    std::uint32_t channels_{0U};
+    std::uint32_t unread_{0U};  ///< those without a first value
+    std::size_t current_{0U};
+};
+
+class AnalogOutputs {
+  public:
+    explicit AnalogOutputs(DacRegisters& registers) noexcept : registers_{registers} {}
+
+    void start() noexcept;
+    /// Channel 0 or 1; a share beyond 0 to 1, and NaN, counts as the nearest end or 0.
+    void set(std::size_t channel, float share) noexcept;
+
+  private:
+    DacRegisters& registers_;
+};
+
+/// Two outputs with one frequency: channels 1 and 2 of TIM3 or TIM4.
+class PulseOutputs {
+  public:
+    PulseOutputs(TimerRegisters& timer, const std::uint32_t timer_mhz) noexcept
+        : timer_{timer}, timer_mhz_{timer_mhz} {}
+
+    void start() noexcept;
+    /// In Hz, 1 to 1,000,000; anything else stops at the nearest end.
+    void set_frequency(float hertz) noexcept;
+    /// Channel 0 or 1; a share as above.
+    void set_duty(std::size_t channel, float share) noexcept;
+
+  private:
+    TimerRegisters& timer_;
+    std::uint32_t timer_mhz_;
+    std::uint32_t period_{1U};  ///< counts
+};
+
+}  // namespace canproof::stm32f405

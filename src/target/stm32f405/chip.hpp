@@ -1,0 +1,75 @@
+// The drivers of one STM32F405 on its real registers, in the order in which an image starts them.
+#pragma once
+
+#include "target/stm32f405/analog.hpp"
+#include "target/stm32f405/bxcan.hpp"
+#include "target/stm32f405/clock.hpp"
+#include "target/stm32f405/device_loop.hpp"
+#include "target/stm32f405/gpio.hpp"
+#include "target/stm32f405/image_check.hpp"
+#include "target/stm32f405/memory_map.hpp"
+
+namespace canproof::stm32f405 {
+
+/// CAN1 is on PB8 (receive) and PB9 (transmit), alternate function 9 (data sheet, Table 9).
+struct Chip {
+    explicit Chip(const ClockPlan& clock_plan) noexcept : plan{clock_plan} {}
+
+    ClockPlan plan;
+    Clock clock{registers_at<ClockRegisters>(rcc_address), registers_at<PowerRegisters>(pwr_address),
+                registers_at<FlashRegisters>(flash_address)};
+    Flash flash{registers_at<FlashRegisters>(flash_address)};
+    Watchdog watchdog{registers_at<WatchdogRegisters>(iwdg_address)};
+    TimeBase time{registers_at<TimerRegisters>(tim2_address), plan.timer_mhz()};
+    Bxcan can{registers_at<BxcanRegisters>(can1_address), plan.apb1_hz()};
+    Port port_a{registers_at<GpioRegisters>(gpioa_address)};
+    Port port_b{registers_at<GpioRegisters>(gpiob_address)};
+    Port port_c{registers_at<GpioRegisters>(gpioc_address)};
+    AnalogInputs analog_in{registers_at<AdcRegisters>(adc1_address)};
+    AnalogOutputs analog_out{registers_at<DacRegisters>(dac_address)};
+    PulseOutputs pulses_3{registers_at<TimerRegisters>(tim3_address), plan.timer_mhz()};
+    PulseOutputs pulses_4{registers_at<TimerRegisters>(tim4_address), plan.timer_mhz()};
+    ClockSource source{ClockSource::none};
+    bool was_reset_by_watchdog{false};
+
+    /// Clocks, time, and CAN's pins and interrupts; the boards start the rest.
+    void start() noexcept {
+        source = clock.start(plan);
+        auto& clocks = registers_at<ClockRegisters>(rcc_address);
+        clocks.enable_ahb[0U].set(ahb1_ports_a_to_c);
+        clocks.enable_apb[0U].set(apb1_tim2_to_4 | apb1_can1 | apb1_dac);
+        clocks.enable_apb[1U].set(apb2_adc1);
+        was_reset_by_watchdog = clock.take_watchdog_reset();
+        time.start();
+        constexpr std::uint32_t can_function = 9U;
+        port_b.pull_up(8U);  // an open receiver reads as a recessive bus
+        port_b.configure(8U, PinMode::alternate, can_function);
+        port_b.configure(9U, PinMode::alternate, can_function);
+        can.interrupt_on_frames(true);
+        registers_at<Register>(nvic_enable_address).write(can1_receive_interrupts);
+    }
+};
+
+/// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
+/// image is damaged (`is_sound` false), or no clock is right.
+template <typename Device, typename Board>
+void run_image(Device& device, TransmitQueue& queue, Board& board, Chip& chip, ParameterJournal& memory,
+               const bool is_sound) noexcept {
+    if (!is_sound) {
+        return;
+    }
+    chip.start();
+    if (chip.source == ClockSource::none) {
+        return;
+    }
+    board.start();
+    memory.open();
+    static_cast<void>(memory.prepare());  // without it a commit has to erase, or says that it failed
+    DeviceLoop<Device, Board> loop{device, queue, board, chip.can, chip.time, chip.watchdog};
+    loop.power_on(chip.source == ClockSource::crystal);
+    for (;;) {
+        loop.pass();
+    }
+}
+
+}  // namespace canproof::stm32f405

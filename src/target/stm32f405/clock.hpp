@@ -1,0 +1,112 @@
+// The clock tree: 8 MHz crystal or the chip's own 16 MHz oscillator, PLL, dividers of the buses (RM0090 chapters 5
+// and 7, 3.5.1).
+#pragma once
+
+#include "target/stm32f405/flash.hpp"
+
+namespace canproof::stm32f405 {
+
+struct ClockRegisters {
+    Register control;                    ///< 00h RCC_CR
+    Register pll;                        ///< 04h RCC_PLLCFGR
+    Register configuration;              ///< 08h RCC_CFGR
+    Register interrupts;                 ///< 0Ch RCC_CIR
+    std::array<Register, 3U> reset_ahb;  ///< 10h RCC_AHB1RSTR to RCC_AHB3RSTR
+    Reserved<1U> reserved_1c;
+    std::array<Register, 2U> reset_apb;  ///< 20h RCC_APB1RSTR, RCC_APB2RSTR
+    Reserved<2U> reserved_28;
+    std::array<Register, 3U> enable_ahb;  ///< 30h RCC_AHB1ENR to RCC_AHB3ENR
+    Reserved<1U> reserved_3c;
+    std::array<Register, 2U> enable_apb;  ///< 40h RCC_APB1ENR, RCC_APB2ENR
+    Reserved<2U> reserved_48;
+    std::array<Register, 3U> low_power_ahb;  ///< 50h
+    Reserved<1U> reserved_5c;
+    std::array<Register, 2U> low_power_apb;  ///< 60h
+    Reserved<2U> reserved_68;
+    Register backup;  ///< 70h RCC_BDCR
+    Register status;  ///< 74h RCC_CSR
+};
+
+static_assert(sizeof(ClockRegisters) == 0x78U, "RCC_CSR lies at 74h");
+
+struct PowerRegisters {
+    Register control;  ///< 00h PWR_CR
+    Register status;   ///< 04h PWR_CSR
+};
+
+namespace rcc_cr {
+constexpr std::uint32_t internal_on = bit(0U);     // HSION
+constexpr std::uint32_t internal_ready = bit(1U);  // HSIRDY
+constexpr std::uint32_t crystal_on = bit(16U);     // HSEON
+constexpr std::uint32_t crystal_ready = bit(17U);  // HSERDY
+constexpr std::uint32_t security_on = bit(19U);    // CSSON
+constexpr std::uint32_t pll_on = bit(24U);         // PLLON
+constexpr std::uint32_t pll_ready = bit(25U);      // PLLRDY
+}  // namespace rcc_cr
+
+namespace rcc_pllcfgr {
+constexpr std::uint32_t multiplier_shift = 6U;  // PLLN; PLLM below it, PLLP = 2 is 0
+constexpr std::uint32_t from_crystal = bit(22U);
+constexpr std::uint32_t usb_shift = 24U;  // PLLQ
+}  // namespace rcc_pllcfgr
+
+namespace rcc_cfgr {
+constexpr std::uint32_t use_pll = 0x2U;     // SW
+constexpr std::uint32_t uses = 0x3U << 2U;  // SWS
+constexpr std::uint32_t uses_pll = 0x2U << 2U;
+constexpr std::uint32_t apb1_by_4 = 0x5U << 10U;  // PPRE1
+constexpr std::uint32_t apb2_by_2 = 0x4U << 13U;  // PPRE2
+}  // namespace rcc_cfgr
+
+namespace rcc_csr {
+constexpr std::uint32_t forget = bit(24U);       // RMVF
+constexpr std::uint32_t by_watchdog = bit(29U);  // IWDGRSTF
+}  // namespace rcc_csr
+
+constexpr std::uint32_t power_clock = bit(28U);   // PWREN of RCC_APB1ENR
+constexpr std::uint32_t full_voltage = bit(14U);  // VOS of PWR_CR: what 168 MHz need
+
+/// Clocks of a device's image. APB1, which clocks CAN, has a quarter of the core; its timers have half.
+struct ClockPlan {
+    std::uint32_t core_mhz{168U};  ///< an even number of 100 to 168
+
+    constexpr std::uint32_t apb1_hz() const noexcept { return (core_mhz * 1000000U) / 4U; }
+    constexpr std::uint32_t timer_mhz() const noexcept { return core_mhz / 2U; }
+};
+
+/// APB1 gets 42 MHz, which 666.667 kbit/s divide and 800 kbit/s do not.
+constexpr ClockPlan core_168_mhz{168U};
+/// APB1 gets 40 MHz, which 800 kbit/s divide as well.
+constexpr ClockPlan core_160_mhz{160U};
+
+enum class ClockSource : std::uint8_t {
+    crystal,
+    internal,  ///< the crystal does not start: by 1 % and more off, which is too much for CAN
+    none       ///< the PLL does not lock: the core runs at 16 MHz, and no time is right
+};
+
+class Clock {
+  public:
+    /// A crystal takes some milliseconds; a poll takes at least six cycles of 16 MHz, so that this is 37 ms at least.
+    static constexpr std::uint32_t usual_polls = 100000U;
+
+    Clock(ClockRegisters& clocks, PowerRegisters& power, FlashRegisters& flash,
+          const std::uint32_t most_polls = usual_polls) noexcept
+        : clocks_{clocks}, power_{power}, flash_{flash}, most_polls_{most_polls} {}
+
+    /// From the state after a reset to the plan's clocks.
+    ClockSource start(const ClockPlan& plan) noexcept;
+    /// Whether the watchdog made the last reset. Forgets it: the next call says what came since.
+    bool take_watchdog_reset() noexcept;
+
+  private:
+    bool waits_for(const Register& place, std::uint32_t mask, std::uint32_t bits) const noexcept;
+    bool runs_from_pll(std::uint32_t configuration) noexcept;
+
+    ClockRegisters& clocks_;
+    PowerRegisters& power_;
+    FlashRegisters& flash_;
+    std::uint32_t most_polls_;
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,39 @@
+// Pins (RM0090 chapter 8).
+#pragma once
+
+#include "target/stm32f405/register.hpp"
+
+namespace canproof::stm32f405 {
+
+struct GpioRegisters {
+    Register mode;                       ///< 00h GPIOx_MODER
+    Register output_type;                ///< 04h GPIOx_OTYPER
+    Register speed;                      ///< 08h GPIOx_OSPEEDR
+    Register pull;                       ///< 0Ch GPIOx_PUPDR
+    Register input;                      ///< 10h GPIOx_IDR
+    Register output;                     ///< 14h GPIOx_ODR
+    Register set_reset;                  ///< 18h GPIOx_BSRR
+    Register lock;                       ///< 1Ch GPIOx_LCKR
+    std::array<Register, 2U> alternate;  ///< 20h GPIOx_AFRL, GPIOx_AFRH
+};
+
+enum class PinMode : std::uint8_t { input = 0U, output = 1U, alternate = 2U, analog = 3U };
+
+/// A port of 16 pins, 0…15.
+class Port {
+  public:
+    explicit Port(GpioRegisters& registers) noexcept : registers_{registers} {}
+
+    /// `function` (0…15) counts for PinMode::alternate alone.
+    void configure(std::uint32_t pin, PinMode mode, std::uint32_t function = 0U) noexcept;
+    void pull_up(std::uint32_t pin) noexcept;
+    /// The levels of `count` pins from `first` on, the first in bit 0.
+    std::uint32_t read(std::uint32_t first, std::uint32_t count) const noexcept;
+    bool is_high(const std::uint32_t pin) const noexcept { return read(pin, 1U) != 0U; }
+    void set(std::uint32_t pin, bool high) noexcept;
+
+  private:
+    GpioRegisters& registers_;
+};
+
+}  // namespace canproof::stm32f405

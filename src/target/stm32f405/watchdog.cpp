@@ -1,0 +1,37 @@
+#include "target/stm32f405/watchdog.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof::stm32f405 {
+
+namespace {
+
+// RM0090 21.4: keys, the prescaler that divides 32 kHz by 32, and the flags of a value that is still taken over.
+constexpr std::uint32_t key_start = 0xCCCCU;
+constexpr std::uint32_t key_access = 0x5555U;
+constexpr std::uint32_t key_refresh = 0xAAAAU;
+constexpr std::uint32_t by_32 = 0x3U;
+constexpr std::uint32_t updating = 0x3U;
+
+}  // namespace
+
+static_assert(implements<req::CO_WATCHDOG_001>);
+bool Watchdog::start() noexcept {
+    registers_.key.write(key_start);
+    registers_.key.write(key_access);
+    registers_.prescaler.write(by_32);
+    registers_.reload.write(period_ms - 1U);
+    bool taken{false};
+    for (std::uint32_t poll = 0U; (poll < most_polls_) && !taken; ++poll) {
+        taken = !registers_.status.has(updating);
+    }
+    refresh();
+    return taken;
+}
+
+void Watchdog::refresh() noexcept {
+    registers_.key.write(key_refresh);
+}
+
+}  // namespace canproof::stm32f405

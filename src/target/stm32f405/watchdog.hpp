@@ -1,0 +1,37 @@
+// The independent watchdog: a counter on an oscillator of its own that resets the chip unless it is refreshed, and that
+// nothing stops (RM0090 chapter 21).
+#pragma once
+
+#include "target/stm32f405/register.hpp"
+
+namespace canproof::stm32f405 {
+
+struct WatchdogRegisters {
+    Register key;        ///< 00h IWDG_KR
+    Register prescaler;  ///< 04h IWDG_PR
+    Register reload;     ///< 08h IWDG_RLR
+    Register status;     ///< 0Ch IWDG_SR
+};
+
+class Watchdog {
+  public:
+    /// Milliseconds at the oscillator's 32 kHz. It runs at 17 to 47 kHz (data sheet): 0.68 to 1.9 s, more than the 0.5
+    /// s for which an erase of 16 KiB stops the processor.
+    static constexpr std::uint32_t period_ms = 1000U;
+    /// The oscillator takes over a new value within five of its cycles; a poll takes at least six cycles of 168 MHz.
+    static constexpr std::uint32_t usual_polls = 1000000U;
+
+    explicit Watchdog(WatchdogRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
+        : registers_{registers}, most_polls_{most_polls} {}
+
+    /// From now on refresh() is due within period_ms. False when the period was not taken over: it is then the longest
+    /// or the shortest that the hardware has.
+    bool start() noexcept;
+    void refresh() noexcept;
+
+  private:
+    WatchdogRegisters& registers_;
+    std::uint32_t most_polls_;
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,93 @@
+#include "tests/support/stm32f405/clock_model.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+namespace cr = stm32f405::rcc_cr;
+
+constexpr std::size_t at_cr = 0x00, at_pllcfgr = 0x04, at_cfgr = 0x08, at_apb1enr = 0x40, at_csr = 0x74;
+
+}  // namespace
+
+bool ClockModel::is_locked() const {
+    const bool has_source = (pll_ >> 22U & 1U) == 0 || has_crystal();
+    return pll_works_ && has_source && (control_ & cr::pll_on) != 0;
+}
+
+/// Input / PLLM * PLLN / PLLP (RM0090 7.3.2).
+double ClockModel::pll_mhz() const {
+    const double input = (pll_ >> 22U & 1U) != 0 ? 8 : 16;
+    return input / (pll_ & 0x3FU) * (pll_ >> 6U & 0x1FFU) / (2 * ((pll_ >> 16U & 3U) + 1));
+}
+
+double ClockModel::core_mhz() const {
+    return (configuration_ & 3U) == 2 ? pll_mhz() : 16;
+}
+
+double ClockModel::apb1_mhz() const {
+    const std::uint32_t divider = configuration_ >> 10U & 7U;
+    return core_mhz() / (divider < 4 ? 1 : 2U << (divider - 4));
+}
+
+std::uint32_t ClockModel::on_read(std::size_t offset) {
+    switch (offset) {
+        case at_cr:
+            return control_ | (has_crystal() ? cr::crystal_ready : 0) | (is_locked() ? cr::pll_ready : 0);
+        case at_pllcfgr:
+            return pll_;
+        case at_cfgr:
+            return configuration_ | (configuration_ & 3U) << 2U;
+        case at_apb1enr:
+            return enable_apb1_;
+        case at_csr:
+            return status_;
+        default:
+            fault("a read of another register");
+            return 0;
+    }
+}
+
+void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
+    const double input = (bits >> 22U & 1U) != 0 ? 8 : 16;
+    switch (offset) {
+        case at_cr:
+            control_ = bits & ~(cr::crystal_ready | cr::pll_ready);
+            return;
+        case at_pllcfgr:
+            if ((control_ & cr::pll_on) != 0) {
+                fault("the PLL is configured while it is on");
+            }
+            if ((bits & 0x3FU) < 2 || input / (bits & 0x3FU) < 1 || input / (bits & 0x3FU) > 2) {
+                fault("the PLL's input is not 1 to 2 MHz");
+            }
+            pll_ = bits;
+            return;
+        case at_cfgr:
+            configuration_ = bits;
+            if ((bits & 3U) == 2 && !is_locked()) {
+                fault("the core is switched to a PLL that has not locked");
+            }
+            // RM0090 3.5.1: 30 MHz a wait state; 5.1.4: VOS above 144 MHz.
+            if (core_mhz() > 30.0 * ((flash_.at(0) & 7U) + 1)) {
+                fault("too few wait states");
+            }
+            if (core_mhz() > 144 && (power_.at(0) & 1U << 14U) == 0) {
+                fault("the voltage is not that for 168 MHz");
+            }
+            if (core_mhz() > 168 || apb1_mhz() > 42) {
+                fault("a clock is above its limit");
+            }
+            return;
+        case at_apb1enr:
+            enable_apb1_ = bits;
+            return;
+        case at_csr:
+            status_ = (bits & 1U << 24U) != 0 ? 0 : status_;  // RMVF
+            return;
+        default:
+            fault("a write to another register");
+    }
+}
+
+}  // namespace canproof::test

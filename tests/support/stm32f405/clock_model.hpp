@@ -1,0 +1,58 @@
+// Reset and clock control, its power and flash neighbours, as the clock driver meets them (RM0090 chapters 3, 5 and 7).
+#pragma once
+
+#include "target/stm32f405/clock.hpp"
+#include "tests/support/stm32f405/peripheral.hpp"
+
+namespace canproof::test {
+
+/// Registers without effects of their own.
+template <typename Registers>
+class PlainModel final : public Peripheral {
+  public:
+    PlainModel() : Peripheral{&block_, sizeof block_}, bits_(sizeof block_ / 4) {}
+
+    Registers& registers() { return block_; }
+    std::uint32_t& at(std::size_t offset) { return bits_.at(offset / 4); }
+
+  private:
+    std::uint32_t on_read(std::size_t offset) override { return at(offset); }
+    void on_write(std::size_t offset, std::uint32_t bits) override { at(offset) = bits; }
+
+    Registers block_{};
+    std::vector<std::uint32_t> bits_;
+};
+
+class ClockModel final : public Peripheral {
+  public:
+    ClockModel() : Peripheral{&block_, sizeof block_} {}
+
+    stm32f405::ClockRegisters& registers() { return block_; }
+    stm32f405::PowerRegisters& power() { return power_.registers(); }
+    stm32f405::FlashRegisters& flash() { return flash_.registers(); }
+
+    void break_crystal() { crystal_works_ = false; }
+    void break_pll() { pll_works_ = false; }
+    void reset_by_watchdog() { status_ |= stm32f405::rcc_csr::by_watchdog; }
+
+    /// MHz of the core and of APB1 as they are set up.
+    double core_mhz() const;
+    double apb1_mhz() const;
+    bool is_crystal_watched() const { return (control_ & stm32f405::rcc_cr::security_on) != 0; }
+
+  private:
+    std::uint32_t on_read(std::size_t offset) override;
+    void on_write(std::size_t offset, std::uint32_t bits) override;
+    double pll_mhz() const;
+    bool has_crystal() const { return crystal_works_ && (control_ & stm32f405::rcc_cr::crystal_on) != 0; }
+    bool is_locked() const;
+
+    stm32f405::ClockRegisters block_{};
+    PlainModel<stm32f405::PowerRegisters> power_;
+    PlainModel<stm32f405::FlashRegisters> flash_;
+    bool crystal_works_{true}, pll_works_{true};
+    // Values after a reset: RM0090 7.3.
+    std::uint32_t control_{0x00000083}, pll_{0x24003010}, configuration_{0}, status_{0x0E000000}, enable_apb1_{0};
+};
+
+}  // namespace canproof::test
