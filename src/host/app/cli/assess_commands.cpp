@@ -9,6 +9,7 @@
 #include "host/app/cli/fuzz_command.hpp"
 #include "host/app/cli/misra_command.hpp"
 #include "host/app/cli/mutate_command.hpp"
+#include "host/app/cli/prove_command.hpp"
 #include "host/assess/fuzz/campaign.hpp"
 
 namespace canproof::host {
@@ -181,6 +182,23 @@ class DiffCommand : Command {
     DiffOptions options_;
 };
 
+class ProveCommand : Command {
+  public:
+    ProveCommand(CLI::App& app, Chosen& chosen) {
+        auto* command = app.add_subcommand(
+            "prove", "theorems about the firmware, shown for all values: proven, refuted or unknown");
+        command->prefix_command();  // canproof-prove reads the rest, and its --help
+        command->set_help_flag();
+        command->callback([this, command, &chosen] {
+            words_ = command->remaining();
+            chosen = [this] { return prove(words_); };
+        });
+    }
+
+  private:
+    std::vector<std::string> words_;
+};
+
 struct AssessCommands {
     FuzzCommand fuzz;
     AuditCommand audit;
@@ -189,14 +207,21 @@ struct AssessCommands {
     EvidenceCommand evidence;
     MutateCommand mutate;
     DiffCommand diff;
+    ProveCommand prove;
 };
 
 }  // namespace
 
 std::shared_ptr<void> add_assess_commands(CLI::App& app, Chosen& chosen) {
     // Each is made where it stays: its callbacks point to it.
-    return std::shared_ptr<AssessCommands>{new AssessCommands{
-        {app, chosen}, {app, chosen}, {app, chosen}, {app, chosen}, {app, chosen}, {app, chosen}, {app, chosen}}};
+    return std::shared_ptr<AssessCommands>{new AssessCommands{{app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen},
+                                                              {app, chosen}}};
 }
 
 }  // namespace canproof::host

@@ -1,0 +1,128 @@
+// The check sums against the definition of a cyclic redundancy check, one bit at a time, for every state and every
+// byte.
+#include "firmware/base/crc16.hpp"
+#include "firmware/base/crc32.hpp"
+#include "properties/proofs/support/proof.hpp"
+
+namespace canproof::proofs {
+
+namespace {
+
+/// One byte through a register of 16 bits: polynomial 1021h, most significant bit first.
+std::uint16_t crc16_by_definition(const std::uint16_t state, const std::uint8_t byte) {
+    std::uint32_t remainder = state;
+    for (std::uint32_t bit = 8U; bit > 0U; --bit) {
+        const std::uint32_t in = (std::uint32_t{byte} >> (bit - 1U)) & 1U;
+        const std::uint32_t out = (remainder >> 15U) & 1U;
+        remainder = ((remainder << 1U) & 0xFFFFU) ^ ((in ^ out) * 0x1021U);
+    }
+    return static_cast<std::uint16_t>(remainder);
+}
+
+std::uint32_t reversed(const std::uint32_t word) {
+    std::uint32_t result{0U};
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit) {
+        result |= ((word >> bit) & 1U) << (31U - bit);
+    }
+    return result;
+}
+
+/// One byte through a register of 32 bits: polynomial 04C11DB7h, most significant bit first, the bits of the byte and
+/// of the register mirrored.
+std::uint32_t crc32_by_definition(const std::uint32_t state, const std::uint8_t byte) {
+    std::uint32_t remainder = reversed(state);
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit) {
+        const std::uint32_t in = (std::uint32_t{byte} >> bit) & 1U;
+        const std::uint32_t out = remainder >> 31U;
+        remainder = (remainder << 1U) ^ ((in ^ out) * 0x04C11DB7U);
+    }
+    return reversed(remainder);
+}
+
+/// Any check sum that can be: its register has 16 bits.
+Crc16 any_crc16() {
+    Crc16 crc{};
+    crc.swapped_ = any<std::uint16_t>();
+    return crc;
+}
+
+}  // namespace
+
+void crc16_of_a_byte_is_as_defined() {
+    shows("CRC-16 takes a byte as polynomial 1021h says, in every state");
+    Crc16 crc = any_crc16();
+    const std::uint16_t before = crc.value();
+    const std::array<std::uint8_t, 1U> byte{any<std::uint8_t>()};
+    crc.add(ByteView{byte});
+    claim(crc.value() == crc16_by_definition(before, byte[0]));
+    claim(crc.swapped_ <= 0xFFFFU);
+}
+
+void crc16_starts_with_zero() {
+    shows("CRC-16 starts with zero and stays there for no bytes, in every state");
+    claim(Crc16{}.value() == 0U);
+    Crc16 crc = any_crc16();
+    const std::uint16_t before = crc.value();
+    crc.add(ByteView{});
+    claim(crc.value() == before);
+}
+
+void crc16_of_two_bytes_is_that_of_each() {
+    shows("CRC-16 takes two bytes at once as one after the other, in every state");
+    const std::uint32_t state = any<std::uint16_t>();
+    const std::uint64_t bytes = any<std::uint64_t>();
+    const std::uint32_t both = Crc16::after_two(state, bytes);
+    claim(both == Crc16::after_one(Crc16::after_one(state, bytes), bytes >> 8U));
+    claim(both <= 0xFFFFU);
+}
+
+// Each step is that of two bytes, which the theorem above shows to be two steps of one byte.
+void crc16_of_a_segment_is_that_of_its_bytes() {
+    shows("CRC-16 takes the seven bytes of a segment as three pairs and one byte, the least significant first");
+    Crc16 crc = any_crc16();
+    const std::uint64_t segment = any<std::uint64_t>();
+    std::uint32_t state = crc.swapped_;
+    state = Crc16::after_two(state, segment & 0xFFFFU);
+    state = Crc16::after_two(state, (segment >> 16U) & 0xFFFFU);
+    state = Crc16::after_two(state, (segment >> 32U) & 0xFFFFU);
+    state = Crc16::after_one(state, (segment >> 48U) & 0xFFU);
+    crc.add_seven(segment);
+    claim(crc.swapped_ == state);
+}
+
+void crc16_of_bytes_is_that_of_the_first_and_the_rest() {
+    shows("CRC-16 of 1 to 8 bytes is that of the first byte, then of the rest, in every state");
+    auto bytes = any<std::array<std::uint8_t, 8U>>();
+    const std::size_t size = any<std::size_t>();
+    assume((size >= 1U) && (size <= bytes.size()));
+    Crc16 whole = any_crc16();
+    Crc16 parts = whole;
+    const ByteView view = ByteView{bytes}.part(0U, size);
+    whole.add(view);
+    parts.add(view.part(0U, 1U));
+    parts.add(view.part(1U, size - 1U));
+    claim(whole.swapped_ == parts.swapped_);
+}
+
+void crc32_of_a_byte_is_as_defined() {
+    shows("CRC-32 takes a byte as polynomial 04C11DB7h, mirrored, says, in every state");
+    Crc32 crc{};
+    crc.register_ = any<std::uint32_t>();
+    const std::uint32_t before = crc.register_;
+    const std::array<std::uint8_t, 1U> byte{any<std::uint8_t>()};
+    crc.add(ByteView{byte});
+    claim(crc.register_ == crc32_by_definition(before, byte[0]));
+    claim(crc.value() == ~crc.register_);
+}
+
+void crc32_of_its_own_crc_is_the_residue() {
+    shows("CRC-32 over any bytes and then their CRC is 2144DF1Ch, from every state");
+    Crc32 crc{};
+    crc.register_ = any<std::uint32_t>();
+    std::array<std::uint8_t, 4U> own{};
+    write_le(MutableBytes{own}, 0U, own.size(), crc.value());
+    crc.add(ByteView{own});
+    claim(crc.value() == Crc32::residue);
+}
+
+}  // namespace canproof::proofs

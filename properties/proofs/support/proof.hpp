@@ -1,0 +1,78 @@
+// What a proof's harness says: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
+// for every value left open, and that nothing on the way is undefined behaviour. src/host/prove/README.md says how.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+// The prover answers these; replay.cpp does when a counterexample runs natively.
+extern "C" {
+void canproof_any(void* at, std::size_t bytes) noexcept;
+void canproof_any_state(void* at, std::size_t bytes) noexcept;
+std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept;
+void canproof_assume(bool holds) noexcept;
+void canproof_claim(bool holds) noexcept;
+void canproof_shows(const char* statement) noexcept;
+void canproof_proves(const char* requirement) noexcept;
+}
+
+namespace canproof::proofs {
+
+/// Says in a sentence what the theorem shows.
+inline void shows(const char* const statement) noexcept {
+    canproof_shows(statement);
+}
+
+/// Says that the theorem shows these requirements; one that is retired or misspelt does not compile.
+template <typename... Requirements>
+void proves() noexcept {
+    (canproof_proves(Requirements::id), ...);
+}
+
+/// Excludes values for which this does not hold.
+inline void assume(const bool holds) noexcept {
+    canproof_assume(holds);
+}
+
+/// Must hold.
+inline void claim(const bool holds) noexcept {
+    canproof_claim(holds);
+}
+
+/// Gives an object any value: each byte is open but those of addresses that it holds; a bool is 0 or 1.
+template <typename T>
+void leave_open(T& object) noexcept {
+    canproof_any_state(&object, sizeof(T));
+}
+
+/// Any value of a type: of a number every bit is open.
+template <typename T>
+T any() noexcept {
+    T value{};
+    if constexpr (std::is_same_v<T, bool>) {
+        std::uint8_t byte{0U};
+        canproof_any(&byte, sizeof(byte));
+        value = (byte & 1U) != 0U;
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+        canproof_any(&value, sizeof(T));
+    } else {
+        leave_open(value);
+    }
+    return value;
+}
+
+/// Memory of `size` (at most 2^32) bytes, each of any value; `size` may be open itself.
+inline std::uint8_t* any_memory(const std::size_t size) noexcept {
+    return canproof_any_memory(size);
+}
+constexpr std::size_t most_memory = std::size_t{1U} << 32U;
+
+/// A size that memory can have.
+inline std::size_t any_size() noexcept {
+    const std::size_t size = any<std::size_t>();
+    assume(size <= most_memory);
+    return size;
+}
+
+}  // namespace canproof::proofs

@@ -1,0 +1,82 @@
+// Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with a line for each value that
+// the harness leaves open, its bytes as numbers; -1 leaves a byte as it is.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "properties/proofs/support/proof.hpp"
+
+namespace {
+
+constexpr int claim_fails = 10;
+constexpr int assumption_fails = 11;
+constexpr int file_ends = 12;
+
+std::vector<int> next_input() {
+    static std::ifstream file{std::getenv("CANPROOF_COUNTEREXAMPLE")};
+    std::string line;
+    if (!std::getline(file, line)) {
+        std::fputs("the counterexample has no more values\n", stderr);
+        std::_Exit(file_ends);
+    }
+    std::istringstream numbers{line};
+    std::vector<int> bytes;
+    for (int byte = 0; numbers >> byte;) {
+        bytes.push_back(byte);
+    }
+    return bytes;
+}
+
+void put(std::uint8_t* const at, const std::size_t size) {
+    const std::vector<int> bytes = next_input();
+    for (std::size_t i = 0; i < size && i < bytes.size(); ++i) {
+        if (bytes[i] >= 0) {
+            at[i] = static_cast<std::uint8_t>(bytes[i]);
+        }
+    }
+}
+
+}  // namespace
+
+extern "C" {
+
+void canproof_any(void* at, std::size_t bytes) noexcept {
+    put(static_cast<std::uint8_t*>(at), bytes);
+}
+
+void canproof_any_state(void* at, std::size_t bytes) noexcept {
+    put(static_cast<std::uint8_t*>(at), bytes);
+}
+
+// Left to the end of the program, which is one theorem long.
+std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
+    auto* const memory = static_cast<std::uint8_t*>(std::calloc(bytes == 0 ? 1 : bytes, 1));
+    if (memory == nullptr) {
+        std::fputs("the counterexample needs more memory than there is\n", stderr);
+        std::_Exit(file_ends);
+    }
+    put(memory, bytes);
+    return memory;
+}
+
+void canproof_assume(bool holds) noexcept {
+    if (!holds) {
+        std::fputs("an assumption excludes the counterexample\n", stderr);
+        std::_Exit(assumption_fails);
+    }
+}
+
+void canproof_claim(bool holds) noexcept {
+    if (!holds) {
+        std::fputs("a claim does not hold\n", stderr);
+        std::_Exit(claim_fails);
+    }
+}
+
+void canproof_shows(const char* /*statement*/) noexcept {}
+void canproof_proves(const char* /*requirement*/) noexcept {}
+
+}  // extern "C"

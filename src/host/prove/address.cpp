@@ -1,0 +1,152 @@
+#include "host/prove/address.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+constexpr unsigned spacing = 40;  ///< an object has 2^40 addresses, its base in their middle
+constexpr std::uint64_t middle = std::uint64_t{1} << (spacing - 1);
+
+std::uint64_t base_number(ObjectId object) {
+    return ((std::uint64_t{object} + 1) << spacing) + middle;
+}
+
+class Reader {
+  public:
+    Reader(z3::context& context, std::size_t objects) : context_{context}, objects_{objects} {}
+
+    std::vector<Place> read(const Term& address) const {
+        if (const auto value = number(address)) {
+            return {of_number(*value)};
+        }
+        if (!address.is_app()) {
+            return {plain(address)};
+        }
+        switch (address.decl().decl_kind()) {
+            case Z3_OP_BADD:
+                return of_sum(address);
+            case Z3_OP_ITE:
+                return joined(under(address.arg(0), read(address.arg(1))),
+                              under(!address.arg(0), read(address.arg(2))));
+            case Z3_OP_CONCAT:
+                return of_concatenation(address);
+            default:
+                return {plain(address)};
+        }
+    }
+
+  private:
+    Term always() const { return context_.bool_val(true); }
+    Place plain(const Term& value) const { return {always(), std::nullopt, value}; }
+
+    Place of_number(std::uint64_t value) const {
+        const std::uint64_t at = value >> spacing;
+        if (at == 0 || at > objects_) {
+            return plain(constant(context_, value, address_width));
+        }
+        const auto object = static_cast<ObjectId>(at - 1);
+        return {always(), object, constant(context_, value - base_number(object), address_width)};
+    }
+
+    std::vector<Place> of_sum(const Term& sum) const {
+        std::vector<Place> all = read(sum.arg(0));
+        for (unsigned i = 1; i < sum.num_args(); ++i) {
+            all = added(all, read(sum.arg(i)));
+        }
+        return all;
+    }
+
+    /// z3 writes a base plus a short offset as base and offset side by side.
+    std::vector<Place> of_concatenation(const Term& address) const {
+        const Term high = address.arg(0);
+        const auto value = number(high);
+        if (!value) {
+            return {plain(address)};
+        }
+        const unsigned below = address_width - width_of(high);
+        const Term low = resized(address.extract(below - 1, 0), address_width);
+        return added({of_number(*value << below)}, {plain(low)});
+    }
+
+    std::vector<Place> added(const std::vector<Place>& left, const std::vector<Place>& right) const {
+        std::vector<Place> all;
+        for (const Place& a : left) {
+            for (const Place& b : right) {
+                const Term when = (a.when && b.when).simplify();
+                const Term offset = (a.offset + b.offset).simplify();
+                if (is_false(when)) {
+                    continue;
+                }
+                if (a.object && b.object) {  // the sum of two addresses is none
+                    all.push_back({when, std::nullopt, offset});
+                } else {
+                    all.push_back({when, a.object ? a.object : b.object, offset});
+                }
+            }
+        }
+        return joined(all, {});
+    }
+
+    static std::vector<Place> under(const Term& condition, std::vector<Place> places) {
+        for (Place& one : places) {
+            one.when = (condition && one.when).simplify();
+        }
+        return places;
+    }
+
+    /// Both lists, an object once.
+    static std::vector<Place> joined(const std::vector<Place>& first, const std::vector<Place>& second) {
+        std::vector<Place> all;
+        for (const auto* list : {&first, &second}) {
+            for (const Place& one : *list) {
+                bool known = false;
+                for (Place& other : all) {
+                    if (!known && other.object == one.object) {
+                        other.offset = choose(other.when, other.offset, one.offset);
+                        other.when = (other.when || one.when).simplify();
+                        known = true;
+                    }
+                }
+                if (!known) {
+                    all.push_back(one);
+                }
+            }
+        }
+        return all;
+    }
+
+    z3::context& context_;
+    std::size_t objects_;
+};
+
+}  // namespace
+
+Term base_of(z3::context& context, ObjectId object) {
+    return constant(context, base_number(object), address_width);
+}
+
+std::vector<Place> places_of(const Term& address, std::size_t objects) {
+    std::vector<Place> all = Reader{address.ctx(), objects}.read(address);
+    for (Place& one : all) {
+        one.offset = one.offset.simplify();
+    }
+    return all;
+}
+
+Term address_at(z3::context& context, const std::vector<Place>& places) {
+    const auto one = [&context](const Place& place) {
+        if (!place.object) {
+            return place.offset;
+        }
+        const Term base = base_of(context, *place.object);
+        const auto offset = number(place.offset);
+        return offset ? (base + place.offset).simplify() : base + place.offset;
+    };
+    Term address = one(places.back());
+    for (std::size_t i = places.size() - 1; i > 0; --i) {
+        address = choose(places[i - 1].when, one(places[i - 1]), address);
+    }
+    return address;
+}
+
+}  // namespace canproof::host::prove

@@ -1,0 +1,188 @@
+#include "host/prove/cell_contents.hpp"
+
+#include "host/prove/unknown.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+/// A place that is no number makes a choice between all bytes of the object.
+constexpr std::size_t most_choices = 8192;
+
+void refuse_large(std::size_t size) {
+    if (size > most_choices) {
+        throw Unknown{"an offset that is no number, in an object of more than 8192 bytes"};
+    }
+}
+
+/// How many cells from `at` on are one word from its first byte to its last; 0 where they are not.
+unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
+    const unsigned bytes = width_of(cells[at].word) / byte_width;
+    if (cells[at].byte != 0 || at + bytes > cells.size()) {
+        return 0;
+    }
+    for (unsigned i = 1; i < bytes; ++i) {
+        if (cells[at + i].byte != i || !same(cells[at + i].word, cells[at].word)) {
+            return 0;
+        }
+    }
+    return bytes;
+}
+
+/// Chooses between the words of all places by the bits of the offset.
+class Choice {
+  public:
+    Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)
+        : cells_{cells}, bytes_{bytes}, last_{cells.size() - bytes} {
+        unsigned count = 0;
+        while ((last_ >> count) != 0) {
+            bits_.push_back(as_truth(offset.extract(count, count).simplify()));
+            ++count;
+        }
+    }
+
+    Term word() const { return from(0, bits_.size()); }
+
+  private:
+    /// The places that begin with the bits of `low`, of which `count` are open.
+    Term from(std::size_t low, std::size_t count) const {
+        if (count == 0) {
+            return word_at(cells_, low, bytes_);
+        }
+        const std::size_t high = low + (std::size_t{1} << (count - 1));
+        if (high > last_ || is_false(bits_[count - 1])) {
+            return from(low, count - 1);
+        }
+        if (is_true(bits_[count - 1])) {
+            return from(high, count - 1);
+        }
+        return choose(bits_[count - 1], from(high, count - 1), from(low, count - 1));
+    }
+
+    const std::vector<Cell>& cells_;
+    unsigned bytes_;
+    std::size_t last_;
+    std::vector<Term> bits_;
+};
+
+}  // namespace
+
+void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word) {
+    const unsigned bytes = width_of(word) / byte_width;
+    for (unsigned i = 0; i < bytes; ++i) {
+        cells[at + i] = Cell{word, i};
+    }
+}
+
+Term word_at(const std::vector<Cell>& cells, std::size_t at, unsigned bytes) {
+    if (whole_word(cells, at) == bytes) {
+        return cells[at].word;
+    }
+    std::optional<Term> word;
+    for (unsigned i = 0; i < bytes;) {
+        const Cell& first = cells[at + i];
+        unsigned run = 1;
+        while (i + run < bytes && same(cells[at + i + run].word, first.word) &&
+               cells[at + i + run].byte == first.byte + run) {
+            ++run;
+        }
+        const Term part = first.word.extract(byte_width * (first.byte + run) - 1, byte_width * first.byte);
+        word = word ? z3::concat(part, *word) : part;
+        i += run;
+    }
+    return word->simplify();
+}
+
+std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, const MakeFresh& fresh) {
+    std::vector<Cell> cells;
+    cells.reserve(size);
+    for (std::uint64_t i = 0; i < size; ++i) {
+        cells.push_back(Cell{fresh(byte_width), 0});
+    }
+    return std::make_shared<CellContents>(std::move(cells));
+}
+
+Term CellContents::read(const Term& offset, unsigned bytes) const {
+    if (cells_.size() < bytes) {  // an obligation says that this does not happen
+        return constant(offset.ctx(), 0, byte_width * bytes);
+    }
+    if (const auto at = number(offset)) {
+        return *at <= cells_.size() - bytes ? word_at(cells_, *at, bytes)
+                                            : constant(offset.ctx(), 0, byte_width * bytes);
+    }
+    refuse_large(cells_.size());
+    return Choice{cells_, offset, bytes}.word();
+}
+
+ContentsPointer CellContents::written(const Term& offset, const Term& word) const {
+    const unsigned bytes = width_of(word) / byte_width;
+    if (cells_.size() < bytes) {
+        return shared_from_this();
+    }
+    std::vector<Cell> cells = cells_;
+    if (const auto at = number(offset)) {
+        if (*at <= cells.size() - bytes) {
+            put_word(cells, *at, word);
+        }
+        return std::make_shared<CellContents>(std::move(cells));
+    }
+    refuse_large(cells.size());
+    for (std::size_t at = 0; at + bytes <= cells.size(); ++at) {
+        const Term here = (offset == constant(offset.ctx(), at, address_width)).simplify();
+        if (!is_false(here)) {
+            put_word(cells, at, choose(here, word, word_at(cells, at, bytes)));
+        }
+    }
+    return std::make_shared<CellContents>(std::move(cells));
+}
+
+ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& source, const Term& from,
+                                     const Term& count) const {
+    std::vector<Cell> cells = cells_;
+    const auto* source_cells = dynamic_cast<const CellContents*>(source.get());
+    const auto to_number = number(offset);
+    const auto from_number = number(from);
+    const auto how_many = number(count);
+    if (source_cells != nullptr && to_number && from_number && how_many) {
+        for (std::uint64_t i = 0; i < *how_many; ++i) {
+            if (*to_number + i < cells.size() && *from_number + i < source_cells->cells_.size()) {
+                cells[*to_number + i] = source_cells->cells_[*from_number + i];
+            }
+        }
+        return std::make_shared<CellContents>(std::move(cells));
+    }
+    refuse_large(cells.size());
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+        const Term behind = (constant(offset.ctx(), at, address_width) - offset).simplify();
+        const Term inside = z3::ult(behind, count).simplify();
+        if (!is_false(inside)) {
+            const Term copy = source->read((from + behind).simplify(), 1);
+            cells[at] = Cell{choose(inside, copy, byte_of(cells_[at].word, cells_[at].byte)), 0};
+        }
+    }
+    return std::make_shared<CellContents>(std::move(cells));
+}
+
+ContentsPointer CellContents::merged(const Term& condition, const ContentsPointer& otherwise) const {
+    const auto& others = dynamic_cast<const CellContents&>(*otherwise).cells_;
+    std::vector<Cell> cells = cells_;
+    for (std::size_t at = 0; at < cells.size();) {
+        const bool alike = same(cells_[at].word, others[at].word) && cells_[at].byte == others[at].byte;
+        if (alike) {
+            ++at;
+            continue;
+        }
+        const unsigned whole = whole_word(cells_, at);
+        if (whole != 0 && whole == whole_word(others, at)) {
+            put_word(cells, at, choose(condition, cells_[at].word, others[at].word));
+            at += whole;
+            continue;
+        }
+        cells[at] = Cell{
+            choose(condition, byte_of(cells_[at].word, cells_[at].byte), byte_of(others[at].word, others[at].byte)), 0};
+        ++at;
+    }
+    return std::make_shared<CellContents>(std::move(cells));
+}
+
+}  // namespace canproof::host::prove

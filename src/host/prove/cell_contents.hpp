@@ -1,0 +1,39 @@
+// Contents of an object whose size is a number: a cell for each byte.
+#pragma once
+
+#include <vector>
+
+#include "host/prove/contents.hpp"
+
+namespace canproof::host::prove {
+
+/// Byte `byte` of `word`: a word that is stored whole is read whole, addresses among them.
+struct Cell {
+    Term word;
+    unsigned byte{0};
+};
+
+class CellContents : public Contents, public std::enable_shared_from_this<CellContents> {
+  public:
+    explicit CellContents(std::vector<Cell> cells) : cells_{std::move(cells)} {}
+    /// `size` bytes about which nothing is known.
+    static std::shared_ptr<const CellContents> unknown(std::uint64_t size, const MakeFresh& fresh);
+
+    Term read(const Term& offset, unsigned bytes) const override;
+    ContentsPointer written(const Term& offset, const Term& word) const override;
+    ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
+                           const Term& count) const override;
+    ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const override;
+
+    const std::vector<Cell>& cells() const { return cells_; }
+
+  private:
+    std::vector<Cell> cells_;
+};
+
+/// Puts the bytes of a word into cells from `at` on.
+void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word);
+/// `bytes` cells from `at` on as one word.
+Term word_at(const std::vector<Cell>& cells, std::size_t at, unsigned bytes);
+
+}  // namespace canproof::host::prove

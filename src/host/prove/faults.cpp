@@ -1,0 +1,90 @@
+#include "host/prove/faults.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <iostream>
+
+#include "host/base/files.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+#include "host/prove/replay.hpp"
+#include "host/prove/results.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+std::string text_of(const toml::table& fault, const char* key, const std::filesystem::path& file) {
+    const auto text = fault[key].value<std::string>();
+    if (!text) {
+        throw InputError{fmt::format("{}: a fault has no `{}`", file.string(), key)};
+    }
+    return *text;
+}
+
+/// The source with the fault in it.
+std::string changed_source(const Fault& fault) {
+    std::string text = read_file(fault.file, longest_toml_file);
+    const std::size_t at = text.find(fault.from);
+    if (at == std::string::npos || text.find(fault.from, at + 1) != std::string::npos) {
+        throw InputError{fmt::format("fault {}: `{}` does not stand once in {}", fault.name, fault.from, fault.file)};
+    }
+    return text.replace(at, fault.from.size(), fault.to);
+}
+
+/// What the theorem becomes with the fault.
+TheoremResult with_fault(const Fault& fault, ProveOptions options) {
+    options.scratch /= fault.name;
+    options.overlay = options.scratch / "overlay";
+    options.theorem = fault.theorem;
+    std::filesystem::create_directories(options.scratch);
+    write_file(options.overlay / fault.file, changed_source(fault));
+    const std::vector<TheoremResult> results = prove_all(options);
+    return results.front();
+}
+
+}  // namespace
+
+std::vector<Fault> read_faults(const std::filesystem::path& table) {
+    std::vector<Fault> all;
+    try {
+        const toml::table content = toml::parse(read_file(table, longest_toml_file), table.string());
+        const toml::array* faults = content["fault"].as_array();
+        for (std::size_t i = 0; faults != nullptr && i < faults->size(); ++i) {
+            const toml::table* one = faults->get(i)->as_table();
+            if (one == nullptr) {
+                throw InputError{table.string() + ": `fault` is no array of tables"};
+            }
+            all.push_back({text_of(*one, "name", table), text_of(*one, "file", table), text_of(*one, "from", table),
+                           text_of(*one, "to", table), text_of(*one, "theorem", table)});
+        }
+    } catch (const toml::parse_error& error) {
+        throw InputError{
+            fmt::format("{}:{}: {}", table.string(), error.source().begin.line, std::string{error.description()})};
+    }
+    if (all.empty()) {
+        throw InputError{table.string() + " holds no fault"};
+    }
+    return all;
+}
+
+int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options) {
+    const std::vector<Fault> faults = read_faults(table);
+    std::size_t tried = 0;
+    std::size_t refuted = 0;
+    std::size_t reproduced = 0;
+    for (std::size_t i = 0; i < faults.size(); i += every) {
+        const TheoremResult result = with_fault(faults[i], options);
+        ++tried;
+        refuted += result.verdict == Verdict::refuted ? 1 : 0;
+        reproduced += is_reproduced(result) ? 1 : 0;
+        std::cout << fmt::format("{:<8} {:<50} {}: {}\n         {}\n", name_of(result.verdict), faults[i].name,
+                                 faults[i].theorem, result.reason, result.replay)
+                  << std::flush;
+    }
+    std::cout << fmt::format("{} fault(s), {} refuted, {} reproduced natively\n", tried, refuted, reproduced);
+    return refuted == tried && (!options.replays || reproduced == tried) ? 0 : 1;
+}
+
+}  // namespace canproof::host::prove

@@ -1,0 +1,148 @@
+#include "host/prove/harness.hpp"
+
+#include <map>
+
+#include "host/prove/access.hpp"
+#include "host/prove/unknown.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+constexpr std::uint64_t most_input_bytes = 65536;
+constexpr unsigned address_bytes = address_width / byte_width;
+
+/// The object that an address means, with its cells; the address is a number.
+struct Target {
+    ObjectId object;
+    std::uint64_t offset;
+    std::vector<Cell> cells;
+};
+
+Target target_of(const Proof& proof, const State& state, const HarnessCall& call, std::uint64_t bytes) {
+    const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
+    const auto offset = number(places.front().offset);
+    if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
+        throw Unknown{call.where + ": what is left open must be one object"};
+    }
+    const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
+    const auto* cells = dynamic_cast<const CellContents*>(contents.get());
+    if (cells == nullptr || *offset + bytes > cells->cells().size()) {
+        throw Unknown{call.where + ": what is left open must be one object"};
+    }
+    return {*places.front().object, *offset, cells->cells()};
+}
+
+std::uint64_t size_argument(const HarnessCall& call) {
+    const auto bytes = number(call.arguments[1]);
+    if (!bytes) {
+        throw Unknown{call.where + ": the size of what is left open must be a number"};
+    }
+    return *bytes;
+}
+
+/// Any bytes there.
+void leave_open(Proof& proof, State& state, const HarnessCall& call) {
+    const std::uint64_t bytes = size_argument(call);
+    Target target = target_of(proof, state, call, bytes);
+    Input input;
+    for (std::uint64_t i = 0; i < bytes; ++i) {
+        const Term byte = proof.fresh(byte_width);
+        target.cells[target.offset + i] = Cell{byte, 0};
+        input.bytes.emplace_back(byte);
+    }
+    state.memory.set(target.object, std::make_shared<CellContents>(std::move(target.cells)));
+    proof.inputs.push_back(std::move(input));
+}
+
+bool holds_address(const Proof& proof, const std::vector<Cell>& cells, std::size_t at) {
+    if (at + address_bytes > cells.size()) {
+        return false;
+    }
+    for (const Place& one : places_of(word_at(cells, at, address_bytes), proof.objects.size())) {
+        if (one.object) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Any bytes there, but those of addresses.
+void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
+    const std::uint64_t bytes = size_argument(call);
+    Target target = target_of(proof, state, call, bytes);
+    Input input;
+    for (std::uint64_t i = 0; i < bytes;) {
+        if (i % address_bytes == 0 && holds_address(proof, target.cells, target.offset + i)) {
+            input.bytes.insert(input.bytes.end(), address_bytes, std::nullopt);
+            i += address_bytes;
+            continue;
+        }
+        const Term byte = proof.fresh(byte_width);
+        proof.state_bytes.insert(byte.id());
+        target.cells[target.offset + i] = Cell{byte, 0};
+        input.bytes.emplace_back(byte);
+        ++i;
+    }
+    state.memory.set(target.object, std::make_shared<CellContents>(std::move(target.cells)));
+    proof.inputs.push_back(std::move(input));
+}
+
+/// Memory of any contents, and of a size that need not be a number.
+Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
+    const Term size = call.arguments[0];
+    const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },
+                                                       [&proof](const Term& fact) { proof.solver.know(fact); });
+    const Term most = constant(proof.context, std::uint64_t{1} << 32U, address_width);
+    proof.obligations.add(state.path, z3::ule(size, most), "memory of any size has at most 2^32 bytes", call.where);
+    const ObjectId id = proof.objects.add({"memory of any size", size, 16, true});
+    state.memory.set(id, memory);
+    Input input;
+    input.size = size;
+    input.memory = memory;
+    proof.inputs.push_back(std::move(input));
+    return {base_of(proof.context, id)};
+}
+
+HarnessEffect assume(State& state, const Term& truth) {
+    const Term plain = as_truth(truth).simplify();
+    if (is_false(plain)) {
+        return HarnessEffect::path_ends;
+    }
+    if (!is_true(plain)) {
+        state.path.push_back(plain);
+    }
+    return HarnessEffect::goes_on;
+}
+
+}  // namespace
+
+HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, HarnessCall& call) {
+    const std::string& name = call.function;
+    if (name.rfind("canproof_", 0) != 0) {
+        return HarnessEffect::none;
+    }
+    if (name == "canproof_assume") {
+        return assume(state, call.arguments[0]);
+    }
+    if (name == "canproof_claim") {
+        proof.obligations.add(state.path, as_truth(call.arguments[0]), "a claim", call.where);
+    } else if (name == "canproof_any") {
+        leave_open(proof, state, call);
+    } else if (name == "canproof_any_state") {
+        leave_state_open(proof, state, call);
+    } else if (name == "canproof_any_memory") {
+        call.result = any_memory(proof, state, call);
+    } else if (name == "canproof_shows") {
+        proof.statement = globals.text(call.arguments[0]);
+        proof.noted();
+    } else if (name == "canproof_proves") {
+        proof.requirements.push_back(globals.text(call.arguments[0]));
+        proof.noted();
+    } else {
+        throw Unknown{call.where + ": `" + name + "` is no function of a harness"};
+    }
+    return HarnessEffect::goes_on;
+}
+
+}  // namespace canproof::host::prove

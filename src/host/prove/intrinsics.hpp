@@ -1,0 +1,20 @@
+// LLVM's intrinsics, and the few functions of the C library that compilers call.
+#pragma once
+
+#include <llvm/IR/InstrTypes.h>
+
+#include "host/prove/globals.hpp"
+#include "host/prove/state.hpp"
+
+namespace canproof::host::prove {
+
+enum class CallEffect {
+    none,       ///< not known here
+    goes_on,    ///< done; its value is in `result`
+    path_ends,  ///< nothing follows
+};
+
+CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call, const Value& arguments,
+                          Value& result);
+
+}  // namespace canproof::host::prove

@@ -1,0 +1,222 @@
+// How execution moves: calls, blocks, branches, meetings.
+#include "host/prove/machine.hpp"
+
+#include "host/prove/block_order.hpp"
+#include "host/prove/machine_frame.hpp"
+#include "host/prove/place_in_source.hpp"
+#include "host/prove/unknown.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+/// Counts the calls that are open, for as long as it lives.
+class Deeper {
+  public:
+    explicit Deeper(unsigned& depth) : depth_{depth} { ++depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+    ~Deeper() { --depth_; }
+
+  private:
+    unsigned& depth_;
+};
+
+}  // namespace
+
+std::optional<Return> Machine::call(const llvm::Function& function, const std::vector<Value>& arguments, State state) {
+    const Deeper deeper{depth_};
+    if (depth_ > proof_.limits.depth) {
+        throw Unknown{readable_name(function) + ": more than " + std::to_string(proof_.limits.depth) + " calls deep"};
+    }
+    auto order = orders_.find(&function);
+    if (order == orders_.end()) {
+        order = orders_.emplace(&function, block_order(function)).first;
+    }
+    if (const std::string file = file_of(function); file.find("src/firmware/") != std::string::npos) {
+        proof_.functions.insert(readable_name(function));
+    }
+    Frame frame{function, order->second};
+    for (const auto& [block, position] : order->second) {
+        frame.blocks[position] = block;
+    }
+    Arrival start{std::move(state), {}};
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        start.values[function.getArg(static_cast<unsigned>(i))] = arguments[i];
+    }
+    frame.waiting.emplace(0, std::move(start));
+    while (!frame.waiting.empty()) {
+        auto next = frame.waiting.extract(frame.waiting.begin());
+        run_block(frame, *frame.blocks[next.key()], std::move(next.mapped()));
+    }
+    if (frame.result) {
+        for (const ObjectId id : frame.locals) {
+            frame.result->state.memory.remove(id);
+        }
+    }
+    return std::move(frame.result);
+}
+
+void Machine::run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival) {
+    if (++frame.visits[&block] > proof_.limits.visits) {
+        throw Unknown{where_is(*block.getFirstNonPHI()) + ": a loop makes more than " +
+                      std::to_string(proof_.limits.visits) + " passes"};
+    }
+    for (const llvm::Instruction& instruction : block) {
+        if (instruction.isTerminator()) {
+            leave(frame, instruction, std::move(arrival));
+            return;
+        }
+        if (!llvm::isa<llvm::PHINode>(instruction) && !run(frame, instruction, arrival)) {
+            return;
+        }
+    }
+}
+
+bool Machine::run(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival) {
+    try {
+        if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction)) {
+            return run_call(frame, *call, arrival);
+        }
+        if (const auto* write = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
+            store_value(*write, arrival);
+        } else {
+            arrival.values[&instruction] = evaluate(frame, instruction, arrival);
+        }
+        return true;
+    } catch (const z3::exception& error) {
+        throw Unknown{where_is(instruction) + ": z3: " + error.msg()};
+    }
+}
+
+void Machine::leave(Frame& frame, const llvm::Instruction& terminator, Arrival arrival) {
+    if (const auto* jump = llvm::dyn_cast<llvm::BranchInst>(&terminator)) {
+        branch(frame, *jump, std::move(arrival));
+    } else if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&terminator)) {
+        choose_case(frame, *choice, std::move(arrival));
+    } else if (const auto* end = llvm::dyn_cast<llvm::ReturnInst>(&terminator)) {
+        finish(frame, *end, arrival);
+    } else if (llvm::isa<llvm::UnreachableInst>(terminator)) {
+        proof_.obligations.add(arrival.state.path, proof_.context.bool_val(false), "this place is never reached",
+                               where_is(terminator));
+    } else {
+        throw Unknown{where_is(terminator) + ": `" + terminator.getOpcodeName() + "` is not modelled"};
+    }
+}
+
+bool Machine::possible(const State& state, const Term& condition) {
+    if (is_true(condition) || is_false(condition)) {
+        return is_true(condition);
+    }
+    std::vector<Term> truths = state.path;
+    truths.push_back(condition);
+    return proof_.solver.satisfiable(truths, proof_.limits.branch_milliseconds) != Answer::no;
+}
+
+void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival) {
+    const llvm::BasicBlock& here = *branch.getParent();
+    if (branch.isUnconditional()) {
+        go(frame, here, *branch.getSuccessor(0), std::move(arrival));
+        return;
+    }
+    const Term condition = as_truth(scalar(branch.getCondition(), arrival));
+    const Term opposite = (!condition).simplify();
+    if (!possible(arrival.state, condition)) {
+        go(frame, here, *branch.getSuccessor(1), std::move(arrival));
+    } else if (!possible(arrival.state, opposite)) {
+        go(frame, here, *branch.getSuccessor(0), std::move(arrival));
+    } else {
+        Arrival other = arrival;
+        other.state.path.push_back(opposite);
+        arrival.state.path.push_back(condition);
+        go(frame, here, *branch.getSuccessor(0), std::move(arrival));
+        go(frame, here, *branch.getSuccessor(1), std::move(other));
+    }
+}
+
+void Machine::choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival arrival) {
+    const Term value = as_bits(scalar(choice.getCondition(), arrival));
+    std::map<const llvm::BasicBlock*, std::vector<Term>> targets;
+    std::vector<const llvm::BasicBlock*> in_order;
+    std::vector<Term> none;
+    for (const auto& one : choice.cases()) {
+        const Term label = as_bits(globals_.value(*one.getCaseValue()).front());
+        const Term taken = (value == label).simplify();
+        if (targets.find(one.getCaseSuccessor()) == targets.end()) {
+            in_order.push_back(one.getCaseSuccessor());
+        }
+        targets[one.getCaseSuccessor()].push_back(taken);
+        none.push_back(!taken);
+    }
+    const llvm::BasicBlock* otherwise = choice.getDefaultDest();
+    if (targets.find(otherwise) == targets.end()) {
+        in_order.push_back(otherwise);
+    }
+    targets[otherwise].push_back(all_of(proof_.context, none));
+    for (const llvm::BasicBlock* target : in_order) {
+        const Term condition = any_of(proof_.context, targets[target]);
+        if (!possible(arrival.state, condition)) {
+            continue;
+        }
+        Arrival there = arrival;
+        if (!is_true(condition)) {
+            there.state.path.push_back(condition);
+        }
+        go(frame, *choice.getParent(), *target, std::move(there));
+    }
+}
+
+void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival) {
+    std::vector<std::pair<const llvm::Value*, Value>> taken;  // all at once: one phi may use another
+    for (const llvm::PHINode& phi : to.phis()) {
+        taken.emplace_back(&phi, operand(phi.getIncomingValueForBlock(&from), arrival));
+    }
+    for (auto& [phi, value] : taken) {
+        arrival.values[phi] = std::move(value);
+    }
+    const unsigned position = frame.order.at(&to);
+    const auto waiting = frame.waiting.find(position);
+    if (waiting == frame.waiting.end()) {
+        frame.waiting.emplace(position, std::move(arrival));
+    } else {
+        join(waiting->second, arrival);
+    }
+}
+
+void Machine::join(Arrival& first, const Arrival& second) {
+    const Term condition = merge(proof_.context, proof_.objects, first.state, second.state);
+    for (auto& [name, value] : first.values) {
+        const auto other = second.values.find(name);
+        if (other != second.values.end()) {
+            value = joined(condition, value, other->second, name);
+        }
+    }
+    for (const auto& [name, value] : second.values) {
+        first.values.emplace(name, value);
+    }
+}
+
+Value Machine::joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of) {
+    Value all;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Term one = choose(condition, first[i], second[i]);
+        const bool is_address = of->getType()->isPointerTy() && !same(first[i], second[i]);
+        all.push_back(is_address ? address_at(proof_.context, places_of(one, proof_.objects.size())) : one);
+    }
+    return all;
+}
+
+void Machine::finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& arrival) {
+    const llvm::Value* returned = end.getReturnValue();
+    Return here{arrival.state, returned == nullptr ? Value{} : operand(returned, arrival)};
+    if (!frame.result) {
+        frame.result = std::move(here);
+        return;
+    }
+    const Term condition = merge(proof_.context, proof_.objects, frame.result->state, here.state);
+    if (returned != nullptr) {
+        frame.result->value = joined(condition, frame.result->value, here.value, returned);
+    }
+}
+
+}  // namespace canproof::host::prove

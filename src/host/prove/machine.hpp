@@ -1,0 +1,76 @@
+// Executes a function on terms: all its paths at once, which part at branches and meet again where they can.
+#pragma once
+
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/Module.h>
+
+#include <map>
+#include <unordered_map>
+
+#include "host/prove/globals.hpp"
+#include "host/prove/state.hpp"
+
+namespace canproof::host::prove {
+
+using Values = std::unordered_map<const llvm::Value*, Value>;
+
+/// Paths that come to a block, as one.
+struct Arrival {
+    State state;
+    Values values;
+};
+
+/// What a function leaves behind.
+struct Return {
+    State state;
+    Value value;
+};
+
+class Machine {
+  public:
+    Machine(Proof& proof, const llvm::Module& module)
+        : proof_{proof}, layout_{module.getDataLayout()}, globals_{proof, layout_} {}
+
+    /// Empty when no path returns. Throws Unknown.
+    std::optional<Return> call(const llvm::Function& function, const std::vector<Value>& arguments, State state);
+
+  private:
+    struct Frame;
+
+    void run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival);
+    /// False when the path ends there.
+    bool run(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival);
+    void leave(Frame& frame, const llvm::Instruction& terminator, Arrival arrival);
+    void branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival);
+    void choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival arrival);
+    void go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival);
+    void finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& arrival);
+    void join(Arrival& first, const Arrival& second);
+    Value joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of);
+    bool possible(const State& state, const Term& condition);
+
+    bool run_call(Frame& frame, const llvm::CallBase& call, Arrival& arrival);
+    bool call_function(const llvm::CallBase& call, const llvm::Function& callee, const std::vector<Value>& arguments,
+                       Arrival& arrival);
+    bool call_address(const llvm::CallBase& call, const std::vector<Value>& arguments, Arrival& arrival);
+    std::vector<Value> arguments_of(Frame& frame, const llvm::CallBase& call, Arrival& arrival);
+
+    Value evaluate(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival);
+    Value load_value(const llvm::LoadInst& load, const Arrival& arrival);
+    void check_range(const llvm::LoadInst& load, const Term& value, const Arrival& arrival);
+    void store_value(const llvm::StoreInst& store, Arrival& arrival);
+    Value address_of(const llvm::GetElementPtrInst& place, const Arrival& arrival);
+    Value new_object(Frame& frame, const llvm::AllocaInst& made, Arrival& arrival);
+    Term compared(const llvm::ICmpInst& comparison, const Arrival& arrival);
+    Value operand(const llvm::Value* value, const Arrival& arrival);
+    Term scalar(const llvm::Value* value, const Arrival& arrival) { return operand(value, arrival).front(); }
+    unsigned bits_of(llvm::Type* type) const;
+
+    Proof& proof_;
+    const llvm::DataLayout& layout_;
+    Globals globals_;
+    unsigned depth_{0};
+    std::map<const llvm::Function*, std::map<const llvm::BasicBlock*, unsigned>> orders_;
+};
+
+}  // namespace canproof::host::prove

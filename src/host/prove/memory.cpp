@@ -1,0 +1,36 @@
+#include "host/prove/memory.hpp"
+
+namespace canproof::host::prove {
+
+ObjectId Objects::add(Object object) {
+    all_.push_back(std::move(object));
+    return static_cast<ObjectId>(all_.size() - 1);
+}
+
+ContentsPointer Memory::contents(const Objects& objects, ObjectId id) const {
+    const auto found = changed_.find(id);
+    return found == changed_.end() ? objects[id].initial : found->second;
+}
+
+void Memory::merge(const Objects& objects, const Term& condition, const Memory& otherwise) {
+    for (const auto& [id, theirs] : otherwise.changed_) {
+        const ContentsPointer ours = contents(objects, id);
+        if (!ours) {
+            changed_[id] = theirs;  // made on that path alone: nothing here knows its address
+        } else if (ours != theirs) {
+            changed_[id] = ours->merged(condition, theirs);
+        }
+    }
+    for (auto& [id, ours] : changed_) {
+        const ContentsPointer theirs = otherwise.contents(objects, id);
+        if (theirs && otherwise.changed_.find(id) == otherwise.changed_.end() && ours != theirs) {
+            ours = ours->merged(condition, theirs);
+        }
+    }
+}
+
+Term in_bounds(const Object& object, const Term& offset, const Term& count) {
+    return (z3::ule(count, object.size) && z3::ule(offset, object.size - count)).simplify();
+}
+
+}  // namespace canproof::host::prove

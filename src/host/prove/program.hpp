@@ -1,0 +1,38 @@
+// A proof's harness with the firmware that it calls, as LLVM has it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace llvm {
+class Function;
+class LLVMContext;
+class Module;
+}  // namespace llvm
+
+namespace canproof::host::prove {
+
+class Program {
+  public:
+    /// Links the files; the first holds the theorems. Throws InputError.
+    explicit Program(const std::vector<std::filesystem::path>& bitcode);
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    ~Program();
+
+    const llvm::Module& module() const { return *module_; }
+    /// The functions `void canproof::proofs::NAME()` of the first file, in its order.
+    const std::vector<std::string>& theorems() const { return theorems_; }
+    const llvm::Function& theorem(const std::string& name) const;
+
+  private:
+    void prepare();
+
+    std::unique_ptr<llvm::LLVMContext> context_;
+    std::unique_ptr<llvm::Module> module_;
+    std::vector<std::string> theorems_;
+};
+
+}  // namespace canproof::host::prove

@@ -1,0 +1,181 @@
+#include "host/prove/prove_all.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "host/base/files.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/read_file.hpp"
+#include "host/prove/replay.hpp"
+#include "host/prove/results.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+/// The files that may hold what is asked for: all of an area, or those that define the theorem.
+std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
+    std::vector<std::filesystem::path> all;
+    if (!std::filesystem::is_directory(options.proofs)) {
+        return all;
+    }
+    for (const auto& one : std::filesystem::recursive_directory_iterator(options.proofs)) {
+        const std::filesystem::path& file = one.path();
+        const std::string folder = file.parent_path().filename();
+        if (file.extension() != ".cpp" || folder == "support" || (!options.area.empty() && folder != options.area)) {
+            continue;
+        }
+        if (options.theorem.empty() || read_file(file).find("void " + options.theorem + "()") != std::string::npos) {
+            all.push_back(file);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// The process ends with SIGXCPU after so many seconds of its own work, however busy the machine is.
+void bound_processor_time(rlim_t seconds) {
+    rlimit bound{};
+    if (getrlimit(RLIMIT_CPU, &bound) == 0) {
+        bound.rlim_cur = std::min(seconds, bound.rlim_max);
+        setrlimit(RLIMIT_CPU, &bound);
+    }
+}
+
+/// One theorem in a process of its own: what goes wrong there ends that alone.
+class Task {
+  public:
+    Task(const Program& program, TheoremResult result, const std::filesystem::path& place)
+        : program_{&program}, result_{std::move(result)}, place_{place} {}
+
+    pid_t start(Compiler& compiler, const ProveOptions& options) {
+        began_ = std::chrono::steady_clock::now();
+        process_ = fork();
+        if (process_ < 0) {
+            throw InputError{"no process to be had; close other programs"};
+        }
+        if (process_ == 0) {
+            run(compiler, options);
+        }
+        return process_;
+    }
+    pid_t process() const { return process_; }
+
+    TheoremResult finish(int status, unsigned seconds) {
+        if (std::filesystem::exists(place_)) {
+            result_ = result_of(nlohmann::json::parse(read_file(place_)));
+        }
+        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+            const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+            result_.verdict = Verdict::unknown;
+            result_.seconds = elapsed();
+            result_.reason = late ? fmt::format("not decided in {} s of processor time", seconds)
+                                  : fmt::format("the process that decides it ended with status {}", status);
+        }
+        return result_;
+    }
+
+  private:
+    double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+
+    void save() const { write_file(place_, json_of(result_).dump()); }
+
+    /// Does not return.
+    [[noreturn]] void run(Compiler& compiler, const ProveOptions& options) {
+        try {
+            bound_processor_time(options.seconds);
+            decide(*program_, Limits{}, result_, [this] { save(); });
+            result_.seconds = elapsed();
+            bound_processor_time(RLIM_INFINITY);
+            if (result_.verdict == Verdict::refuted && options.replays && !result_.inputs.empty()) {
+                replay(compiler, options.scratch, result_);
+            }
+            save();
+            _exit(0);
+        } catch (const std::exception& error) {
+            const std::string text = fmt::format("canproof-prove: {}: {}\n", result_.name, error.what());
+            _exit(write(STDERR_FILENO, text.data(), text.size()) < 0 ? 3 : 2);
+        }
+    }
+
+    const Program* program_;
+    TheoremResult result_;
+    std::filesystem::path place_;
+    pid_t process_{-1};
+    std::chrono::steady_clock::time_point began_{};
+};
+
+/// The tasks of one program after the other.
+class Queue {
+  public:
+    Queue(Compiler& compiler, const ProveOptions& options) : compiler_{compiler}, options_{options} {}
+
+    void add(const Program& program, const TheoremResult& theorem) {
+        const auto place = options_.scratch / fmt::format("result_{}.json", tasks_.size());
+        tasks_.emplace_back(program, theorem, place);
+    }
+
+    std::vector<TheoremResult> run() {
+        std::vector<TheoremResult> results(tasks_.size());
+        std::size_t next = 0;
+        std::size_t running = 0;
+        while (next < tasks_.size() || running > 0) {
+            if (next < tasks_.size() && running < options_.jobs) {
+                tasks_[next++].start(compiler_, options_);
+                ++running;
+                continue;
+            }
+            int status = 0;
+            const pid_t ended = waitpid(-1, &status, 0);
+            for (std::size_t i = 0; i < next; ++i) {
+                if (tasks_[i].process() == ended) {
+                    results[i] = tasks_[i].finish(status, options_.seconds);
+                    --running;
+                }
+            }
+        }
+        return results;
+    }
+
+  private:
+    Compiler& compiler_;
+    const ProveOptions& options_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+std::vector<TheoremResult> prove_all(const ProveOptions& options) {
+    const std::vector<std::filesystem::path> files = proof_files(options);
+    Compiler compiler{{options.generated, options.scratch, options.overlay, options.jobs}};
+    compiler.compile(files);
+    std::vector<std::unique_ptr<Program>> programs;
+    Queue queue{compiler, options};
+    std::size_t count = 0;
+    for (const auto& file : files) {
+        programs.push_back(std::make_unique<Program>(compiler.bitcode(file)));
+        for (const std::string& name : programs.back()->theorems()) {
+            if (options.theorem.empty() || options.theorem == name) {
+                TheoremResult result;
+                result.name = name;
+                result.file = file.string();
+                result.area = file.parent_path().filename().string();
+                queue.add(*programs.back(), result);
+                ++count;
+            }
+        }
+    }
+    if (count == 0) {
+        throw InputError{fmt::format("no theorem below {} fits; see --only and --theorem", options.proofs.string())};
+    }
+    return queue.run();
+}
+
+}  // namespace canproof::host::prove

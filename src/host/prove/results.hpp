@@ -1,0 +1,19 @@
+// What came of all theorems: as a table and as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host/prove/theorem.hpp"
+
+namespace canproof::host::prove {
+
+nlohmann::json json_of(const TheoremResult& result);
+/// The reverse. Throws nlohmann's exceptions.
+TheoremResult result_of(const nlohmann::json& json);
+
+std::string table_of(const std::vector<TheoremResult>& results);
+std::string json_text(const std::vector<TheoremResult>& results);
+
+}  // namespace canproof::host::prove

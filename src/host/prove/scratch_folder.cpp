@@ -1,0 +1,22 @@
+#include "host/prove/scratch_folder.hpp"
+
+#include <cstdlib>
+
+#include "host/base/input_error.hpp"
+
+namespace canproof::host::prove {
+
+ScratchFolder::ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "canproof-prove-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+        throw InputError{"cannot make a folder in " + std::filesystem::temp_directory_path().string()};
+    }
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;  // what stays behind lies in the folder for such files
+    std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace canproof::host::prove

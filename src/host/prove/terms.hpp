@@ -1,0 +1,41 @@
+// Bit vectors and truths of z3, with the few helpers that the prover needs.
+#pragma once
+
+#include <z3++.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace canproof::host::prove {
+
+/// A truth, or a bit vector of 8, 16, 32, 64 … bits.
+using Term = z3::expr;
+
+constexpr unsigned byte_width = 8U;
+constexpr unsigned address_width = 64U;
+
+/// Whether both are the same node; equal values may still be different nodes.
+bool same(const Term& a, const Term& b);
+bool is_true(const Term& truth);
+bool is_false(const Term& truth);
+/// The value of a constant of at most 64 bits.
+std::optional<std::uint64_t> number(const Term& term);
+/// Bits of a term; a truth has one.
+unsigned width_of(const Term& term);
+
+Term constant(z3::context& context, std::uint64_t value, unsigned width);
+/// A truth as one bit, and the reverse; other terms stay as they are.
+Term as_bits(const Term& term);
+Term as_truth(const Term& term);
+/// Fits a bit vector to a width: cuts it, or adds zeros.
+Term resized(const Term& term, unsigned width);
+/// Byte `at` of a word, the least significant first.
+Term byte_of(const Term& word, unsigned at);
+/// `condition ? a : b`, without a choice where there is none.
+Term choose(const Term& condition, const Term& a, const Term& b);
+
+Term all_of(z3::context& context, const std::vector<Term>& truths);
+Term any_of(z3::context& context, const std::vector<Term>& truths);
+
+}  // namespace canproof::host::prove

@@ -1,0 +1,93 @@
+#include "host/prove/theorem.hpp"
+
+#include <llvm/IR/Function.h>
+
+#include <algorithm>
+
+#include "host/prove/machine.hpp"
+#include "host/prove/unknown.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+constexpr std::uint64_t most_memory_bytes = 4096;  ///< of a counterexample that is written out
+
+int byte_in(const z3::model& model, const Term& byte) {
+    return static_cast<int>(number(model.eval(byte, true)).value_or(0));
+}
+
+InputBytes memory_in(const z3::model& model, const Input& input) {
+    const std::uint64_t size = std::min(number(model.eval(*input.size, true)).value_or(0), most_memory_bytes);
+    InputBytes bytes(size, 0);
+    for (const AskedByte& one : input.memory->asked()) {
+        const std::uint64_t at = number(model.eval(one.offset, true)).value_or(size);
+        if (at < size) {
+            bytes[at] = byte_in(model, one.value);
+        }
+    }
+    return bytes;
+}
+
+std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Input>& inputs) {
+    std::vector<InputBytes> all;
+    for (const Input& input : inputs) {
+        InputBytes bytes;
+        if (input.memory) {
+            bytes = memory_in(model, input);
+        }
+        for (const auto& byte : input.bytes) {
+            bytes.push_back(byte ? byte_in(model, *byte) : -1);
+        }
+        all.push_back(std::move(bytes));
+    }
+    return all;
+}
+
+/// Whether some values come to the end, so that the assumptions mean something.
+void refuse_vacuous(Proof& proof, const std::optional<Return>& end, TheoremResult& result) {
+    const Answer reached = end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
+    if (reached == Answer::no) {
+        result.verdict = Verdict::refuted;
+        result.reason = "no path comes to its end: its assumptions contradict each other";
+    } else if (reached == Answer::unknown) {
+        result.verdict = Verdict::unknown;
+        result.reason = "whether its assumptions can hold at all is not decided in time";
+    }
+}
+
+}  // namespace
+
+void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted) {
+    Proof proof{limits};
+    proof.noted = [&] {
+        result.statement = proof.statement;
+        result.requirements = proof.requirements;
+        noted();
+    };
+    try {
+        Machine machine{proof, program.module()};
+        const auto end = machine.call(program.theorem(result.name), {}, State{});
+        const Obligations::Outcome outcome = proof.obligations.settle(1000 * limits.seconds);
+        result.verdict = outcome.verdict;
+        result.reason = outcome.reason;
+        if (outcome.counterexample) {
+            result.inputs = inputs_in(*outcome.counterexample, proof.inputs);
+        }
+        if (outcome.verdict == Verdict::proven) {
+            refuse_vacuous(proof, end, result);
+        }
+        result.paths = end ? end->state.paths : 0.0;
+    } catch (const Unknown& why) {
+        result.verdict = Verdict::unknown;
+        result.reason = why.what();
+    } catch (const z3::exception& error) {
+        result.verdict = Verdict::unknown;
+        result.reason = std::string{"z3: "} + error.msg();
+    }
+    result.functions.assign(proof.functions.begin(), proof.functions.end());
+    result.obligations = proof.obligations.size();
+    result.questions = proof.solver.questions();
+}
+
+}  // namespace canproof::host::prove
