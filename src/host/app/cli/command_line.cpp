@@ -100,7 +100,8 @@ class SpecCommands : Command {
         spec->require_subcommand(1);
         auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and fix");
         check->add_option("--spec", checked_, "folder of the register")->capture_default_str();
-        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
+        check->add_flag("--json", as_json_, "faults as JSON");
+        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_, as_json_); }; });
         auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
@@ -119,6 +120,7 @@ class SpecCommands : Command {
 
   private:
     std::string checked_{"spec"};
+    bool as_json_{false};
     ReviewOptions review_;
 };
 
