@@ -8,6 +8,7 @@ Exit status 0: no open finding and no fault in checkers or records; 1: there are
 import argparse
 import datetime
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -43,6 +44,12 @@ class Progress:
         print(f"[{time.monotonic() - self.start:4.0f} s] {text}", flush=True)
 
 
+def version_of(home):
+    """The version that CMake gives the program, which is that of its checkers."""
+    found = re.search(r"project\(canproof VERSION ([0-9.]+)", (home / "CMakeLists.txt").read_text())
+    return found.group(1) if found else "0.0.0"
+
+
 def check(build, output):
     progress, faults, rules = Progress(), Faults(), Rules()
     drop_unused()
@@ -71,7 +78,7 @@ def check(build, output):
     records, reviews = read_deviations(), read_reviews()
     open_findings, deviated = apply_deviations(found - reviewed, generated, datetime.date.today(), records, faults)
     unjudged = list(apply_reviews(reviewed, generated, reviews, faults))
-    outcome = Outcome(plan, sorted([*open_findings, *unjudged]), deviated, reviews, figures, faults, records)
+    outcome = Outcome(version_of(HOME), plan, sorted([*open_findings, *unjudged]), deviated, reviews, figures, faults, records)
     write_all(output, outcome)
     for finding in open_findings:
         print(f"{finding.path}:{finding.line}: MISRA C++:2023 rule {finding.rule}")

@@ -12,7 +12,8 @@ code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}sm
 class Outcome:
     """All that the reports tell."""
 
-    def __init__(self, plan, open_findings, deviated, reviews, figures, faults, records):
+    def __init__(self, version, plan, open_findings, deviated, reviews, figures, faults, records):
+        self.version = version
         self.plan, self.open, self.deviated, self.reviews = plan, open_findings, deviated, reviews
         self.figures, self.faults, self.records = figures, faults, records
         self.counts = {how: sum(row["enforcement"] == how for row in plan) for how in ("enforced", "review", "not applicable")}
@@ -28,7 +29,7 @@ class Outcome:
 
 def write_sarif(folder, outcome):
     def result(finding, record=None):
-        location = {"artifactLocation": {"uri": finding.path}, "region": {"startLine": finding.line}}
+        location = {"artifactLocation": {"uri": finding.path, "uriBaseId": "PROJECT"}, "region": {"startLine": finding.line}}
         entry = {
             "ruleId": finding.rule,
             "ruleIndex": numbers.index(finding.rule),
@@ -47,7 +48,8 @@ def write_sarif(folder, outcome):
         for row in outcome.plan
     ]
     run = {
-        "tool": {"driver": {"name": "canproof misra", "rules": descriptors}},
+        "tool": {"driver": {"name": "canproof misra", "version": outcome.version, "semanticVersion": outcome.version, "rules": descriptors}},
+        "originalUriBaseIds": {"PROJECT": {"description": {"text": "The folder of the project: every uri is relative to it."}}},
         "invocations": [{"executionSuccessful": not outcome.faults,
                          "toolExecutionNotifications": [{"level": "error", "message": {"text": fault}} for fault in outcome.faults]}],
         "results": [result(finding) for finding in outcome.open] + [result(*pair) for pair in outcome.deviated],
@@ -64,6 +66,8 @@ def sarif_faults(path):
         return
     run = log["runs"][0]
     driver = run["tool"]["driver"]
+    if not driver.get("version") or "PROJECT" not in run["originalUriBaseIds"]:
+        yield "misra.sarif: the driver needs a version, and the uris their base"
     if not driver.get("name") or not all(rule.get("id") for rule in driver["rules"]):
         yield "misra.sarif: the driver needs a name, each rule an id"
     for result in run["results"]:

@@ -4,29 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
+#include <set>
 
 #include "host/datasheet/dbc_text.hpp"
+#include "host/datasheet/entry_index.hpp"
+#include "host/datasheet/entry_words.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-constexpr std::uint32_t switched_off = 0x80000000;
-constexpr std::uint32_t extended_frame = 0x20000000;
 constexpr unsigned multiplexed_pdo = 254;
 constexpr unsigned pdo_bits = 64;
-
-struct Named {
-    const Object* object{nullptr};
-    const Entry* entry{nullptr};
-};
-
-/// Bits of a value in a PDO or SDO; 0 for a length that varies.
-unsigned bits_of(const Entry& entry) {
-    return entry.type == "BOOLEAN" ? 1U : static_cast<unsigned>(type_size(entry.type) * 8U);
-}
 
 DbcSignal::Number number_kind(const std::string& type) {
     return type == "REAL32"                 ? DbcSignal::Number::single_real
@@ -35,27 +26,14 @@ DbcSignal::Number number_kind(const std::string& type) {
                                             : DbcSignal::Number::natural;
 }
 
-/// Object and entry in one name; the entry alone where it repeats the object's name.
-std::string name_of(const Named& named) {
-    const std::string& object = named.object->name;
-    const std::string& entry = named.entry->name;
-    const bool single = named.object->kind == Object::Kind::var;
-    return single ? object : entry.rfind(object, 0) == 0 ? entry : object + " " + entry;
-}
-
-std::string title_of(const Named& named) {
-    const std::string index = fmt::format("{:04X}h", named.object->index);
-    return named.object->kind == Object::Kind::var ? index : fmt::format("{}:{:02X}", index, named.entry->subindex);
-}
-
 /// Signal of an entry, without its place.
-DbcSignal signal_of(const Named& named) {
+DbcSignal signal_of(const NamedEntry& named) {
     DbcSignal signal;
     const Entry& entry = *named.entry;
     signal.number = number_kind(entry.type);
     const bool counts = named.object->kind != Object::Kind::var && entry.subindex == 0;
     signal.unit = counts ? "" : named.object->unit;
-    signal.comment = fmt::format("{} {}", title_of(named), name_of(named));
+    signal.comment = fmt::format("{} {}", place_words(*named.object, *named.entry), full_name(named));
     const Range& range = entry.range;
     if (range.minimum.kind == Limit::Kind::number && range.maximum.kind == Limit::Kind::number) {
         signal.minimum = number_of(range.minimum.number).value_or(0.0);
@@ -75,12 +53,7 @@ DbcSignal plain_signal(const char* name, unsigned start, unsigned length, DbcWor
 
 class DbcWriter {
   public:
-    DbcWriter(const Part& part, unsigned node_id) : part_{part}, node_id_{node_id} {
-        for (const Object& object : part.objects) {
-            for (const Entry& entry : object.entries) {
-                entries_[key(object.index, entry.subindex)] = {&object, &entry};
-            }
-        }
+    DbcWriter(const Part& part, unsigned node_id) : part_{part}, node_id_{node_id}, entries_{part} {
         DbcNames nodes;
         host_ = nodes.take("Host");
         device_ = nodes.take(part.name);
@@ -104,27 +77,15 @@ class DbcWriter {
     }
 
   private:
-    static unsigned key(unsigned index, unsigned sub) { return (index << 8U) | sub; }
-
-    const Named* named(unsigned index, unsigned sub) const {
-        const auto found = entries_.find(key(index, sub));
-        return found == entries_.end() ? nullptr : &found->second;
-    }
-
-    /// Default of an entry at this node-ID; nothing without the entry or a whole number.
     std::optional<std::uint32_t> number(unsigned index, unsigned sub) const {
-        const Named* found = named(index, sub);
-        const auto* whole = found == nullptr ? nullptr : std::get_if<std::int64_t>(&found->entry->value);
-        return whole == nullptr
-                   ? std::nullopt
-                   : std::optional{static_cast<std::uint32_t>(*whole) + (found->entry->node_id ? node_id_ : 0U)};
+        return entries_.number(index, sub, node_id_);
     }
 
     /// A message by its COB-ID; nullptr when it is switched off or another has the identifier.
     DbcMessage* add(std::uint32_t cob_id, const std::string& name, unsigned length, bool from_device) {
-        const bool extended = (cob_id & extended_frame) != 0;
+        const bool extended = (cob_id & cob_id_extended) != 0;
         const std::uint32_t id = cob_id & (extended ? 0x1FFFFFFFU : 0x7FFU);
-        const bool off = (cob_id & switched_off) != 0;
+        const bool off = (cob_id & cob_id_switched_off) != 0;
         if (off || !ids_.insert({id, extended}).second) {
             left_out_.push_back(fmt::format("{} {}", name, off ? "is switched off" : "has an identifier twice"));
             return nullptr;
@@ -192,13 +153,13 @@ class DbcWriter {
         for (unsigned sub = 1; sub <= *count && at <= pdo_bits; ++sub) {
             const std::uint32_t mapped = number(index + 0x200, sub).value_or(0);
             const unsigned length = mapped & 0xFFU;
-            const Named* target = named(mapped >> 16U, (mapped >> 8U) & 0xFFU);
+            const NamedEntry* target = entries_.named(mapped >> 16U, (mapped >> 8U) & 0xFFU);
             if (target != nullptr && length != 0 && at + length <= pdo_bits) {
                 DbcSignal signal = signal_of(*target);
-                signal.name = names.take(name_of(*target));
+                signal.name = names.take(full_name(*target));
                 signal.start = at;
                 signal.length = length;
-                const bool whole = bits_of(*target->entry) == length;
+                const bool whole = mapped_bits(*target->entry) == length;
                 const bool integer = signal.number == DbcSignal::Number::integer;
                 signal.number = whole || integer ? signal.number : DbcSignal::Number::natural;
                 signals.push_back(std::move(signal));
@@ -239,19 +200,19 @@ class DbcWriter {
         object.multiplex = DbcSignal::Multiplex::switches;
         message.signals.push_back(object);
         DbcWords titles;
-        for (const auto& [number, found] : entries_) {
+        for (const auto& [number, found] : entries_.all()) {
             const std::size_t bytes = type_size(found.entry->type);
             if (bytes == 0 || bytes > 4 || !carried(*found.entry)) {
                 continue;
             }
             DbcSignal signal = signal_of(found);
             signal.name = names.take(
-                fmt::format("x{:04X}_{:02X}_{}", found.object->index, found.entry->subindex, name_of(found)));
+                fmt::format("x{:04X}_{:02X}_{}", found.object->index, found.entry->subindex, full_name(found)));
             signal.start = 32;
             signal.length = static_cast<unsigned>(bytes * 8U);
             signal.multiplex = DbcSignal::Multiplex::switched;
             signal.switched_by = (number >> 8U) | ((number & 0xFFU) << 16U);
-            titles.emplace_back(signal.switched_by, title_of(found));
+            titles.emplace_back(signal.switched_by, place_words(*found.object, *found.entry));
             message.signals.push_back(std::move(signal));
         }
         message.signals[1].words = std::move(titles);
@@ -259,7 +220,7 @@ class DbcWriter {
 
     const Part& part_;
     unsigned node_id_;
-    std::map<unsigned, Named> entries_;  ///< by index and sub-index
+    EntryIndex entries_;
     std::string host_;
     std::string device_;
     DbcFile file_;

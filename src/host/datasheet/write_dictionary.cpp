@@ -2,12 +2,12 @@
 #include "host/datasheet/write_dictionary.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "host/base/one_line.hpp"
 #include "host/datasheet/eds_values.hpp"
+#include "host/datasheet/entry_words.hpp"
 
 namespace canproof::host {
 
@@ -25,11 +25,6 @@ Json json_of(const Value& value) {
             }
         },
         value);
-}
-
-std::string limit_name(const Entry& entry, const Limit& limit) {
-    const std::string sum = limit.add == 0 ? "" : fmt::format(" {} {}", limit.add < 0 ? "-" : "+", std::abs(limit.add));
-    return fmt::format("{:04X}h:{}{}", limit.index, limit.subindex < 0 ? entry.subindex : limit.subindex, sum);
 }
 
 Json limit_json(const Entry& entry, const Limit& limit) {
@@ -52,34 +47,6 @@ Json entry_json(const Entry& entry) {
     json["factory"] = entry.factory;
     json["service"] = entry.service;
     return json;
-}
-
-const char* kind_name(const Object& object) {
-    switch (object.kind) {
-        case Object::Kind::array:
-            return "ARRAY";
-        case Object::Kind::record:
-            return "RECORD";
-        default:
-            return "VAR";
-    }
-}
-
-std::string limit_words(const Entry& entry, const Limit& limit) {
-    return limit.kind == Limit::Kind::object ? limit_name(entry, limit) : to_text(limit.number);
-}
-
-std::string range_words(const Entry& entry) {
-    const Range& range = entry.range;
-    if (!range.values.empty()) {
-        std::vector<std::string> words;
-        for (const Value& value : range.values) {
-            words.push_back(to_text(value));
-        }
-        return fmt::format("{}", fmt::join(words, ", "));
-    }
-    const std::string zero = range.zero ? "0, " : "";
-    return range.empty() ? "" : zero + limit_words(entry, range.minimum) + " … " + limit_words(entry, range.maximum);
 }
 
 /// A cell of a Markdown table: no bars, no line ends.

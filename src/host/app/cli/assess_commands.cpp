@@ -75,6 +75,7 @@ class AuditCommand : Command {
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; the newest of build/*/verdicts without it");
+        command->add_flag("--json", options_.json, "items, gaps, suspects and orphans as JSON");
         command->callback([this, &chosen] { chosen = [this] { return audit(options_); }; });
     }
 
@@ -90,6 +91,7 @@ class CoverageCommand : Command {
         command->add_option("FILE", options_.measured, "what tests/coverage measured")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--cobertura", options_.cobertura, "XML file to write");
+        command->add_flag("--json", options_.json, "MC/DC of each file and all places that are not reached as JSON");
         command->add_flag("--records", options_.records_only,
                           "nothing measured: does each record name something in the sources?");
         command->callback([this, &chosen] { chosen = [this] { return check_coverage(options_); }; });
@@ -132,11 +134,26 @@ class EvidenceCommand : Command {
                             "what tests/coverage measured; build/coverage/coverage.json without it");
         command->add_option("--exhibits", options_.exhibits,
                             "folder of results of other tools; build/exhibits without it");
-        command->callback([this, &chosen] { chosen = [this] { return write_evidence(options_); }; });
+        command->add_option("--sign", options_.key, "PEM file of a private key: signs the manifest")
+            ->check(CLI::ExistingFile);
+        command->add_flag("--full", options_.full,
+                          "make all that is absent or stale first, for hours; begun again it goes on where it stopped");
+        command->add_flag("--json", options_.json, "claims and their evidence as JSON instead of a line");
+        auto* verify = command->add_subcommand(
+            "verify", "is a pack as its manifest says, and signed by a key? exit status 0 or 1");
+        verify->add_option("FOLDER", verified_.pack, "the pack")->capture_default_str();
+        verify->add_option("--key", verified_.key, "PEM file of the public key")->check(CLI::ExistingFile);
+        verify->callback([this, &chosen] { chosen = [this] { return verify_evidence(verified_); }; });
+        command->callback([this, verify, &chosen] {
+            if (!verify->parsed()) {
+                chosen = [this] { return write_evidence(options_); };
+            }
+        });
     }
 
   private:
     EvidenceOptions options_;
+    VerifyOptions verified_;
 };
 
 class MutateCommand : Command {
@@ -175,6 +192,7 @@ class DiffCommand : Command {
                             "folder of test results; the newest of build/*/verdicts without it");
         command->add_option("--old-verdicts", options_.old_verdicts,
                             "results of the revision: tells whose verdict differs");
+        command->add_flag("--json", options_.json, "changed items, files and verdicts as JSON");
         command->callback([this, &chosen] { chosen = [this] { return diff(options_); }; });
     }
 

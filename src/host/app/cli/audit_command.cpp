@@ -10,6 +10,7 @@
 #include "host/assess/mutation/mutation_json.hpp"
 #include "host/assess/story/story.hpp"
 #include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/audit_json.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/kill_audit.hpp"
 #include "host/base/input_error.hpp"
@@ -95,6 +96,13 @@ std::size_t print_kills(const std::filesystem::path& root, const std::vector<Par
     return kills.regressions.size();
 }
 
+/// No gap, no suspect, no orphan, no test that failed.
+bool is_sound(const std::vector<PartAudit>& audits, const Evidence& evidence) {
+    return evidence.failed == 0 && orphans(evidence).empty() &&
+           std::all_of(audits.begin(), audits.end(),
+                       [](const PartAudit& one) { return one.gaps.empty() && one.suspects.empty(); });
+}
+
 }  // namespace
 
 int audit(const AuditOptions& options) {
@@ -114,10 +122,18 @@ int audit(const AuditOptions& options) {
             throw InputError{fmt::format(
                 "`{}` is no device, id, section (AX130751:1.3), source file or test (Suite.Name)", options.subject)};
         }
+        if (options.json) {
+            throw InputError{"--json is for a device or for all; `canproof audit --json` holds every item"};
+        }
         fmt::print("{}", story->text);
         return story->open ? 1 : 0;
     }
     audits = parts_for(std::move(audits), options.subject);
+    if (options.json) {
+        fmt::print("{}", write_audit_json(content, audits, resolved(options.filter, content, audits),
+                                          {{"orphans", orphans(evidence)}}, evidence));
+        return is_sound(audits, evidence) ? 0 : 1;
+    }
     if (!options.filter.empty()) {
         return list_items(audits, resolved(options.filter, content, audits));
     }

@@ -12,6 +12,7 @@ struct AuditOptions {
     std::string subject;  ///< device, id, section, source file, test or nothing
     std::string verdicts;
     AuditFilter filter;
+    bool json{false};  ///< items, gaps, suspects and orphans as JSON instead of lines
 };
 
 /// 1 when something is open. Returns the exit status.

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
@@ -116,7 +117,21 @@ int print_eds(const EdsOptions& options) {
     return 0;
 }
 
-int check_spec(const std::string& spec) {
+namespace {
+
+void print_faults_json(const Faults& faults, const std::size_t items) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const auto& fault : faults) {
+        all.push_back(
+            {{"file", fault.place.file}, {"line", fault.place.line}, {"fault", fault.what}, {"fix", fault.mend}});
+    }
+    const nlohmann::ordered_json json{{"items", items}, {"faults", all}, {"left_out", faults.left_out()}};
+    fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+int check_spec(const std::string& spec, const bool json) {
     if (!std::filesystem::is_directory(spec)) {
         throw InputError{fmt::format("{} is no folder; name the register with --spec", spec)};
     }
@@ -125,18 +140,22 @@ int check_spec(const std::string& spec) {
         throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
     }
     const LoadResult loaded = load_register(with_shared_rules(files, embedded_spec()));
-    for (const auto& fault : loaded.faults) {
-        tell(fault.text());
-    }
-    if (loaded.faults.left_out() != 0) {
-        tell(fmt::format("{} more fault(s) are not listed", loaded.faults.left_out()));
-    }
     std::size_t items = 0;
     for (const auto& part : loaded.content.parts) {
         loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
     }
     if (items == 0 && loaded.faults.empty()) {
         throw InputError{fmt::format("the register in {} has no items; name another folder with --spec", spec)};
+    }
+    if (json) {
+        print_faults_json(loaded.faults, items);
+        return loaded.faults.empty() ? 0 : 1;
+    }
+    for (const auto& fault : loaded.faults) {
+        tell(fault.text());
+    }
+    if (loaded.faults.left_out() != 0) {
+        tell(fmt::format("{} more fault(s) are not listed", loaded.faults.left_out()));
     }
     fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size() + loaded.faults.left_out());
     return loaded.faults.empty() ? 0 : 1;

@@ -14,7 +14,7 @@ struct EdsOptions {
     int node{0};                ///< node-ID of a DBC, 1 to 127; 0: as shipped
 };
 int print_eds(const EdsOptions& options);
-/// Every fault of the register in this folder; 1 when there is one.
-int check_spec(const std::string& spec);
+/// Every fault of the register in this folder, as lines or as JSON; 1 when there is one.
+int check_spec(const std::string& spec, bool json);
 
 }  // namespace canproof::host

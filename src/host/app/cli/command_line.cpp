@@ -11,6 +11,7 @@
 #include "host/app/cli/assess_commands.hpp"
 #include "host/app/cli/catalogue_commands.hpp"
 #include "host/app/cli/command.hpp"
+#include "host/app/cli/command_tree.hpp"
 #include "host/app/cli/conform_command.hpp"
 #include "host/app/cli/demo_command.hpp"
 #include "host/app/cli/eds_check_command.hpp"
@@ -22,6 +23,7 @@
 #include "host/app/cli/review_command.hpp"
 #include "host/app/cli/run_arguments.hpp"
 #include "host/app/cli/run_command.hpp"
+#include "host/app/cli/shell_completion.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 
@@ -100,7 +102,8 @@ class SpecCommands : Command {
         spec->require_subcommand(1);
         auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and fix");
         check->add_option("--spec", checked_, "folder of the register")->capture_default_str();
-        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
+        check->add_flag("--json", as_json_, "faults as JSON");
+        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_, as_json_); }; });
         auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
@@ -119,6 +122,7 @@ class SpecCommands : Command {
 
   private:
     std::string checked_{"spec"};
+    bool as_json_{false};
     ReviewOptions review_;
 };
 
@@ -251,6 +255,32 @@ class DrawingCommands : Command {
     std::string figures_;
 };
 
+class WordsCommands : Command {
+  public:
+    WordsCommands(CLI::App& app, Chosen& chosen) {
+        auto* completion = app.add_subcommand("completion", "completion for a shell: source what it prints");
+        completion->add_option("SHELL", shell_, "bash, zsh or fish")
+            ->required()
+            ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+        completion->callback([this, &app, &chosen] {
+            chosen = [this, &app] {
+                std::cout << shell_completion(command_tree(app), shell_);
+                return 0;
+            };
+        });
+        app.add_subcommand("manual", "the manual page of canproof: `canproof manual | man -l -`")
+            ->callback([&app, &chosen] {
+                chosen = [&app] {
+                    std::cout << manual_page(command_tree(app), generated::canproof_version);
+                    return 0;
+                };
+            });
+    }
+
+  private:
+    std::string shell_;
+};
+
 /// Whatever failed because standard output did has that for a reason.
 std::string why(const std::exception& error) {
     try {
@@ -286,6 +316,7 @@ int run_command_line(int argc, char** argv) {
     RunCommands run_command{app, chosen};
     ConformCommand conform_command{app, chosen};
     DrawingCommands drawing_command{app, chosen};
+    WordsCommands words_commands{app, chosen};
     const std::shared_ptr<void> assess_commands = add_assess_commands(app, chosen);
     try {
         const int status = run_chosen(app, chosen, argc, argv);

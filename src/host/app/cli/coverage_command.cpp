@@ -8,6 +8,7 @@
 
 #include "host/assess/coverage/cobertura.hpp"
 #include "host/assess/coverage/coverage.hpp"
+#include "host/assess/coverage/coverage_json.hpp"
 #include "host/assess/coverage/coverage_records.hpp"
 #include "host/assess/coverage/read_coverage.hpp"
 #include "host/assess/coverage/stale_records.hpp"
@@ -77,6 +78,13 @@ int check_coverage(const CoverageOptions& options) {
     }
     const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
     const CoverageVerdict verdict = judge_coverage(files, read_coverage_records(place));
+    if (!options.cobertura.empty()) {
+        write_file(options.cobertura, write_cobertura(files));
+    }
+    if (options.json) {
+        fmt::print("{}", coverage_json(files, verdict));
+        return verdict.holds() ? 0 : 1;
+    }
     print_counts(files);
     for (const auto& [gap, reason] : verdict.gaps) {
         if (reason.empty()) {
@@ -85,9 +93,6 @@ int check_coverage(const CoverageOptions& options) {
     }
     for (const auto& record : verdict.unused) {
         fmt::print("{}:{}: the record of `{}` matches nothing; remove it\n", place.string(), record.line, record.code);
-    }
-    if (!options.cobertura.empty()) {
-        write_file(options.cobertura, write_cobertura(files));
     }
     print_verdict(verdict);
     return verdict.holds() ? 0 : 1;

@@ -9,6 +9,7 @@ struct CoverageOptions {
     std::string root{"."};
     std::string measured{"build/coverage/coverage.json"};  ///< what `llvm-cov export` wrote
     std::string cobertura;                                 ///< file to write, none when empty
+    bool json{false};                                      ///< JSON instead of lines
     bool records_only{false};                              ///< nothing measured: records against the sources
 };
 

@@ -27,7 +27,7 @@ int diff(const DiffOptions& options) {
     if (!options.old_verdicts.empty()) {
         impact.verdicts = verdict_changes(read_verdict_files(options.old_verdicts), evidence);
     }
-    fmt::print("{}", write_impact(impact, after, evidence));
+    fmt::print("{}", options.json ? impact_json(impact) : write_impact(impact, after, evidence));
     const bool worse = std::any_of(impact.verdicts.begin(), impact.verdicts.end(),
                                    [](const VerdictChange& one) { return one.before == "passed"; });
     return worse ? 1 : 0;

@@ -10,6 +10,7 @@ struct DiffOptions {
     std::string revision;
     std::string verdicts;
     std::string old_verdicts;
+    bool json{false};
 };
 
 /// Prints items, code, tests and verdicts. Returns the exit status.

@@ -3,21 +3,31 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "devices/catalogue.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/coverage/coverage_records.hpp"
 #include "host/assess/coverage/read_coverage.hpp"
+#include "host/assess/documents/analysis.hpp"
+#include "host/assess/evidence/argument.hpp"
+#include "host/assess/evidence/argument_page.hpp"
 #include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/freshness.hpp"
+#include "host/assess/evidence/make_evidence.hpp"
+#include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/evidence/pack.hpp"
 #include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/evidence/package_records.hpp"
 #include "host/assess/evidence/provenance.hpp"
 #include "host/assess/evidence/target_html.hpp"
+#include "host/assess/evidence/verify_pack.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
+#include "host/base/signature.hpp"
 
 namespace canproof::host {
 
@@ -47,12 +57,13 @@ struct Places {
     std::filesystem::path socketcan;
 };
 
+/// Nothing for a measurement of other sources: its lines are not those of the files.
 std::optional<MeasuredCoverage> coverage_of(const std::filesystem::path& file, const std::filesystem::path& root) {
-    if (!std::filesystem::exists(file)) {
+    if (!std::filesystem::exists(file) || !changed_source(root, covered_sources(root), file).empty()) {
         return std::nullopt;
     }
     MeasuredCoverage made;
-    made.files = read_coverage(file, root);
+    made.files = read_coverage(file, root, SourceAge::compared);
     made.verdict = judge_coverage(made.files, read_coverage_records(root / "reports" / "coverage.toml"));
     return made;
 }
@@ -69,11 +80,11 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);
     std::map<std::string, std::string> stale{
-        {"tests", newer_source(root, tests, oldest_file(places.verdicts))},
-        {"coverage", newer_source(root, tests, places.coverage)},
-        {"mutation", newer_source(root, tests, places.mutation)},
-        {"socketcan", newer_source(root, socketcan_sources(root), oldest_file(places.socketcan))},
-        {"target", newer_source(root, target_sources(root), places.target / "footprint.json")}};
+        {"tests", changed_source(root, tests, oldest_file(places.verdicts))},
+        {"coverage", changed_source(root, covered_sources(root), places.coverage)},
+        {"mutation", changed_source(root, tests, places.mutation)},
+        {"socketcan", changed_source(root, socketcan_sources(root), oldest_file(places.socketcan))},
+        {"target", changed_source(root, target_sources(root), places.target / "footprint.json")}};
     for (auto one = stale.begin(); one != stale.end();) {
         one = one->second.empty() ? stale.erase(one) : std::next(one);
     }
@@ -87,7 +98,7 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
         // What notices a mutant are the tests.
         const auto sources =
             all.back().key == "code-mutation" ? firmware_and_tests(places.root) : firmware_sources(places.root);
-        mark_stale(all.back(), newer_source(places.root, sources, folder / "exhibit.json"));
+        mark_stale(all.back(), changed_source(places.root, sources, folder / "exhibit.json"));
     }
     return all;
 }
@@ -102,12 +113,8 @@ void check_place(const std::filesystem::path& folder) {
     }
 }
 
-}  // namespace
-
-int write_evidence(const EvidenceOptions& options) {
-    const Places places{options};
+PackInput gather(const Places& places, const Register& content) {
     const std::filesystem::path& root = places.root;
-    const Register content = sound_register(root / "spec");
     PackInput input;
     input.content = &content;
     input.evidence = collect_evidence(root, places.verdicts, content);
@@ -119,6 +126,8 @@ int write_evidence(const EvidenceOptions& options) {
     input.coverage = coverage_of(places.coverage, root);
     input.mutation = mutation_of(places.mutation);
     input.argument = read_argument(root / "reports" / "argument.toml");
+    input.argument.techniques = read_techniques(root / "reports" / "techniques");
+    input.analysis = read_analysis(root / "reports" / "analysis", content);
     input.exhibits = exhibits_in(places);
     if (std::filesystem::exists(places.target / "footprint.json")) {
         input.target = write_target_html(places.target);
@@ -127,16 +136,66 @@ int write_evidence(const EvidenceOptions& options) {
     for (const auto& [name, plot] : all_figures()) {
         input.figures[name] = write_svg(plot);
     }
+    input.packages = read_package_records(root / "reports" / "packages.toml");
     input.provenance = provenance_of(root);
     input.provenance.configuration += ", tests in " + places.verdicts.parent_path().filename().string();
-    PackFiles files = make_pack(input);
+    return input;
+}
+
+/// What is absent or stale and can be made. Without any verdicts that is everything.
+std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Register& content) {
+    const Places places{options};
+    const bool tested = read_verdict_files(places.verdicts).tests != 0;
+    if (!tested) {
+        return makeable(read_argument(places.root / "reports" / "argument.toml"), {});
+    }
+    const PackInput input = gather(places, content);
+    return makeable(input.argument, exhibits_of(input));
+}
+
+std::size_t make_missing(const EvidenceOptions& options, const Register& content) {
+    const std::filesystem::path root = std::filesystem::canonical(options.root);
+    return make_evidence(needed(options, content), root, [](const std::string& line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    });
+}
+
+}  // namespace
+
+int write_evidence(const EvidenceOptions& options) {
+    const Register content = sound_register(std::filesystem::path{options.root} / "spec");
     const std::filesystem::path folder{options.out};
     check_place(folder);
+    const std::size_t failed = options.full ? make_missing(options, content) : 0;
+    const PackInput input = gather(Places{options}, content);
+    PackFiles files = make_pack(input);
     const std::string manifest = write_manifest(files, input.provenance);
+    if (!options.key.empty()) {
+        files[manifest_signature] = sign(manifest, options.key);
+    }
     files["manifest.json"] = manifest;
     replace_folder(folder, files);
-    fmt::print("{} files; open {}\n", files.size(), (folder / "index.html").string());
-    return 0;
+    if (options.json) {
+        fmt::print("{}", files.at("data/argument.json"));
+    } else {
+        fmt::print("{} files; open {}\n{}\n", files.size(), (folder / "index.html").string(),
+                   claims_sentence(count_claims(input.argument, exhibits_of(input))));
+    }
+    return failed == 0 ? 0 : 1;
+}
+
+int verify_evidence(const VerifyOptions& options) {
+    const auto faults = faults_of_pack(options.pack, options.key);
+    for (const auto& fault : faults) {
+        fmt::print("{}\n", fault);
+    }
+    if (faults.empty()) {
+        fmt::print("every file is as the manifest says{}\n", options.key.empty()
+                                                                 ? "; name a public key with --key to see who signed it"
+                                                                 : ", and the key has signed it");
+    }
+    return faults.empty() ? 0 : 1;
 }
 
 }  // namespace canproof::host

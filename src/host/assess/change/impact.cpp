@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "host/assess/trace/audit.hpp"
@@ -128,6 +129,19 @@ std::string write_impact(const Impact& impact, const Register& content, const Ev
     }
     return text + fmt::format("{} item(s) changed, {} file(s), {} item(s) touched in all, {} verdict(s) differ\n",
                               impact.items.size(), impact.files.size(), touched.size(), impact.verdicts.size());
+}
+
+std::string impact_json(const Impact& impact) {
+    using Json = nlohmann::ordered_json;
+    Json items = Json::array();
+    for (const auto& one : impact.items) {
+        items.push_back({{"id", one.id}, {"word", one.word}, {"change", word_of(one.kind)}, {"details", one.details}});
+    }
+    Json verdicts = Json::array();
+    for (const auto& one : impact.verdicts) {
+        verdicts.push_back({{"id", one.id}, {"before", one.before}, {"after", one.after}});
+    }
+    return Json{{"items", items}, {"files", impact.files}, {"verdicts", verdicts}}.dump(2) + "\n";
 }
 
 }  // namespace canproof::host

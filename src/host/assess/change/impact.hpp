@@ -27,4 +27,7 @@ struct Impact {
 /// Each change with what is linked to it, as text.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
+/// The same changes as JSON.
+std::string impact_json(const Impact& impact);
+
 }  // namespace canproof::host

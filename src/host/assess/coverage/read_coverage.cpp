@@ -46,11 +46,13 @@ Region region_of(const Json& values) {
 }
 
 /// The lines of a source that has not changed since `measured` was written.
-std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured) {
+std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
+                                  const SourceAge age) {
     if (!std::filesystem::exists(file)) {
         throw InputError{fmt::format("{} was measured but is not there; measure again", file.string())};
     }
-    if (std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
+    if (age == SourceAge::by_time &&
+        std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
         throw InputError{
             fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
     }
@@ -288,7 +290,8 @@ Functions functions_of(const Json& data) {
 
 }  // namespace
 
-std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root) {
+std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root,
+                                        const SourceAge age) {
     std::ifstream in{file};
     if (!in) {
         throw InputError{fmt::format(
@@ -308,7 +311,7 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                 continue;
             }
             const auto known = functions.find(whole);
-            files.push_back(FileReader{source, name, lines_of(root / name, file)}.read(
+            files.push_back(FileReader{source, name, lines_of(root / name, file, age)}.read(
                 known == functions.end() ? Functions::mapped_type{} : known->second));
         }
     } catch (const Json::exception& error) {

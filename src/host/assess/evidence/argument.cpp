@@ -1,8 +1,10 @@
 #include "host/assess/evidence/argument.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "host/register/toml_records.hpp"
 
@@ -26,22 +28,72 @@ void read_claims(TomlItem& whole, Argument& argument) {
 
 void read_tables(TomlItem& whole, Argument& argument) {
     for (auto& item : whole.items("evidence")) {
-        argument.evidence.push_back({item.text("key"), item.text("title"), item.text("made_by")});
-        item.finish();
-    }
-    for (auto& item : whole.items("technique")) {
-        argument.techniques.push_back({item.text("table"), item.text("name"), item.text("level"),
-                                       item.word("state", {"shown", "partly", "not"}, ""), item.text("how")});
+        constexpr std::int64_t week = 7 * 24 * 60;
+        argument.evidence.push_back({item.text("key"), item.text("title"), item.text("made_by"),
+                                     item.text_or("run", ""), item.integer_or("minutes", 0, 0, week)});
         item.finish();
     }
     for (auto& item : whole.items("tool")) {
         argument.tools.push_back(
-            {item.text("name"), item.text_or("package", ""), item.text("hides"), item.text("noticed")});
+            {item.text("name"), item.text_or("package", ""), item.text("hides"), item.text("noticed"),
+             item.has("class") ? item.word("class", {"T1", "T2", "T3"}, "") : "", item.text_or("defects", "")});
         item.finish();
     }
 }
 
+/// The fields of `1a | name | HR | shown | how`.
+std::vector<std::string> fields_of(const std::string& row) {
+    static const std::string mark = " | ";
+    std::vector<std::string> fields;
+    std::size_t at = 0;
+    for (auto end = row.find(mark); end != std::string::npos; end = row.find(mark, at)) {
+        fields.push_back(row.substr(at, end - at));
+        at = end + mark.size();
+    }
+    fields.push_back(row.substr(at));
+    return fields;
+}
+
+void read_rows(TomlItem& item, std::vector<Technique>& into) {
+    static const std::array<const char*, 4> states{"shown", "partly", "missing", "not applicable"};
+    constexpr std::size_t columns = 5;
+    const std::string table = item.text("table");
+    const std::string title = item.text("title");
+    for (const auto& row : item.texts("rows", true)) {
+        const auto fields = fields_of(row);
+        if (fields.size() != columns) {
+            item.fault(item.place("rows"), fmt::format("`{}` has {} fields", row, fields.size()),
+                       "write number | technique | level | state | what is here");
+        } else if (std::find(states.begin(), states.end(), fields[3]) == states.end()) {
+            item.fault(item.place("rows"), fmt::format("`{}` is no state", fields[3]),
+                       fmt::format("write one of: {}", fmt::join(states, ", ")));
+        } else {
+            into.push_back({table, title, fields[0], fields[1], fields[2], fields[3], fields[4]});
+        }
+    }
+    item.finish();
+}
+
 }  // namespace
+
+std::vector<Technique> read_techniques(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder)) {
+        for (const auto& file : std::filesystem::directory_iterator{folder}) {
+            files.push_back(file.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<Technique> all;
+    for (const auto& file : files) {
+        read_toml_records(file, [&all](TomlItem& whole) {
+            for (auto& item : whole.items("table")) {
+                read_rows(item, all);
+            }
+        });
+    }
+    return all;
+}
 
 Argument read_argument(const std::filesystem::path& file) {
     Argument argument;

@@ -2,6 +2,7 @@
 // errors.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,14 +21,18 @@ struct Claim {
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;  ///< the command that leaves it
+    std::string made_by;      ///< the command that leaves it
+    std::string run{};        ///< the same for a shell in the project's folder; empty: `evidence --full` cannot make it
+    std::int64_t minutes{0};  ///< about what it takes on two cores
 };
 
 struct Technique {
-    std::string table;
+    std::string table;  ///< `IEC 61508-3 A.1`
+    std::string title;  ///< of the table
+    std::string number;
     std::string name;
     std::string level;
-    std::string state;  ///< shown, partly or not
+    std::string state;  ///< shown, partly, missing or not applicable
     std::string how;
 };
 
@@ -36,6 +41,8 @@ struct Tool {
     std::string package;  ///< of Debian; empty: our own
     std::string hides;
     std::string noticed;
+    std::string tool_class;  ///< T1, T2 or T3 of IEC 61508-4; empty: nobody has said
+    std::string defects;     ///< known ones
 };
 
 struct Argument {
@@ -47,5 +54,9 @@ struct Argument {
 
 /// Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
+
+/// The rows of the standards' tables in all TOML files of a folder, by name of the file; none without the folder.
+/// Throws InputError with file, line and fix.
+std::vector<Technique> read_techniques(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

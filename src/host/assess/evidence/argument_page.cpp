@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/assess/evidence/argument.hpp"
+#include "host/assess/evidence/argument_export.hpp"
 #include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/overview_page.hpp"
 #include "host/assess/evidence/own_exhibits.hpp"
@@ -32,9 +33,8 @@ std::string evidence_line(const std::string& key, const Exhibits& exhibits) {
 }
 
 std::string claim_markup(const Claim& claim, const Argument& argument, const Exhibits& exhibits) {
-    std::string text =
-        fmt::format("<div class=claim id=\"{0}\"><p><b>{0}</b> {1}</p><p>{2}</p>\n", escaped(claim.id),
-                    html_state(holds(claim, argument, exhibits) ? "holds" : "open"), escaped(claim.text));
+    std::string text = fmt::format("<div class=claim id=\"{0}\"><p><b>{0}</b> {1}</p><p>{2}</p>\n", escaped(claim.id),
+                                   html_state(word_of(state_of_claim(claim, argument, exhibits))), escaped(claim.text));
     if (!claim.evidence.empty()) {
         text += "<ul>";
         for (const auto& key : claim.evidence) {
@@ -55,11 +55,44 @@ std::string claim_markup(const Claim& claim, const Argument& argument, const Exh
 
 }  // namespace
 
-bool holds(const Claim& claim, const Argument& argument, const Exhibits& exhibits) {
-    const auto below = [&](const Claim& other) { return other.parent != claim.id || holds(other, argument, exhibits); };
-    const auto shown = [&](const std::string& key) { return state_of(key, exhibits) == Exhibit::State::holds; };
-    return std::all_of(claim.evidence.begin(), claim.evidence.end(), shown) &&
-           std::all_of(argument.claims.begin(), argument.claims.end(), below);
+Exhibit::State state_of_claim(const Claim& claim, const Argument& argument, const Exhibits& exhibits) {
+    auto worst = Exhibit::State::holds;
+    const auto take = [&worst](const Exhibit::State one) {
+        if (one == Exhibit::State::open || one == Exhibit::State::stale) {
+            worst = Exhibit::State::open;
+        } else if (one == Exhibit::State::absent && worst == Exhibit::State::holds) {
+            worst = Exhibit::State::absent;
+        }
+    };
+    for (const auto& key : claim.evidence) {
+        take(state_of(key, exhibits));
+    }
+    for (const auto& other : argument.claims) {
+        if (other.parent == claim.id) {
+            take(state_of_claim(other, argument, exhibits));
+        }
+    }
+    return worst;
+}
+
+ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits) {
+    ClaimCounts counts;
+    for (const auto& claim : argument.claims) {
+        const auto state = state_of_claim(claim, argument, exhibits);
+        ++counts.all;
+        counts.hold += state == Exhibit::State::holds ? 1U : 0U;
+        counts.not_measured += state == Exhibit::State::absent ? 1U : 0U;
+    }
+    return counts;
+}
+
+std::string claims_sentence(const ClaimCounts& counts) {
+    const std::string wait =
+        counts.not_measured == 0
+            ? ""
+            : fmt::format("; {} wait for evidence that was not measured: `canproof evidence --full` measures it",
+                          counts.not_measured);
+    return fmt::format("{} of {} claims hold{}", counts.hold, counts.all, wait);
 }
 
 std::string claims_markup(const Argument& argument, const Exhibits& exhibits) {
@@ -73,25 +106,20 @@ std::string claims_markup(const Argument& argument, const Exhibits& exhibits) {
 }
 
 std::string argument_page(const PackInput& input, const Exhibits& exhibits) {
-    std::vector<std::vector<std::string>> techniques;
-    for (const auto& one : input.argument.techniques) {
-        techniques.push_back(
-            {escaped(one.table), escaped(one.name), escaped(one.level), html_state(one.state), escaped(one.how)});
-    }
     std::vector<std::vector<std::string>> tools;
     for (const auto& one : input.argument.tools) {
         const auto version = input.provenance.packages.find(one.package);
-        tools.push_back({escaped(one.name), version == input.provenance.packages.end() ? "" : escaped(version->second),
-                         escaped(one.hides), escaped(one.noticed)});
+        tools.push_back({escaped(one.name), escaped(one.tool_class),
+                         version == input.provenance.packages.end() ? "" : escaped(version->second), escaped(one.hides),
+                         escaped(one.noticed), escaped(one.defects)});
     }
-    return "<h2>Claims</h2>\n" + claims_markup(input.argument, exhibits) +
-           "<h2>Techniques that the standards recommend</h2><p>IEC 61508-3 for SIL 3 and ISO 26262-6 for ASIL D, in "
-           "our "
-           "words. This is no assessment.</p>\n" +
-           html_table({{"Table", 14}, {"Technique", 30}, {"Level", 6}, {"State", 10}, {"Here"}}, techniques,
-                      Search::yes) +
-           "<h2>Confidence in tools</h2>\n" +
-           html_table({{"Tool", 14}, {"Version", 14}, {"Could hide", 28}, {"Noticed by"}}, tools);
+    return "<h2>Claims</h2>\n" + argument_graph(input.argument, exhibits) + claims_markup(input.argument, exhibits) +
+           "<h2>Confidence in tools</h2>\n<p>The class is that of IEC 61508-4: a T2 tool checks and could miss a "
+           "fault, a T3 "
+           "tool makes what runs and could put one in. No tool is qualified.</p>\n" +
+           html_table(
+               {{"Tool", 12}, {"Class", 6}, {"Version", 12}, {"Could hide", 22}, {"Noticed by", 26}, {"Known defects"}},
+               tools);
 }
 
 }  // namespace canproof::host

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/assess/evidence/argument.hpp"
+#include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 
@@ -11,8 +12,18 @@ namespace canproof::host {
 
 /// Claims with their evidence and what that does not show, as markup.
 std::string claims_markup(const Argument& argument, const Exhibits& exhibits);
-/// A claim holds when its evidence and all claims below it hold.
-bool holds(const Claim& claim, const Argument& argument, const Exhibits& exhibits);
+/// A claim holds when its evidence and all claims below it hold. It is open when one of them is open or stale, and not
+/// measured when nothing but absent evidence is missing.
+Exhibit::State state_of_claim(const Claim& claim, const Argument& argument, const Exhibits& exhibits);
+struct ClaimCounts {
+    std::size_t all{0};
+    std::size_t hold{0};
+    std::size_t not_measured{0};
+};
+ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits);
+/// `7 of 9 claims hold; 2 wait for evidence that was not measured, which canproof evidence --full measures`
+std::string claims_sentence(const ClaimCounts& counts);
+
 /// Markup of the page's body.
 std::string argument_page(const PackInput& input, const Exhibits& exhibits);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/assess/documents/item_words.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/csv_line.hpp"
@@ -29,11 +30,12 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
 
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence) {
     std::string text =
-        csv_line({"id", "part", "kind", "text", "sources", "decisions", "code", "demanded", "tests", "state"});
+        csv_line({"id", "part", "kind", "text", "facts", "sources", "decisions", "code", "demanded", "tests", "state"});
     for (const auto& audit : audits) {
         for (const auto& one : audit.items) {
-            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text, joined(origins(*one.item)),
-                              joined(one.decisions), joined(code_of(one.item->id, evidence)), joined(one.demanded),
+            text += csv_line({one.item->id, audit.part->name, one.word, one.item->text,
+                              item_words(*audit.part, one.item->id), joined(origins(*one.item)), joined(one.decisions),
+                              joined(code_of(one.item->id, evidence)), joined(one.demanded),
                               tests_of(one.item->id, evidence), one.status()});
         }
     }
@@ -41,15 +43,16 @@ std::string write_requirements_csv(const std::vector<PartAudit>& audits, const E
 }
 
 std::string write_decisions_csv(const std::vector<PartAudit>& audits) {
-    std::string text = csv_line({"id", "part", "question", "readings", "chosen", "because", "affects"});
+    std::string text = csv_line({"id", "part", "severity", "question", "readings", "chosen", "because", "affects"});
     for (const auto& audit : audits) {
         for (const auto& decision : audit.part->decisions) {
             std::vector<std::string> readings;
             for (const auto& reading : decision.readings) {
                 readings.push_back(fmt::format("{} ({})", reading.says, reading.source));
             }
-            text += csv_line({decision.id, audit.part->name, decision.text, joined(readings), decision.chosen,
-                              decision.because, decision.affects.empty() ? decision.none : joined(decision.affects)});
+            text += csv_line({decision.id, audit.part->name, decision.severity, decision.text, joined(readings),
+                              decision.chosen, decision.because,
+                              decision.affects.empty() ? decision.none : joined(decision.affects)});
         }
     }
     return text;

@@ -114,7 +114,7 @@ std::vector<std::filesystem::path> exhibit_folders(const std::filesystem::path& 
 void mark_stale(Exhibit& exhibit, const std::string& newer) {
     if (!newer.empty()) {
         exhibit.state = Exhibit::State::stale;
-        exhibit.open.push_back(fmt::format("{} is newer than this measurement", newer));
+        exhibit.open.push_back(fmt::format("{} has changed since this measurement", newer));
     }
 }
 

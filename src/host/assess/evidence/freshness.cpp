@@ -1,6 +1,13 @@
 #include "host/assess/evidence/freshness.hpp"
 
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
 #include "host/assess/firmware_scope.hpp"
+#include "host/base/read_file.hpp"
+#include "host/base/replace_file.hpp"
+#include "host/base/sha256.hpp"
 
 namespace canproof::host {
 
@@ -28,6 +35,60 @@ std::vector<std::string> with(std::vector<std::string> folders, const std::vecto
     return folders;
 }
 
+using Contents = std::map<std::string, std::string>;  ///< SHA-256 by path from the project's folder
+
+Contents contents_of(const fs::path& root, const std::vector<std::string>& folders) {
+    Contents all;
+    for (const auto& folder : folders) {
+        if (!fs::is_directory(root / folder)) {
+            continue;
+        }
+        for (const auto& one : fs::recursive_directory_iterator{root / folder}) {
+            if (one.is_regular_file() && measured_by(one.path())) {
+                all[one.path().lexically_relative(root).generic_string()] = sha256(read_file(one.path()));
+            }
+        }
+    }
+    return all;
+}
+
+/// A file that one of the two lacks, or that differs; empty when they are the same.
+std::string first_difference(const Contents& before, const Contents& now) {
+    for (const auto& [name, sum] : now) {
+        const auto found = before.find(name);
+        if (found == before.end() || found->second != sum) {
+            return name;
+        }
+    }
+    for (const auto& [name, sum] : before) {
+        if (now.count(name) == 0) {
+            return name;
+        }
+    }
+    return "";
+}
+
+/// Where the record of a measurement lies; nothing for one outside of build/.
+std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured) {
+    const auto from = fs::weakly_canonical(measured).lexically_relative(fs::weakly_canonical(root)).generic_string();
+    if (from.rfind("build/", 0) != 0) {
+        return std::nullopt;
+    }
+    return root / "build" / "freshness" / (sha256(from) + ".json");
+}
+
+/// The contents that the record holds for this very measurement.
+std::optional<Contents> recorded(const fs::path& record, const std::string& measurement) {
+    if (!fs::exists(record)) {
+        return std::nullopt;
+    }
+    const auto json = nlohmann::json::parse(read_file(record), nullptr, false);
+    if (!json.is_object() || json.value("measurement", "") != measurement || !json.contains("sources")) {
+        return std::nullopt;
+    }
+    return json.at("sources").get<Contents>();
+}
+
 }  // namespace
 
 std::vector<std::string> firmware_sources(const fs::path& root) {
@@ -38,6 +99,10 @@ std::vector<std::string> firmware_sources(const fs::path& root) {
 
 std::vector<std::string> firmware_and_tests(const fs::path& root) {
     return with(firmware_sources(root), {"tests", "properties"});
+}
+
+std::vector<std::string> covered_sources(const fs::path& root) {
+    return with(firmware_and_tests(root), {"src/host/sim/bus", "src/host/sim/replay"});
 }
 
 std::vector<std::string> socketcan_sources(const fs::path& root) {
@@ -61,6 +126,24 @@ std::string newer_source(const fs::path& root, const std::vector<std::string>& f
         }
     }
     return "";
+}
+
+std::string changed_source(const fs::path& root, const std::vector<std::string>& folders, const fs::path& measured) {
+    const auto record = fs::exists(measured) ? record_of(root, measured) : std::nullopt;
+    if (!record) {
+        return newer_source(root, folders, measured);
+    }
+    const std::string measurement = sha256(read_file(measured));
+    const Contents now = contents_of(root, folders);
+    if (const auto before = recorded(*record, measurement)) {
+        return first_difference(*before, now);
+    }
+    const std::string newer = newer_source(root, folders, measured);
+    if (newer.empty()) {
+        fs::create_directories(record->parent_path());
+        replace_file(*record, nlohmann::json{{"measurement", measurement}, {"sources", now}}.dump(1) + "\n");
+    }
+    return newer;
 }
 
 fs::path oldest_file(const fs::path& folder) {

@@ -43,7 +43,8 @@ std::string links(const std::vector<std::string>& ids, const char* page) {
 
 std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status) {
     const bool none = failure.prevented_by.empty();
-    return {fmt::format("<code>{}</code><br>{}", hazard.id, escaped(hazard.text)),
+    const std::string anchor = &failure == &hazard.failures.front() ? fmt::format(" id=\"{}\"", hazard.id) : "";
+    return {fmt::format("<code{}>{}</code><br>{}", anchor, hazard.id, escaped(hazard.text)),
             escaped(hazard.safe_state),
             escaped(failure.text),
             none ? escaped(failure.reason) : links(failure.prevented_by, "audit.html"),

@@ -1,5 +1,7 @@
 #include "host/assess/evidence/junit.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <pugixml.hpp>
 #include <sstream>
@@ -12,22 +14,48 @@ namespace {
 
 using Cases = std::vector<const TestCase*>;
 
+std::string seconds_text(const double seconds) {
+    return fmt::format("{:.3f}", seconds);
+}
+
+/// The items of the register that the case claims to show.
+void add_items(pugi::xml_node node, const TestCase& one) {
+    if (one.items.empty()) {
+        return;
+    }
+    auto properties = node.append_child("properties");
+    for (const auto& id : one.items) {
+        auto property = properties.append_child("property");
+        property.append_attribute("name") = "requirement";
+        property.append_attribute("value") = id.c_str();
+    }
+}
+
 void add_suite(pugi::xml_node suites, const std::string& name, const Cases& cases) {
     auto suite = suites.append_child("testsuite");
     std::size_t failures = 0;
     suite.append_attribute("name") = name.c_str();
     suite.append_attribute("tests") = cases.size();
     auto failed = suite.append_attribute("failures");
+    auto time = suite.append_attribute("time");
+    double seconds = 0.0;
     for (const TestCase* one : cases) {
         auto node = suite.append_child("testcase");
         node.append_attribute("classname") = name.c_str();
         node.append_attribute("name") = one->name.c_str();
+        node.append_attribute("time") = seconds_text(one->seconds).c_str();
+        seconds += one->seconds;
+        if (!one->file.empty()) {
+            node.append_attribute("file") = one->file.c_str();
+        }
+        add_items(node, *one);
         if (!one->passed) {
             ++failures;
             node.append_child("failure").append_attribute("message") = one->failure.c_str();
         }
     }
     failed = failures;
+    time = seconds_text(seconds).c_str();
 }
 
 }  // namespace

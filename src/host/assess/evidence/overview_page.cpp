@@ -20,10 +20,7 @@ namespace {
 constexpr std::size_t listed = 40;  ///< of a group that is open; the rest is counted
 
 std::string verdict_line(const Argument& argument, const Exhibits& exhibits) {
-    const auto held = std::count_if(argument.claims.begin(), argument.claims.end(),
-                                    [&](const Claim& claim) { return holds(claim, argument, exhibits); });
-    return fmt::format("<p><b>{} of {} claims hold</b> on the evidence of this pack.</p>\n", held,
-                       argument.claims.size());
+    return fmt::format("<p><b>{}</b></p>\n", escaped(claims_sentence(count_claims(argument, exhibits))));
 }
 
 std::string claims_on(const std::string& key, const Argument& argument) {
@@ -83,7 +80,7 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
     }
     std::vector<std::string> techniques;
     for (const auto& technique : input.argument.techniques) {
-        if (technique.state != "shown") {
+        if (technique.state == "partly" || technique.state == "missing") {
             techniques.push_back(fmt::format("{} {}, {}: {}", html_state(technique.state), escaped(technique.table),
                                              escaped(technique.name), escaped(technique.how)));
         }

@@ -266,7 +266,7 @@ Exhibits exhibits_of(const PackInput& input) {
     }
     for (const auto& expected : input.argument.evidence) {
         if (all.count(expected.key) == 0) {
-            add(absent(expected), "");
+            add(absent(expected), expected.key);
         }
     }
     return all;

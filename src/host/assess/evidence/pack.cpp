@@ -5,9 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "host/assess/coverage/cobertura.hpp"
+#include "host/assess/coverage/coverage_json.hpp"
+#include "host/assess/evidence/argument_export.hpp"
 #include "host/assess/evidence/argument_page.hpp"
 #include "host/assess/evidence/coverage_page.hpp"
 #include "host/assess/evidence/csv.hpp"
+#include "host/assess/evidence/document_pages.hpp"
 #include "host/assess/evidence/exhibit_page.hpp"
 #include "host/assess/evidence/hazards_page.hpp"
 #include "host/assess/evidence/junit.hpp"
@@ -20,6 +23,7 @@
 #include "host/assess/evidence/register_pages.hpp"
 #include "host/assess/evidence/reqif.hpp"
 #include "host/assess/evidence/sbom.hpp"
+#include "host/assess/evidence/standards_page.hpp"
 #include "host/base/sha256.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -29,10 +33,10 @@ namespace canproof::host {
 namespace {
 
 std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibits& exhibits) {
-    std::vector<NavigationEntry> entries{{"index.html", "canproof"},      {"argument.html", "Argument"},
-                                         {"audit.html", "Audit"},         {"sections.html", "Sections"},
-                                         {"decisions.html", "Decisions"}, {"hazards.html", "Hazards"},
-                                         {"tests.html", "Tests"}};
+    std::vector<NavigationEntry> entries{
+        {"index.html", "canproof"},      {"argument.html", "Argument"},   {"audit.html", "Audit"},
+        {"sections.html", "Sections"},   {"decisions.html", "Decisions"}, {"hazards.html", "Hazards"},
+        {"documents.html", "Documents"}, {"standards.html", "Standards"}, {"tests.html", "Tests"}};
     if (input.coverage.has_value()) {
         entries.push_back({"coverage.html", "Coverage"});
     }
@@ -49,13 +53,24 @@ std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibit
     return entries;
 }
 
+/// The commit and the date, for the foot of each page.
+std::string origin_of(const Provenance& provenance) {
+    return provenance.commit.empty() ? "" : fmt::format("canproof {}, {}", provenance.commit, provenance.date);
+}
+
 /// The pack's data/, each file with what it is.
 std::string data_markup(const PackFiles& files) {
     static const std::map<std::string, std::string> words{
-        {"data/register.reqif", "the register as ReqIF"}, {"data/junit.xml", "test cases as JUnit"},
-        {"data/cobertura.xml", "coverage as Cobertura"},  {"data/requirements.csv", "requirements as CSV"},
-        {"data/decisions.csv", "decisions as CSV"},       {"data/statements.csv", "statements of the manuals as CSV"},
-        {"data/sbom.cdx.json", "packages as CycloneDX"},  {"data/mutation.json", "altered cells as JSON"},
+        {"data/register.reqif", "the register as ReqIF"},
+        {"data/junit.xml", "test cases as JUnit"},
+        {"data/cobertura.xml", "coverage as Cobertura"},
+        {"data/requirements.csv", "requirements as CSV"},
+        {"data/decisions.csv", "decisions as CSV"},
+        {"data/statements.csv", "statements of the manuals as CSV"},
+        {"data/sbom.cdx.json", "packages as CycloneDX"},
+        {"data/coverage.json", "coverage with MC/DC as JSON"},
+        {"data/argument.json", "claims and evidence as JSON (GSN)"},
+        {"data/mutation.json", "altered cells as JSON"},
         {"data/misra.sarif", "MISRA findings as SARIF"},
     };
     std::string text = "<h2>The same as data</h2>\n<ul>";
@@ -71,16 +86,17 @@ std::string data_markup(const PackFiles& files) {
 
 PackFiles make_pack(const PackInput& input) {
     const Exhibits exhibits = exhibits_of(input);
-    const auto navigation = navigation_of(input, exhibits);
-    PackFiles files;
+    const PageFrame frame{navigation_of(input, exhibits), origin_of(input.provenance)};
+    PackFiles files = document_files(input, frame);
     const auto page = [&](const std::string& name, const std::string& title, const std::string& body) {
-        files[name] = html_page(title, name, navigation, body);
+        files[name] = html_page(title, name, frame, body);
     };
     page("argument.html", "Argument", argument_page(input, exhibits));
     page("audit.html", "Audit", audit_page(input));
     page("sections.html", "Sections of the manuals", sections_page(input));
     page("decisions.html", "Decisions", decisions_page(input));
     page("hazards.html", "Hazards", hazards_page(input));
+    page("standards.html", "Techniques of the standards", standards_page(input));
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
     for (const auto& audit : input.audits) {
@@ -91,6 +107,7 @@ PackFiles make_pack(const PackInput& input) {
     if (input.coverage.has_value()) {
         page("coverage.html", "Structural coverage", coverage_page(*input.coverage));
         files["data/cobertura.xml"] = write_cobertura(input.coverage->files);
+        files["data/coverage.json"] = coverage_json(input.coverage->files, input.coverage->verdict);
     }
     if (input.mutation.has_value()) {
         page("mutation.html", "Mutation of generated cells", mutation_page(*input.mutation));
@@ -99,9 +116,10 @@ PackFiles make_pack(const PackInput& input) {
     if (input.target.has_value()) {
         page("target.html", "On the microcontroller", *input.target);
     }
-    files["data/register.reqif"] = write_reqif(*input.content, input.audits);
+    files["data/argument.json"] = write_argument_json(input.argument, exhibits);
+    files["data/register.reqif"] = write_reqif(*input.content, input.audits, input.evidence);
     files["data/junit.xml"] = write_junit(input.evidence);
-    files["data/sbom.cdx.json"] = write_sbom(input.provenance);
+    files["data/sbom.cdx.json"] = write_sbom(input.provenance, input.packages);
     files["data/requirements.csv"] = write_requirements_csv(input.audits, input.evidence);
     files["data/decisions.csv"] = write_decisions_csv(input.audits);
     files["data/statements.csv"] = write_statements_csv(input.audits);

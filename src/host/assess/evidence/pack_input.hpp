@@ -8,8 +8,10 @@
 
 #include "host/assess/coverage/coverage.hpp"
 #include "host/assess/coverage/coverage_records.hpp"
+#include "host/assess/documents/analysis.hpp"
 #include "host/assess/evidence/argument.hpp"
 #include "host/assess/evidence/exhibit.hpp"
+#include "host/assess/evidence/package_records.hpp"
 #include "host/assess/evidence/provenance.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/audit.hpp"
@@ -41,9 +43,11 @@ struct PackInput {
     /// have the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;
+    Analysis analysis;                           ///< of reports/analysis
     std::vector<Exhibit> exhibits;               ///< of other tools
     std::map<std::string, std::string> figures;  ///< SVG text by file name; each begins with its device's name
     Provenance provenance;
+    PackageRecords packages;
 };
 
 }  // namespace canproof::host

@@ -69,6 +69,30 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
     return found;
 }
 
+/// What the lists of apt say of the packages' files; nothing for a version that they do not have.
+std::map<std::string, std::string> package_sums(const std::map<std::string, std::string>& packages) {
+    std::string names;
+    for (const auto& [name, version] : packages) {
+        names += " " + name + "=" + version;
+    }
+    std::map<std::string, std::string> sums;
+    if (names.empty()) {
+        return sums;
+    }
+    std::istringstream lines{said_by("apt-cache show" + names)};
+    std::string package;
+    for (std::string line; std::getline(lines, line);) {
+        const auto colon = line.find(": ");
+        const std::string key = line.substr(0, colon);
+        if (key == "Package") {
+            package = line.substr(colon + 2);
+        } else if (key == "SHA256") {
+            sums[package] = line.substr(colon + 2);
+        }
+    }
+    return sums;
+}
+
 }  // namespace
 
 Provenance provenance_of(const std::filesystem::path& root) {
@@ -92,6 +116,7 @@ Provenance provenance_of(const std::filesystem::path& root) {
 #endif
                                          __VERSION__);
     made.packages = packages_of(root);
+    made.package_sums = package_sums(made.packages);
     return made;
 }
 

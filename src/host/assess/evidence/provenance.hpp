@@ -14,6 +14,8 @@ struct Provenance {
     std::string configuration;                    ///< of this program, and of the tests
     std::map<std::string, std::string> tools;     ///< version by name
     std::map<std::string, std::string> packages;  ///< version by Debian package
+    /// SHA-256 of the .deb by package, where the lists of apt have this version.
+    std::map<std::string, std::string> package_sums;
 };
 
 /// Of the working copy at `root` and of this program. A date comes from SOURCE_DATE_EPOCH when that is set.

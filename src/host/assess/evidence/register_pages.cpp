@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/assess/documents/item_words.hpp"
 #include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
@@ -54,18 +55,25 @@ std::string mutants_of(const std::string& id, const PackInput& input) {
     return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
 }
 
-std::vector<std::string> item_row(const AuditedItem& audited, const PackInput& input) {
+/// The facts of an object, the value of a constant, the rows of a table.
+std::string facts_of(const Part& part, const std::string& id) {
+    const std::string words = item_words(part, id);
+    return words.empty() ? "" : fmt::format("<br><small>{}</small>", escaped(words));
+}
+
+std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const PackInput& input) {
     const Item& item = *audited.item;
     std::string decisions;
     for (const auto& id : audited.decisions) {
         decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
     }
-    return {fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
-            fmt::format("{}<br><small>{}</small>", escaped(item.text), escaped(joined(origins(item)))),
-            decisions,
-            places_of(code_of(item.id, input.evidence)),
-            tests_of(item.id, input.evidence) + mutants_of(item.id, input),
-            html_state(audited.status())};
+    return {
+        fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
+        fmt::format("{}{}<br><small>{}</small>", escaped(item.text), facts_of(part, item.id), joined(origins(item))),
+        decisions,
+        places_of(code_of(item.id, input.evidence)),
+        tests_of(item.id, input.evidence) + mutants_of(item.id, input),
+        html_state(audited.status())};
 }
 
 }  // namespace
@@ -82,7 +90,7 @@ std::string audit_page(const PackInput& input) {
             gaps += fmt::format("<li>{}\n", escaped(gap));
         }
         for (const auto& item : audit.items) {
-            rows.push_back(item_row(item, input));
+            rows.push_back(item_row(*audit.part, item, input));
         }
     }
     if (!gaps.empty()) {
@@ -146,6 +154,19 @@ std::string sections_table(const PartAudit& audit) {
     return html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
 }
 
+/// Sections that ask for nothing, each with the reason.
+std::string informative_table(const Manual& manual) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& section : manual.sections) {
+        if (!section.normative && !section.reason.empty()) {
+            rows.push_back({escaped(section.ref), escaped(section.title), escaped(section.reason)});
+        }
+    }
+    return rows.empty() ? ""
+                        : "<h3>Sections that ask for nothing</h3>\n" +
+                              html_table({{"Section", 10}, {"Title", 30}, {"Why"}}, rows, Search::no);
+}
+
 std::string sections_page(const PackInput& input) {
     std::string text =
         "<p>What the manuals ask for, and what covers it. The page of a manual has its sections with our statement of "
@@ -160,7 +181,7 @@ std::string sections_page(const PackInput& input) {
                             escaped(manual->title), escaped(manual->publisher), escaped(manual->revision),
                             escaped(manual->date));
         text += manual->statements.empty() ? sections_table(audit) : "";
-        text += conditions_table(*manual);
+        text += conditions_table(*manual) + informative_table(*manual);
     }
     return text;
 }
@@ -177,7 +198,9 @@ std::string decisions_page(const PackInput& input) {
             for (const auto& id : decision.affects) {
                 affects += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
             }
-            rows.push_back({fmt::format("<code id=\"{0}\">{0}</code>", decision.id), escaped(decision.text), readings,
+            rows.push_back({fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", decision.id,
+                                        escaped(decision.severity)),
+                            escaped(decision.text), readings,
                             fmt::format("<b>{}</b><br>{}", escaped(decision.chosen), escaped(decision.because)),
                             affects.empty() ? escaped(decision.none) : affects});
         }
@@ -185,7 +208,8 @@ std::string decisions_page(const PackInput& input) {
     return fmt::format(
                "<p>The manuals contradict themselves, each other and CiA's standards in {} places, or leave them open. "
                "Each is decided here: by the standard, then by the manual's own consistency, then by the safer "
-               "failure.</p>\n",
+               "failure. A decision is of severity high when it changes the wire or an output, medium when it changes "
+               "the configuration or a range, low when it is editorial.</p>\n",
                rows.size()) +
            html_table({{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
                       rows, Search::yes);

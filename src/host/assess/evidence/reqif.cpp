@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
+#include "host/assess/documents/item_words.hpp"
 #include "host/assess/trace/audit.hpp"
+#include "host/assess/trace/evidence.hpp"
 
 namespace canproof::host {
 
@@ -17,6 +21,8 @@ constexpr const char* text_type = "_datatype-text";
 constexpr const char* item_type = "_type-item";
 constexpr const char* part_type = "_type-part";
 constexpr const char* link_type = "_type-affects";
+constexpr const char* section_type = "_type-section";
+constexpr const char* cover_type = "_type-covers";
 
 struct Attribute {
     const char* id;
@@ -28,6 +34,53 @@ constexpr Attribute text_of{"_attribute-text", "ReqIF.Text"};
 constexpr Attribute kind_of{"_attribute-kind", "Kind"};
 constexpr Attribute source_of{"_attribute-source", "Source"};
 constexpr Attribute state_of{"_attribute-state", "State"};
+constexpr Attribute facts_of{"_attribute-facts", "Facts"};
+constexpr Attribute code_at{"_attribute-code", "Code"};
+constexpr Attribute tests_of{"_attribute-tests", "Tests"};
+constexpr Attribute review_of{"_attribute-review", "Review"};
+constexpr Attribute severity_of{"_attribute-severity", "Severity"};
+constexpr Attribute section_id{"_attribute-section", "ReqIF.ForeignID"};
+constexpr Attribute section_title{"_attribute-title", "ReqIF.Text"};
+
+/// What a tool shows of an item or a decision.
+struct Written {
+    std::string id;
+    std::string text;
+    std::string kind;
+    std::string source;
+    std::string state;
+    std::string facts{};
+    std::string code{};
+    std::string tests{};
+    std::string review{};
+    std::string severity{};
+};
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// `2026-11-21, NAME, author`; empty when nobody has read it.
+std::string review_words(const Part& part, const std::string& id) {
+    const auto found = part.reviews.find(id);
+    if (found == part.reviews.end()) {
+        return "";
+    }
+    const Review& one = found->second;
+    return fmt::format("{}, {}, {}{}", one.date, one.by, one.role.empty() ? "role not stated" : one.role,
+                       one.marked.empty() ? "" : fmt::format("; code and tests marked {}, not read", one.marked));
+}
+
+std::string test_words(const std::string& id, const Evidence& evidence) {
+    std::vector<std::string> words;
+    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            words.push_back(
+                fmt::format("{} ({}, {})", verdict.test, verdict.kind, verdict.passed ? "passed" : "failed"));
+        }
+    }
+    return joined(words);
+}
 
 /// Identifiers of XML begin with a letter or an underscore.
 std::string name_of(const std::string& id) {
@@ -36,7 +89,8 @@ std::string name_of(const std::string& id) {
 
 class ReqifWriter {
   public:
-    ReqifWriter(const Register& content, const std::vector<PartAudit>& audits) : content_{content}, audits_{audits} {}
+    ReqifWriter(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence)
+        : content_{content}, audits_{audits}, evidence_{evidence} {}
 
     std::string write() {
         auto declaration = document_.append_child(pugi::node_declaration);
@@ -51,8 +105,15 @@ class ReqifWriter {
         auto relations = body.append_child("SPEC-RELATIONS");
         auto specifications = body.append_child("SPECIFICATIONS");
         for (const auto& audit : audits_) {
+            for (const auto& one : audit.items) {
+                written_.insert(one.item->id);
+            }
+        }
+        for (const auto& audit : audits_) {
             write_objects(objects, audit);
+            write_sections(objects, audit);
             write_relations(relations, audit);
+            write_coverage(relations, audit);
             write_specification(specifications, audit);
         }
         std::ostringstream out;
@@ -86,12 +147,21 @@ class ReqifWriter {
         string.append_attribute("MAX-LENGTH") = 100000;
         auto types = body.append_child("SPEC-TYPES");
         auto attributes = identified(types, "SPEC-OBJECT-TYPE", item_type, "item").append_child("SPEC-ATTRIBUTES");
-        for (const Attribute& one : {id_of, text_of, kind_of, source_of, state_of}) {
-            auto definition = identified(attributes, "ATTRIBUTE-DEFINITION-STRING", one.id, one.name);
-            definition.append_child("TYPE").append_child("DATATYPE-DEFINITION-STRING-REF").text() = text_type;
+        for (const Attribute& one :
+             {id_of, text_of, kind_of, source_of, state_of, facts_of, code_at, tests_of, review_of, severity_of}) {
+            define(attributes, one);
         }
+        auto section = identified(types, "SPEC-OBJECT-TYPE", section_type, "section").append_child("SPEC-ATTRIBUTES");
+        define(section, section_id);
+        define(section, section_title);
         identified(types, "SPECIFICATION-TYPE", part_type, "part");
         identified(types, "SPEC-RELATION-TYPE", link_type, "affects");
+        identified(types, "SPEC-RELATION-TYPE", cover_type, "covers");
+    }
+
+    static void define(pugi::xml_node attributes, const Attribute& one) {
+        auto definition = identified(attributes, "ATTRIBUTE-DEFINITION-STRING", one.id, one.name);
+        definition.append_child("TYPE").append_child("DATATYPE-DEFINITION-STRING-REF").text() = text_type;
     }
 
     static void add_value(pugi::xml_node values, const Attribute& attribute, const std::string& value) {
@@ -100,54 +170,92 @@ class ReqifWriter {
         node.append_child("DEFINITION").append_child("ATTRIBUTE-DEFINITION-STRING-REF").text() = attribute.id;
     }
 
-    static void add_object(pugi::xml_node objects, const Item& item, const std::string& kind,
-                           const std::string& state) {
-        auto node = identified(objects, "SPEC-OBJECT", name_of(item.id), item.id);
+    static void add_object(pugi::xml_node objects, const Written& one) {
+        auto node = identified(objects, "SPEC-OBJECT", name_of(one.id), one.id);
         node.append_child("TYPE").append_child("SPEC-OBJECT-TYPE-REF").text() = item_type;
         auto values = node.append_child("VALUES");
-        add_value(values, id_of, item.id);
-        add_value(values, text_of, item.text);
-        add_value(values, kind_of, kind);
-        add_value(values, source_of, fmt::format("{}", fmt::join(origins(item), ", ")));
-        add_value(values, state_of, state);
+        add_value(values, id_of, one.id);
+        add_value(values, text_of, one.text);
+        add_value(values, kind_of, one.kind);
+        add_value(values, source_of, one.source);
+        add_value(values, state_of, one.state);
+        for (const auto& [attribute, text] :
+             {std::pair{facts_of, one.facts}, std::pair{code_at, one.code}, std::pair{tests_of, one.tests},
+              std::pair{review_of, one.review}, std::pair{severity_of, one.severity}}) {
+            if (!text.empty()) {
+                add_value(values, attribute, text);
+            }
+        }
     }
 
-    static void write_objects(pugi::xml_node objects, const PartAudit& audit) {
+    void write_objects(pugi::xml_node objects, const PartAudit& audit) const {
+        const Part& part = *audit.part;
         for (const auto& one : audit.items) {
-            add_object(objects, *one.item, one.word, one.failed || !one.missing.empty() ? "open" : "shown");
+            const std::string& id = one.item->id;
+            add_object(objects,
+                       {id, one.item->text, one.word, joined(origins(*one.item)), one.status(), item_words(part, id),
+                        joined(code_of(id, evidence_)), test_words(id, evidence_), review_words(part, id), ""});
         }
-        for (const auto& decision : audit.part->decisions) {
-            Item item = decision;
-            item.text = fmt::format("{} Chosen: {} Because: {}", decision.text, decision.chosen, decision.because);
-            add_object(objects, item, "decision", "");
+        for (const auto& one : part.decisions) {
+            add_object(objects,
+                       {one.id, fmt::format("{} Chosen: {} Because: {}", one.text, one.chosen, one.because), "decision",
+                        joined(origins(one)), "", "", "", "", review_words(part, one.id), one.severity});
         }
+    }
+
+    /// XML names have neither spaces nor colons.
+    static std::string section_name(const PartAudit& audit, const Section& section) {
+        std::string name = "_section-" + audit.part->name + "-";
+        for (const char c : section.ref) {
+            name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+        }
+        return name;
+    }
+
+    /// The normative sections of the part's manual.
+    static void write_sections(pugi::xml_node objects, const PartAudit& audit) {
+        for (const auto& one : audit.sections) {
+            auto node = identified(objects, "SPEC-OBJECT", section_name(audit, *one.section), one.section->ref);
+            node.append_child("TYPE").append_child("SPEC-OBJECT-TYPE-REF").text() = section_type;
+            auto values = node.append_child("VALUES");
+            add_value(values, section_id, audit.part->info.manual + ":" + one.section->ref);
+            add_value(values, section_title, one.section->title);
+        }
+    }
+
+    static void add_relation(pugi::xml_node relations, const std::string& id, const char* type, const std::string& from,
+                             const std::string& to) {
+        auto node = identified(relations, "SPEC-RELATION", id, "");
+        node.append_child("TYPE").append_child("SPEC-RELATION-TYPE-REF").text() = type;
+        node.append_child("SOURCE").append_child("SPEC-OBJECT-REF").text() = from.c_str();
+        node.append_child("TARGET").append_child("SPEC-OBJECT-REF").text() = to.c_str();
     }
 
     /// From a decision to what it affects, where that is in the same file.
     void write_relations(pugi::xml_node relations, const PartAudit& audit) const {
         for (const auto& decision : audit.part->decisions) {
             for (const auto& affected : decision.affects) {
-                if (!is_written(affected)) {
-                    continue;
+                if (is_written(affected)) {
+                    add_relation(relations, name_of(decision.id + "." + affected), link_type, name_of(decision.id),
+                                 name_of(affected));
                 }
-                auto node = identified(relations, "SPEC-RELATION", name_of(decision.id + "." + affected), "");
-                node.append_child("TYPE").append_child("SPEC-RELATION-TYPE-REF").text() = link_type;
-                node.append_child("SOURCE").append_child("SPEC-OBJECT-REF").text() = name_of(decision.id).c_str();
-                node.append_child("TARGET").append_child("SPEC-OBJECT-REF").text() = name_of(affected).c_str();
             }
         }
     }
 
-    bool is_written(const std::string& id) const {
-        for (const auto& audit : audits_) {
-            for (const auto& one : audit.items) {
-                if (one.item->id == id) {
-                    return true;
+    /// From an item to each normative section that it covers.
+    void write_coverage(pugi::xml_node relations, const PartAudit& audit) const {
+        for (const auto& section : audit.sections) {
+            const std::string to = section_name(audit, *section.section);
+            for (const auto& id : section.covered_by) {
+                if (is_written(id)) {
+                    add_relation(relations, name_of(id) + "." + to.substr(1), cover_type, name_of(id), to);
                 }
             }
         }
-        return false;
     }
+
+    bool is_written(const std::string& id) const { return written_.count(id) != 0; }
 
     void write_specification(pugi::xml_node specifications, const PartAudit& audit) const {
         const Manual* manual = content_.manual(audit.part->info.manual);
@@ -169,13 +277,15 @@ class ReqifWriter {
 
     const Register& content_;
     const std::vector<PartAudit>& audits_;
+    const Evidence& evidence_;
+    std::set<std::string> written_;
     pugi::xml_document document_;
 };
 
 }  // namespace
 
-std::string write_reqif(const Register& content, const std::vector<PartAudit>& audits) {
-    return ReqifWriter{content, audits}.write();
+std::string write_reqif(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence) {
+    return ReqifWriter{content, audits, evidence}.write();
 }
 
 }  // namespace canproof::host

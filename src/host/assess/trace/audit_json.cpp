@@ -8,14 +8,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const AuditedItem& item) {
-    return {{"id", item.item->id},         {"word", item.word},       {"kind", item.kind},
-            {"text", item.item->text},     {"status", item.status()}, {"sources", item.item->sources},
-            {"decisions", item.decisions}, {"missing", item.missing}, {"without_code", item.without_code},
+Json tests_of(const std::string& id, const Evidence& evidence) {
+    Json all = Json::array();
+    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
+        for (const auto& verdict : found->second) {
+            all.push_back({{"test", verdict.test}, {"kind", verdict.kind}, {"passed", verdict.passed}});
+        }
+    }
+    return all;
+}
+
+Json json_of(const AuditedItem& item, const Evidence& evidence) {
+    return {{"id", item.item->id},
+            {"word", item.word},
+            {"kind", item.kind},
+            {"text", item.item->text},
+            {"status", item.status()},
+            {"sources", origins(*item.item)},
+            {"decisions", item.decisions},
+            {"code", code_of(item.item->id, evidence)},
+            {"tests", tests_of(item.item->id, evidence)},
+            {"missing", item.missing},
+            {"without_code", item.without_code},
             {"suspect", item.suspect}};
 }
 
-Json json_of(const AuditedStatement& statement) {
+Json json_of(const AuditedStatement& statement, const Evidence&) {
     const Statement& one = *statement.statement;
     Json made{{"id", statement.id}, {"section", one.section}, {"text", one.text}, {"status", statement.status}};
     made["covered"] = one.covered;
@@ -25,7 +43,7 @@ Json json_of(const AuditedStatement& statement) {
     return made;
 }
 
-Json json_of(const AuditedSection& section) {
+Json json_of(const AuditedSection& section, const Evidence&) {
     return {{"ref", section.section->ref},
             {"title", section.section->title},
             {"covered", section.covered},
@@ -33,27 +51,27 @@ Json json_of(const AuditedSection& section) {
 }
 
 template <typename All, typename Takes>
-Json list_of(const All& all, const Takes& takes) {
+Json list_of(const All& all, const Evidence& evidence, const Takes& takes) {
     Json list = Json::array();
     for (const auto& one : all) {
         if (takes(one)) {
-            list.push_back(json_of(one));
+            list.push_back(json_of(one, evidence));
         }
     }
     return list;
 }
 
-Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& filter) {
+Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& filter, const Evidence& evidence) {
     Json made{{"part", audit.part->name}};
-    made["items"] = list_of(audit.items, [&](const AuditedItem& one) { return passes(one, filter); });
+    made["items"] = list_of(audit.items, evidence, [&](const AuditedItem& one) { return passes(one, filter); });
     if (manual != nullptr) {
         made["manual"] = manual->key;
         made["counts_by"] = manual->statements.empty() ? "section" : "statement";
-        made["statements"] =
-            list_of(audit.statements, [&](const AuditedStatement& one) { return passes(one, *manual, filter); });
+        made["statements"] = list_of(audit.statements, evidence,
+                                     [&](const AuditedStatement& one) { return passes(one, *manual, filter); });
     }
     if (filter.empty()) {
-        made["sections"] = list_of(audit.sections, [](const AuditedSection&) { return true; });
+        made["sections"] = list_of(audit.sections, evidence, [](const AuditedSection&) { return true; });
         made["gaps"] = audit.gaps;
         made["suspects"] = audit.suspects;
     }
@@ -63,14 +81,17 @@ Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& fi
 }  // namespace
 
 std::string write_audit_json(const Register& content, const std::vector<PartAudit>& audits, const AuditFilter& filter,
-                             const std::map<std::string, std::vector<std::string>>& findings) {
+                             const std::map<std::string, std::vector<std::string>>& findings,
+                             const Evidence& evidence) {
     Json whole{{"parts", Json::array()}};
     for (const auto& audit : audits) {
-        whole["parts"].push_back(json_of(audit, content.manual(audit.part->info.manual), filter));
+        whole["parts"].push_back(json_of(audit, content.manual(audit.part->info.manual), filter, evidence));
     }
     for (const auto& [name, sentences] : findings) {
         whole[name] = sentences;
     }
+    whole["tests"] = evidence.tests;
+    whole["failed"] = evidence.failed;
     return whole.dump(2) + "\n";
 }
 

@@ -42,18 +42,23 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
         const bool passed = ran && !one.child("failure");
         ++evidence.tests;
         evidence.failed += passed ? 0 : 1;
-        evidence.cases.push_back({one.attribute("classname").value(), one.attribute("name").value(), passed,
-                                  one.child("failure").attribute("message").value()});
         const std::string name =
             fmt::format("{}.{}", one.attribute("classname").value(), one.attribute("name").value());
         const std::string source = from_project(one.attribute("file").value());
-        bool claims = false;
+        TestCase test{one.attribute("classname").value(),
+                      one.attribute("name").value(),
+                      passed,
+                      one.child("failure").attribute("message").value(),
+                      one.attribute("time").as_double(),
+                      source,
+                      {}};
         for (const auto& claim : one.child("properties").children("property")) {
             evidence.verdicts[claim.attribute("name").value()].push_back(
-                {name, claim.attribute("value").value(), passed, one.attribute("time").as_double(), source});
-            claims = true;
+                {name, claim.attribute("value").value(), passed, test.seconds, source});
+            test.items.emplace_back(claim.attribute("name").value());
         }
-        evidence.runs.push_back({name, source, passed, claims});
+        evidence.runs.push_back({name, source, passed, !test.items.empty()});
+        evidence.cases.push_back(std::move(test));
     }
 }
 

@@ -33,6 +33,9 @@ struct TestCase {
     std::string name;
     bool passed{false};
     std::string failure;  ///< first message of a case that failed
+    double seconds{0.0};
+    std::string file{};                ///< source, from the project's folder; empty where the runner does not tell
+    std::vector<std::string> items{};  ///< ids that it claims to show
 };
 
 struct Evidence {

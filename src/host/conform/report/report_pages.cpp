@@ -89,7 +89,7 @@ std::string summary_page(const ConformReport& report) {
         body += "<p>Not put back: " + escaped(one) + "</p>\n";
     }
     body += "<h2>The run</h2>\n" + html_table({{"What"}, {"Value"}}, facts);
-    return html_page("Conformance test", "index.html", navigation(report), body);
+    return html_page("Conformance test", "index.html", {navigation(report), ""}, body);
 }
 
 std::string times_table(const CaseResult& one) {
@@ -120,7 +120,7 @@ std::string service_page(const ConformReport& report, const std::string& group) 
     const std::string body =
         html_table({{"Case"}, {"Verdict"}, {"Public"}, {"Shows"}, {"Section"}, {"Why"}}, rows, Search::yes) +
         (times.empty() ? "" : "<h2>Measured times</h2>\n" + times);
-    return html_page("Conformance: " + group, group + ".html", navigation(report), body);
+    return html_page("Conformance: " + group, group + ".html", {navigation(report), ""}, body);
 }
 
 std::string case_page(const ConformReport& report, const CaseResult& one) {
@@ -144,7 +144,7 @@ std::string case_page(const ConformReport& report, const CaseResult& one) {
     body += "</pre>\n";
     const std::string times = times_table(one);
     body += times.empty() ? "" : "<h2>Measured times</h2>\n" + times;
-    return html_page(one.id, page_of(one), navigation(report), body);
+    return html_page(one.id, page_of(one), {navigation(report), ""}, body);
 }
 
 }  // namespace

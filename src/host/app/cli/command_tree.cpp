@@ -1,0 +1,54 @@
+#include "host/app/cli/command_tree.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+
+namespace canproof::host {
+
+namespace {
+
+OptionWords words_of(const CLI::Option& option) {
+    OptionWords made;
+    made.positional = option.get_positional();
+    made.name = made.positional ? option.get_name(true) : "--" + option.get_lnames().front();
+    made.description = option.get_description();
+    made.takes_value = option.get_items_expected_max() > 0;
+    return made;
+}
+
+void add_command(const CLI::App& app, const std::vector<std::string>& path, std::vector<CommandWords>& into) {
+    CommandWords made;
+    made.path = path;
+    made.description = app.get_description();
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_positional() || !option->get_lnames().empty()) {
+            made.options.push_back(words_of(*option));
+        }
+    }
+    const auto below = app.get_subcommands([](const CLI::App*) { return true; });
+    for (const CLI::App* one : below) {
+        made.below.push_back(one->get_name());
+    }
+    into.push_back(made);
+    for (const CLI::App* one : below) {
+        auto longer = path;
+        longer.push_back(one->get_name());
+        add_command(*one, longer, into);
+    }
+}
+
+}  // namespace
+
+std::string CommandWords::joined(const std::string& between) const {
+    return fmt::format("{}", fmt::join(path, between));
+}
+
+std::vector<CommandWords> command_tree(const CLI::App& app) {
+    std::vector<CommandWords> all;
+    add_command(app, {}, all);
+    return all;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,190 @@
+#include "host/app/cli/shell_completion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace canproof::host {
+
+namespace {
+
+/// Text in single quotes, for a shell.
+std::string quoted(const std::string& text) {
+    std::string out{"'"};
+    for (const char c : text) {
+        out += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
+    }
+    return out + "'";
+}
+
+/// What can stand behind a command: commands below it, then options.
+std::vector<std::string> words_behind(const CommandWords& command) {
+    std::vector<std::string> words = command.below;
+    for (const auto& option : command.options) {
+        if (!option.positional) {
+            words.push_back(option.name);
+        }
+    }
+    return words;
+}
+
+/// The patterns `/run`, `/eds/check` of a shell's case, one for each command below the program.
+std::string paths_of(const std::vector<CommandWords>& commands) {
+    std::vector<std::string> paths;
+    for (const auto& command : commands) {
+        if (!command.path.empty()) {
+            paths.push_back("/" + command.joined("/"));
+        }
+    }
+    return fmt::format("{}", fmt::join(paths, "|"));
+}
+
+std::string bash_completion(const std::vector<CommandWords>& commands) {
+    std::string cases;
+    for (const auto& command : commands) {
+        cases += fmt::format("    {}) offered={} ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
+                             quoted(fmt::format("{}", fmt::join(words_behind(command), " "))));
+    }
+    return fmt::format(
+        "# bash completion of canproof; source it, or write it to /etc/bash_completion.d/canproof\n"
+        "_canproof() {{\n  local place= offered= at\n"
+        "  for ((at = 1; at < COMP_CWORD; at++)); do\n"
+        "    case \"$place/${{COMP_WORDS[at]}}\" in\n      {}) place=\"$place/${{COMP_WORDS[at]}}\" ;;\n    esac\n  "
+        "done\n"
+        "  case \"$place\" in\n{}  esac\n"
+        "  mapfile -t COMPREPLY < <(compgen -W \"$offered\" -- \"${{COMP_WORDS[COMP_CWORD]}}\")\n"
+        "}}\ncomplete -o default -o bashdefault -F _canproof canproof\n",
+        paths_of(commands), cases);
+}
+
+/// `word:description` as zsh's _describe wants it: colons of the word are escaped.
+std::string described(const std::string& word, const std::string& description) {
+    return quoted(word + ":" + description);
+}
+
+std::string zsh_completion(const std::vector<CommandWords>& commands) {
+    const auto description_of = [&](const CommandWords& command, const std::string& name) {
+        auto path = command.path;
+        path.push_back(name);
+        const auto found =
+            std::find_if(commands.begin(), commands.end(), [&path](const auto& one) { return one.path == path; });
+        return found == commands.end() ? std::string{} : found->description;
+    };
+    std::string cases;
+    for (const auto& command : commands) {
+        std::vector<std::string> all;
+        for (const auto& name : command.below) {
+            all.push_back(described(name, description_of(command, name)));
+        }
+        for (const auto& option : command.options) {
+            if (!option.positional) {
+                all.push_back(described(option.name, option.description));
+            }
+        }
+        cases += fmt::format("    {}) offered=({}) ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
+                             fmt::join(all, " "));
+    }
+    return fmt::format(
+        "#compdef canproof\n# zsh completion of canproof; write it to _canproof in a folder of $fpath\n"
+        "_canproof() {{\n  local place= word\n  local -a offered\n"
+        "  for word in \"${{(@)words[2,CURRENT-1]}}\"; do\n    case \"$place/$word\" in\n"
+        "      {}) place=\"$place/$word\" ;;\n    esac\n  done\n  case \"$place\" in\n{}  esac\n"
+        "  _describe canproof offered || _files\n}}\ncompdef _canproof canproof\n",
+        paths_of(commands), cases);
+}
+
+std::string fish_completion(const std::vector<CommandWords>& commands) {
+    std::string text =
+        "# fish completion of canproof; write it to ~/.config/fish/completions/canproof.fish\n"
+        "function __canproof_at\n"
+        "  set -l seen\n"
+        "  for word in (commandline -opc)[2..-1]\n"
+        "    contains -- (string join / $seen $word) $__canproof_commands; and set -a seen $word\n"
+        "  end\n"
+        "  test (string join / $seen) = \"$argv[1]\"\nend\n";
+    std::vector<std::string> paths;
+    for (const auto& command : commands) {
+        if (!command.path.empty()) {
+            paths.push_back(quoted(command.joined("/")));
+        }
+    }
+    text += fmt::format("set -g __canproof_commands {}\n", fmt::join(paths, " "));
+    for (const auto& command : commands) {
+        const std::string at = fmt::format("-n \"__canproof_at '{}'\"", command.joined("/"));
+        if (!command.path.empty()) {
+            auto above = command;
+            above.path.pop_back();
+            text += fmt::format("complete -c canproof -n \"__canproof_at '{}'\" -a {} -d {}\n", above.joined("/"),
+                                quoted(command.path.back()), quoted(command.description));
+        }
+        for (const auto& option : command.options) {
+            if (!option.positional) {
+                text += fmt::format("complete -c canproof {} -l {}{} -d {}\n", at, option.name.substr(2),
+                                    option.takes_value ? " -r" : "", quoted(option.description));
+            }
+        }
+    }
+    return text;
+}
+
+/// Text for roff: hyphens are minus signs, a line does not begin as a request.
+std::string roff(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '\\') {
+            out += "\\e";
+        } else if (c == '-') {
+            out += "\\-";
+        } else {
+            out += c;
+        }
+    }
+    return !out.empty() && (out.front() == '.' || out.front() == '\'') ? "\\&" + out : out;
+}
+
+std::string synopsis_of(const CommandWords& command) {
+    std::string text = "canproof";
+    for (const auto& word : command.path) {
+        text += " " + word;
+    }
+    for (const auto& option : command.options) {
+        if (option.positional) {
+            text += " [" + option.name + "]";
+        }
+    }
+    return text + " [OPTION…]";
+}
+
+}  // namespace
+
+std::string shell_completion(const std::vector<CommandWords>& commands, const std::string& shell) {
+    return shell == "zsh"    ? zsh_completion(commands)
+           : shell == "fish" ? fish_completion(commands)
+                             : bash_completion(commands);
+}
+
+std::string manual_page(const std::vector<CommandWords>& commands, const std::string& version) {
+    std::string text = fmt::format(
+        ".TH CANPROOF 1 \"\" \"canproof {}\" \"User commands\"\n.SH NAME\ncanproof \\- four CANopen devices, generated "
+        "from "
+        "their requirements\n.SH SYNOPSIS\n.B canproof\n.I COMMAND\n[OPTION…]\n.SH COMMANDS\n",
+        roff(version));
+    for (const auto& command : commands) {
+        if (!command.path.empty()) {
+            text += fmt::format(".SS \"{}\"\n{}.\n", roff(synopsis_of(command)), roff(command.description));
+        }
+        for (const auto& option : command.options) {
+            if (!command.path.empty() && !option.description.empty()) {
+                text += fmt::format(".TP\n.B {}{}\n{}.\n", roff(option.name),
+                                    option.takes_value && !option.positional ? " VALUE" : "", roff(option.description));
+            }
+        }
+    }
+    return text +
+           ".SH EXIT STATUS\n0: done, and nothing was found. 1: what was asked for was found, a gap or a fault. 2: "
+           "wrong use, or "
+           "something is missing.\n";
+}
+
+}  // namespace canproof::host

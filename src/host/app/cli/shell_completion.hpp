@@ -1,0 +1,17 @@
+// Completion for shells, made from the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/app/cli/command_tree.hpp"
+
+namespace canproof::host {
+
+/// The script that a shell (bash, zsh or fish) sources. It offers commands, options and files.
+std::string shell_completion(const std::vector<CommandWords>& commands, const std::string& shell);
+
+/// The manual page canproof(1) in roff.
+std::string manual_page(const std::vector<CommandWords>& commands, const std::string& version);
+
+}  // namespace canproof::host

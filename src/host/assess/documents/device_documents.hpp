@@ -1,0 +1,15 @@
+// The documents of one device that are generated from the register.
+#pragma once
+
+#include <vector>
+
+#include "host/assess/documents/analysis.hpp"
+#include "host/assess/documents/document.hpp"
+#include "host/register/register.hpp"
+
+namespace canproof::host {
+
+/// Safety manual, hardware-software interface, interface control document, errors, software FMEA, threats.
+std::vector<Document> device_documents(const Register& content, const Part& part, const Analysis& analysis);
+
+}  // namespace canproof::host

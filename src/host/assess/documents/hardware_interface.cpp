@@ -1,0 +1,74 @@
+#include "host/assess/documents/hardware_interface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/assess/documents/words.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string hazards_at(const Part& part, const std::string& id) {
+    std::vector<std::string> ids;
+    for (const auto& hazard : part.hazards) {
+        if (std::find(hazard.at.begin(), hazard.at.end(), id) != hazard.at.end()) {
+            ids.push_back(hazard.id);
+        }
+    }
+    return joined_or(ids);
+}
+
+DocumentTable signal_table(const Part& part, const bool inputs) {
+    DocumentTable table{inputs ? "Inputs" : "Outputs",
+                        {"Signal", "Type", "Unit", "Range", "At power-on", "Meaning", "Hazards", "Id", "Source"},
+                        {}};
+    for (const auto& signal : part.signals) {
+        if (signal.input == inputs) {
+            table.rows.push_back({joined_or(signal.names()), signal.type, signal.unit,
+                                  range_of(signal).empty() ? "every value of the type" : range_of(signal),
+                                  to_text(signal.value), signal.text, hazards_at(part, signal.id), signal.id,
+                                  joined_or(origins(signal))});
+        }
+    }
+    return table;
+}
+
+Chapter factory_chapter(const Part& part) {
+    DocumentTable table{"Factory data", {"Object", "Entry", "Type", "Value of the model"}, {}};
+    for (const auto& object : part.objects) {
+        for (const auto& entry : object.entries) {
+            if (entry.factory) {
+                table.rows.push_back({fmt::format("{:04X}h:{:02X}", object.index, entry.subindex),
+                                      object.name + (object.kind == Object::Kind::var ? "" : ": " + entry.name),
+                                      entry.type, to_text(entry.value)});
+            }
+        }
+    }
+    return {
+        "Factory data",
+        {table.rows.empty() ? "The device has no factory data." : "The instance of the device supplies these values."},
+        table.rows.empty() ? std::vector<DocumentTable>{} : std::vector<DocumentTable>{table}};
+}
+
+}  // namespace
+
+Document hardware_interface(const Part& part) {
+    const DocumentTable physical{
+        "Requirements of kind physical", {"Requirement", "Text", "Source"}, requirement_rows(part, "physical")};
+    return {
+        "hardware-interface",
+        fmt::format("Hardware-software interface of the {}", part.info.title),
+        "Which values pass between the firmware and its hardware, with type, unit, range and source. `canproof "
+        "signals` prints the same list.",
+        {Chapter{"Signals",
+                 {"The firmware has no drivers. Time comes in as microseconds, frames go out through a queue, and "
+                  "physical inputs and outputs are plain data. A driver converts each signal to and from its hardware.",
+                  "The range of an input is what the simulation accepts. Some inputs belong to the simulated world "
+                  "alone; their meaning says so."},
+                 {signal_table(part, true), signal_table(part, false)}},
+         Chapter{"Physical behaviour", {}, {physical}}, factory_chapter(part)}};
+}
+
+}  // namespace canproof::host

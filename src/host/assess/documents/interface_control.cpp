@@ -1,0 +1,192 @@
+#include "host/assess/documents/interface_control.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "host/assess/documents/error_tables.hpp"
+#include "host/assess/documents/words.hpp"
+#include "host/datasheet/eds_values.hpp"
+#include "host/datasheet/entry_index.hpp"
+#include "host/datasheet/entry_words.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr unsigned first_rpdo = 0x1400;
+constexpr unsigned first_tpdo = 0x1800;
+constexpr unsigned pdos = 512;
+constexpr unsigned to_mapping = 0x200;
+constexpr unsigned most_mapped = 64;
+constexpr unsigned first_id = 1;
+constexpr unsigned last_id = 127;
+
+unsigned node_of(const Part& part) {
+    const bool fits = part.info.node_id >= static_cast<int>(first_id) && part.info.node_id <= static_cast<int>(last_id);
+    return fits ? static_cast<unsigned>(part.info.node_id) : first_id;
+}
+
+std::string identifier(const std::uint32_t cob_id) {
+    const bool extended = (cob_id & cob_id_extended) != 0;
+    const std::string text =
+        extended ? fmt::format("{:08X}h (29 bit)", cob_id & 0x1FFFFFFFU) : fmt::format("{:03X}h", cob_id & 0x7FFU);
+    return (cob_id & cob_id_switched_off) != 0 ? text + ", not valid as shipped" : text;
+}
+
+/// Messages beside the PDOs.
+DocumentTable message_table(const Part& part, const EntryIndex& entries) {
+    const unsigned node = node_of(part);
+    DocumentTable table{
+        fmt::format("COB-IDs at node-ID {}", node), {"Message", "Direction", "COB-ID", "Bytes", "Object"}, {}};
+    const auto fixed = [&](const char* name, const char* direction, const unsigned id, const char* bytes) {
+        table.rows.push_back({name, direction, fmt::format("{:03X}h", id), bytes, ""});
+    };
+    fixed("NMT", "received", 0x000, "2");
+    if (const auto sync = entries.number(0x1005, 0, node)) {
+        const bool counts = entries.number(0x1019, 0, node).value_or(0) > 1;
+        table.rows.push_back(
+            {"SYNC", (*sync & 0x40000000U) != 0 ? "sent" : "received", identifier(*sync), counts ? "1" : "0", "1005h"});
+    }
+    const auto emcy = entries.number(0x1014, 0, node);
+    table.rows.push_back({"EMCY", "sent", identifier(emcy.value_or(0x80 + node)), "8", emcy ? "1014h" : ""});
+    fixed("SDO request", "received", 0x600 + node, "8");
+    fixed("SDO response", "sent", 0x580 + node, "8");
+    table.rows.push_back({"Boot-up, heartbeat, node guarding", "sent", fmt::format("{:03X}h", 0x700 + node), "1",
+                          entries.named(0x1017, 0) == nullptr ? "" : "1017h"});
+    if (part.info.lss) {
+        fixed("LSS request", "received", 0x7E5, "8");
+        fixed("LSS response", "sent", 0x7E4, "8");
+    }
+    return table;
+}
+
+std::string type_words(const std::optional<std::uint32_t>& type) {
+    if (!type) {
+        return "";
+    }
+    const std::string words = *type == 0     ? "synchronous, acyclic"
+                              : *type <= 240 ? fmt::format("every {} SYNC", *type)
+                              : *type == 252 ? "remote, synchronous"
+                              : *type == 253 ? "remote, event"
+                              : *type >= 254 ? "event"
+                                             : "reserved";
+    return fmt::format("{} ({})", *type, words);
+}
+
+/// `0: 6411h:01 Voltage (16 bit)` for each mapped object, by its first bit.
+std::vector<std::string> mapped_objects(const EntryIndex& entries, const unsigned index, const unsigned node) {
+    std::vector<std::string> all;
+    const unsigned count = std::min(entries.number(index + to_mapping, 0, node).value_or(0), most_mapped);
+    unsigned at = 0;
+    for (unsigned sub = 1; sub <= count; ++sub) {
+        const std::uint32_t mapped = entries.number(index + to_mapping, sub, node).value_or(0);
+        const unsigned bits = mapped & 0xFFU;
+        const NamedEntry* target = entries.named(mapped >> 16U, (mapped >> 8U) & 0xFFU);
+        all.push_back(target == nullptr
+                          ? fmt::format("bit {}: gap of {} bit", at, bits)
+                          : fmt::format("bit {}: {} {} ({} bit)", at, place_words(*target->object, *target->entry),
+                                        full_name(*target), bits));
+        at += bits;
+    }
+    return all;
+}
+
+DocumentTable pdo_table(const Part& part, const EntryIndex& entries, const bool received) {
+    const unsigned node = node_of(part);
+    DocumentTable table{received ? "RPDOs as shipped" : "TPDOs as shipped",
+                        {"PDO", "COB-ID", "Transmission type", "Inhibit time", "Event timer", "Mapped objects"},
+                        {}};
+    const auto time = [&](const unsigned index, const unsigned sub, const char* unit) {
+        const auto value = entries.number(index, sub, node);
+        return value ? fmt::format("{} {}", *value, unit) : std::string{};
+    };
+    const unsigned first = received ? first_rpdo : first_tpdo;
+    for (unsigned index = first; index < first + pdos; ++index) {
+        if (const auto cob_id = entries.number(index, 1, node)) {
+            table.rows.push_back({fmt::format("{}PDO{}, {:04X}h", received ? "R" : "T", index - first + 1, index),
+                                  identifier(*cob_id), type_words(entries.number(index, 2, node)),
+                                  time(index, 3, "x 100 us"), time(index, 5, "ms"),
+                                  joined_or(mapped_objects(entries, index, node), "none")});
+        }
+    }
+    return table;
+}
+
+DocumentTable service_table(const Part& part) {
+    const auto yes = [](const bool value) { return std::string{value ? "yes" : "no"}; };
+    const auto has = [&](const unsigned index) { return yes(count_objects(part, index, index) != 0); };
+    std::vector<std::string> rates;
+    for (const auto rate : part.info.bit_rates) {
+        rates.push_back(std::to_string(rate));
+    }
+    return {"Services",
+            {"Service", "Here"},
+            {{"Bit rates (bit/s)", joined_or(rates)},
+             {"Bit rate as shipped", fmt::format("{} bit/s", part.info.bit_rate)},
+             {"SDO, expedited and segmented", "yes"},
+             {"SDO, block", yes(part.info.block_sdo)},
+             {"LSS", yes(part.info.lss)},
+             {"SYNC, 1005h", has(0x1005)},
+             {"Heartbeat producer, 1017h", has(0x1017)},
+             {"Heartbeat consumer, 1016h", has(0x1016)},
+             {"Life guarding, 100Ch", has(0x100C)},
+             {"Store parameters, 1010h", has(0x1010)},
+             {"Restore defaults, 1011h", has(0x1011)},
+             {"TIME, 1012h", has(0x1012)},
+             {"Abort code for limits", part.info.limit_abort == "range" ? "06090030h" : "06090031h and 06090032h"},
+             {"1003h lists", part.info.error_list == "active" ? "active errors" : "past errors as well"},
+             {"Event of TPDOs of type 254 and 255",
+              part.info.tpdo_trigger == "event_timer" ? "the event timer" : "a change of a mapped value"}}};
+}
+
+DocumentTable object_table(const Part& part) {
+    DocumentTable table{
+        "Object dictionary", {"Index", "Name", "Type", "Access", "Default", "Range", "PDO", "Stored", "Unit"}, {}};
+    for (const auto& object : part.objects) {
+        const Object sheet = as_in_sheet(object);
+        for (const auto& entry : sheet.entries) {
+            const bool counts = object.kind != Object::Kind::var && entry.subindex == 0;
+            table.rows.push_back({place_words(object, entry), full_name({&object, &entry}), entry.type, entry.access,
+                                  eds_default(entry), range_words(entry), entry.mapping == "none" ? "" : entry.mapping,
+                                  entry.stored ? "yes" : "", counts ? "" : object.unit});
+        }
+    }
+    return table;
+}
+
+DocumentTable emergency_table(const Register& content, const Part& part) {
+    DocumentTable table{"Emergency codes", {"Error", "Code", "Table"}, {}};
+    for (const auto& one : errors_of(content, part)) {
+        table.rows.push_back({one.error, one.code, one.table});
+    }
+    return table;
+}
+
+}  // namespace
+
+Document interface_control(const Register& content, const Part& part) {
+    const EntryIndex entries{part};
+    DocumentTable timing{"Timing of this device", {"Requirement", "Text", "Source"}, requirement_rows(part, "timing")};
+    Chapter times{"Timing", {"The requirements of kind timing say what time-outs, delays and periods are."}, {timing}};
+    if (const Part* shared = content.part("canopen")) {
+        times.tables.push_back(
+            {"Timing that all devices share", {"Requirement", "Text", "Source"}, requirement_rows(*shared, "timing")});
+    }
+    return {"interface-control",
+            fmt::format("Interface control document of the {}", part.info.title),
+            fmt::format("What the device has on the bus as shipped: COB-IDs, PDOs, services, timing, emergency codes, "
+                        "objects. Manual: {}.",
+                        manual_words(content, part)),
+            {Chapter{"Messages",
+                     {"COB-IDs that hang on the node-ID are given for the node-ID as shipped."},
+                     {message_table(part, entries), pdo_table(part, entries, true), pdo_table(part, entries, false)}},
+             Chapter{"Services", {}, {service_table(part)}}, times,
+             Chapter{"Emergency messages",
+                     {"Bytes 0 and 1 hold the code, byte 2 holds 1001h (error register). The error matrix says more."},
+                     {emergency_table(content, part)}},
+             Chapter{"Objects", {}, {object_table(part)}}}};
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,36 @@
+#include "host/assess/documents/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace canproof::host {
+
+std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise) {
+    return words.empty() ? otherwise : fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string range_of(const Signal& signal) {
+    if (!signal.minimum || !signal.maximum) {
+        return "";
+    }
+    return fmt::format("{} … {}{}{}", *signal.minimum, *signal.maximum, signal.unit.empty() ? "" : " ", signal.unit);
+}
+
+std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& one : part.requirements) {
+        if (one.kind == kind && one.retired.empty()) {
+            rows.push_back({one.id, one.text, joined_or(origins(one))});
+        }
+    }
+    return rows;
+}
+
+std::string manual_words(const Register& content, const Part& part) {
+    const Manual* manual = content.manual(part.info.manual);
+    return manual == nullptr ? part.info.manual
+                             : fmt::format("{}, {}, revision {} of {}", manual->title, manual->publisher,
+                                           manual->revision, manual->date);
+}
+
+}  // namespace canproof::host

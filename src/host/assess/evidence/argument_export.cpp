@@ -1,0 +1,139 @@
+#include "host/assess/evidence/argument_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/assess/evidence/argument_page.hpp"
+#include "host/assess/evidence/exhibit.hpp"
+#include "host/report/markup.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr int box_width = 118;
+constexpr int box_height = 40;
+constexpr int gap = 10;
+constexpr int row = box_height + 18;
+
+/// The colours have their words beside them: a reader who sees none of them loses nothing.
+const char* outline_of(const Exhibit::State state) {
+    switch (state) {
+        case Exhibit::State::holds:
+            return "#1c6b3a";
+        case Exhibit::State::absent:
+            return "#5a625f";
+        case Exhibit::State::stale:
+            return "#7a5a00";
+        default:
+            return "#a32016";
+    }
+}
+
+struct Box {
+    int x;
+    int y;
+    std::string link;
+    std::string title;
+    Exhibit::State state;
+};
+
+/// A goal has square corners, a solution round ones.
+std::string box_svg(const Box& box, const int corner) {
+    const std::string shown = fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>"
+        "<text x=\"{}\" y=\"{}\" font-size=\"11\" font-weight=\"600\" fill=\"#1b2220\">{}</text>"
+        "<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"{}\">{}</text>",
+        box.x, box.y, box_width, box_height, corner, outline_of(box.state), box.x + 8, box.y + 16, escaped(box.title),
+        box.x + 8, box.y + 31, outline_of(box.state), word_of(box.state));
+    return box.link.empty() ? shown : fmt::format("<a href=\"{}\">{}</a>\n", escaped(box.link), shown);
+}
+
+std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
+    return fmt::format("<path d=\"M{} {}V{}H{}V{}\" fill=\"none\" stroke=\"#5a625f\"/>\n", x1, y1, (y1 + y2) / 2, x2,
+                       y2);
+}
+
+/// A title that fits the box.
+std::string shortened(const std::string& title) {
+    constexpr std::size_t most = 17;
+    return title.size() <= most ? title : title.substr(0, most - 1) + "…";
+}
+
+std::vector<const Claim*> children_of(const Argument& argument, const std::string& id) {
+    std::vector<const Claim*> all;
+    for (const auto& claim : argument.claims) {
+        if (claim.parent == id) {
+            all.push_back(&claim);
+        }
+    }
+    return all;
+}
+
+/// Draws one column: the goal and its solutions below it. Returns the lowest line used.
+int draw_column(std::string& text, const Claim& claim, const Argument& argument, const Exhibits& exhibits, const int x,
+                const int y) {
+    text += box_svg({x, y, "#" + claim.id, claim.id, state_of_claim(claim, argument, exhibits)}, 0);
+    int below = y;
+    for (const auto& key : claim.evidence) {
+        const auto found = exhibits.find(key);
+        text += line_svg(x + box_width / 2, below + box_height, x + box_width / 2, below + row);
+        below += row;
+        text += found == exhibits.end()
+                    ? box_svg({x, below, "", shortened(key), Exhibit::State::absent}, box_height / 2)
+                    : box_svg({x, below, found->second.page, shortened(found->second.title), found->second.state},
+                              box_height / 2);
+    }
+    return below + box_height;
+}
+
+}  // namespace
+
+std::string write_argument_json(const Argument& argument, const Exhibits& exhibits) {
+    using Json = nlohmann::ordered_json;
+    Json goals = Json::array();
+    for (const auto& claim : argument.claims) {
+        goals.push_back({{"id", claim.id},
+                         {"supports", claim.parent.empty() ? Json(nullptr) : Json(claim.parent)},
+                         {"statement", claim.text},
+                         {"state", word_of(state_of_claim(claim, argument, exhibits))},
+                         {"context", claim.limits},
+                         {"solutions", claim.evidence}});
+    }
+    Json solutions = Json::object();
+    for (const auto& [key, one] : exhibits) {
+        solutions[key] = {{"title", one.title}, {"state", word_of(one.state)}, {"says", one.says}, {"open", one.open}};
+    }
+    const Json json{{"notation", "GSN"}, {"goals", goals}, {"solutions", solutions}};
+    return json.dump(2) + "\n";
+}
+
+std::string argument_graph(const Argument& argument, const Exhibits& exhibits) {
+    std::string text;
+    int x = 0;
+    int lowest = 0;
+    for (const Claim* root : children_of(argument, "")) {
+        const auto children = children_of(argument, root->id);
+        const int columns = std::max(1, static_cast<int>(children.size()));
+        const int middle = x + (columns * (box_width + gap) - gap) / 2 - box_width / 2;
+        const int own = draw_column(text, *root, argument, exhibits, middle, 2);
+        for (const Claim* child : children) {
+            text += line_svg(middle + box_width / 2, own, x + box_width / 2, own + row - box_height);
+            lowest = std::max(lowest, draw_column(text, *child, argument, exhibits, x, own + row - box_height));
+            x += box_width + gap;
+        }
+        lowest = std::max(lowest, own);
+        x += children.empty() ? box_width + gap : 0;
+    }
+    return fmt::format(
+        "<figure class=wrap><svg viewBox=\"0 0 {0} {1}\" style=\"min-width:{0}px\" role=\"group\" "
+        "aria-label=\"Graph of the claims, each with the evidence below it; the list below says the same\" "
+        "font-family=\"system-ui,sans-serif\">\n{2}</svg><figcaption>Square boxes are claims, round boxes are "
+        "evidence. Each "
+        "is a link.</figcaption></figure>\n",
+        std::max(x, box_width) + 4, lowest + 4, text);
+}
+
+}  // namespace canproof::host

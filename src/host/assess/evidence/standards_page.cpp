@@ -1,0 +1,49 @@
+#include "host/assess/evidence/standards_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/assess/evidence/argument.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+std::string counts_of(const std::vector<Technique>& techniques) {
+    const auto count = [&](const char* state) {
+        return std::count_if(techniques.begin(), techniques.end(),
+                             [state](const Technique& one) { return one.state == state; });
+    };
+    return fmt::format("{} rows: {} shown, {} partly, {} missing, {} not applicable.", techniques.size(),
+                       count("shown"), count("partly"), count("missing"), count("not applicable"));
+}
+
+}  // namespace
+
+std::string standards_page(const PackInput& input) {
+    const auto& all = input.argument.techniques;
+    std::string text = fmt::format(
+        "<p>What IEC 61508-3:2010 recommends for SIL 3, and ISO 26262-6 and -8:2018 for ASIL D, in our words, with "
+        "what is "
+        "here. {}</p>\n<p>The authors judge themselves: this is no assessment. The levels are as the authors read the "
+        "standards; compare them with a copy.</p>\n",
+        counts_of(all));
+    for (auto first = all.begin(); first != all.end();) {
+        const auto last =
+            std::find_if(first, all.end(), [&](const Technique& one) { return one.table != first->table; });
+        std::vector<std::vector<std::string>> rows;
+        std::for_each(first, last, [&rows](const Technique& one) {
+            rows.push_back(
+                {escaped(one.number), escaped(one.name), escaped(one.level), html_state(one.state), escaped(one.how)});
+        });
+        text += fmt::format("<h2>{}: {}</h2>\n", escaped(first->table), escaped(first->title)) +
+                html_table({{"Row", 6}, {"Technique", 30}, {"Level", 8}, {"State", 14}, {"Here"}}, rows);
+        first = last;
+    }
+    return text;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,161 @@
+// What a measurement speaks of, and the files that people write for the pack.
+#include "host/assess/evidence/freshness.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "host/assess/evidence/argument.hpp"
+#include "host/assess/trace/evidence.hpp"
+#include "host/base/input_error.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using ::testing::HasSubstr;
+
+}  // namespace
+
+TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness";
+    fs::create_directories(root / "spec");
+    const auto now = fs::file_time_type::clock::now();
+    const auto write = [&](const char* name, std::chrono::seconds age) {
+        std::ofstream{root / name} << name;
+        fs::last_write_time(root / name, now - age);
+    };
+    write("measured.json", std::chrono::seconds{10});
+    write("spec/old.toml", std::chrono::seconds{20});
+    EXPECT_EQ(newer_source(root, {"spec", "nowhere"}, root / "measured.json"), "");
+    write("spec/reviews.toml", std::chrono::seconds{5});
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "measured.json"), "");
+    write("spec/b.toml", std::chrono::seconds{5});
+    write("spec/a.toml", std::chrono::seconds{1});
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "measured.json"), "spec/a.toml");
+    EXPECT_EQ(newer_source(root, {"spec"}, root / "never.json"), "");
+    EXPECT_EQ(oldest_file(root / "spec").string(), (root / "spec/old.toml").string());
+    fs::remove_all(root);
+    EXPECT_EQ(oldest_file(root).string(), "");
+}
+
+TEST(Freshness, IsThatOfContentsOnceAMeasurementWasSeenFresh) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_contents";
+    fs::remove_all(root);
+    fs::create_directories(root / "spec");
+    fs::create_directories(root / "build");
+    const fs::path measured = root / "build/measured.json";
+    const auto now = fs::file_time_type::clock::now();
+    const auto write = [&](const fs::path& file, const char* text, std::chrono::seconds age) {
+        std::ofstream{file} << text;
+        fs::last_write_time(file, now - age);
+    };
+    write(root / "spec/a.toml", "one", std::chrono::seconds{20});
+    write(measured, "figures", std::chrono::seconds{10});
+    const auto changed = [&] { return changed_source(root, {"spec"}, measured); };
+    EXPECT_EQ(changed(), "");
+    // Written again with the same contents: nothing has changed, whatever the time says.
+    write(root / "spec/a.toml", "one", std::chrono::seconds{1});
+    EXPECT_EQ(changed(), "");
+    // Other contents with an old time.
+    write(root / "spec/a.toml", "two", std::chrono::seconds{30});
+    EXPECT_EQ(changed(), "spec/a.toml");
+    write(root / "spec/a.toml", "one", std::chrono::seconds{1});
+    write(root / "spec/b.toml", "new", std::chrono::seconds{30});
+    EXPECT_EQ(changed(), "spec/b.toml");
+    fs::remove(root / "spec/b.toml");
+    EXPECT_EQ(changed(), "");
+    fs::remove(root / "spec/a.toml");
+    EXPECT_EQ(changed(), "spec/a.toml");
+    // Another measurement has no record: the times decide.
+    write(root / "spec/a.toml", "two", std::chrono::seconds{1});
+    write(measured, "other figures", std::chrono::seconds{10});
+    EXPECT_EQ(changed(), "spec/a.toml");
+    write(measured, "other figures", std::chrono::seconds{0});
+    EXPECT_EQ(changed(), "");
+    fs::remove_all(root);
+}
+
+TEST(Freshness, SpeaksOfTheFirmwareOfDevicesToo) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_devices";
+    const fs::path file = "src/devices/ax130751/firmware/ramp.cpp";
+    fs::create_directories((root / file).parent_path());
+    std::ofstream{root / "measured.json"} << "measured";
+    std::ofstream{root / file} << "code";
+    const auto measured = fs::last_write_time(root / "measured.json");
+    fs::last_write_time(root / file, measured - std::chrono::seconds{1});
+    for (const auto& sources :
+         {firmware_sources(root), firmware_and_tests(root), socketcan_sources(root), target_sources(root)}) {
+        EXPECT_EQ(newer_source(root, sources, root / "measured.json"), "");
+    }
+    fs::last_write_time(root / file, measured + std::chrono::seconds{1});
+    for (const auto& sources :
+         {firmware_sources(root), firmware_and_tests(root), socketcan_sources(root), target_sources(root)}) {
+        EXPECT_EQ(newer_source(root, sources, root / "measured.json"), file.generic_string());
+    }
+    fs::remove_all(root);
+}
+
+TEST(Verdicts, AreThoseOfTheLastRun) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "verdicts";
+    EXPECT_EQ(newest_verdicts(root).string(), (root / "build/release/verdicts").string());
+    const auto now = fs::file_time_type::clock::now();
+    const auto run = [&](const char* preset, std::chrono::seconds age) {
+        const fs::path folder = root / "build" / preset / "verdicts";
+        fs::create_directories(folder);
+        std::ofstream{folder / "tests.xml"} << "<testsuites/>";
+        fs::last_write_time(folder / "tests.xml", now - age);
+        return folder.string();
+    };
+    run("release", std::chrono::seconds{30});
+    const std::string coverage = run("coverage", std::chrono::seconds{10});
+    run("debug", std::chrono::seconds{20});
+    run("mutation", std::chrono::seconds{1});  // of altered tables
+    EXPECT_EQ(newest_verdicts(root).string(), coverage);
+    fs::remove_all(root);
+}
+
+TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {
+    const auto file = std::filesystem::path{::testing::TempDir()} / "argument.toml";
+    const auto told = [&](const char* text) {
+        std::ofstream{file} << text;
+        try {
+            return std::to_string(read_argument(file).claims.size());
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+    };
+    EXPECT_EQ(told("[[claim]]\nid = \"C\"\ntext = \"t\"\n[[claim]]\nid = \"D\"\nparent = \"C\"\ntext = \"t\"\n"), "2");
+    EXPECT_THAT(told("[[claim]]\nid = \"C\"\nparent = \"B\"\ntext = \"t\"\n"),
+                HasSubstr("argument.toml:3: there is no claim `B` before this one"));
+    EXPECT_THAT(told("[[claim\n"), HasSubstr("argument.toml:1: "));
+    std::filesystem::remove(file);
+}
+
+TEST(Techniques, AreReadFromTheFilesOfAFolderAndBadRowsAreToldWithTheirLine) {
+    const auto folder = std::filesystem::path{::testing::TempDir()} / "techniques";
+    std::filesystem::create_directories(folder);
+    const auto told = [&](const char* row) {
+        std::ofstream{folder / "a.toml"} << "[[table]]\ntable = \"T\"\ntitle = \"t\"\nrows = [\"" << row << "\"]\n";
+        try {
+            const auto all = read_techniques(folder);
+            return all.size() == 1 ? all[0].table + "/" + all[0].number + "/" + all[0].name + "/" + all[0].level + "/" +
+                                         all[0].state + "/" + all[0].how
+                                   : std::to_string(all.size());
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+    };
+    EXPECT_THAT(told("1a | a name | HR | shown | here | there"), HasSubstr("has 6 fields"));
+    EXPECT_EQ(told("1a | a name | HR | shown | here"), "T/1a/a name/HR/shown/here");
+    EXPECT_THAT(told("1a | a name | HR | shown"), HasSubstr("a.toml:4: `1a | a name | HR | shown` has 4 fields"));
+    EXPECT_THAT(told("1a | a name | HR | maybe | here"), HasSubstr("a.toml:4: `maybe` is no state"));
+    std::filesystem::remove_all(folder);
+    EXPECT_TRUE(read_techniques(folder).empty());
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,71 @@
+// What `evidence --full` makes, in which order, and what it says of it.
+#include "host/assess/evidence/make_evidence.hpp"
+
+#include <gmock/gmock.h>
+
+#include "host/base/read_file.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+Exhibit exhibit(const std::string& key, const Exhibit::State state) {
+    return {key, key, state, "", ""};
+}
+
+std::vector<std::string> keys_of(const std::vector<ExpectedEvidence>& all) {
+    std::vector<std::string> keys;
+    for (const auto& one : all) {
+        keys.push_back(one.key);
+    }
+    return keys;
+}
+
+}  // namespace
+
+TEST(MakeEvidence, IsForWhatIsAbsentOrStaleAndHasACommand) {
+    Argument argument;
+    argument.evidence = {{"coverage", "", "", "true", 1},
+                         {"fuzz", "", "", "true", 1},
+                         {"misra", "", "", "true", 1},
+                         {"target", "", "", "", 1},
+                         {"scale", "", "", "true", 1}};
+    using State = Exhibit::State;
+    Exhibits exhibits{{"tests", exhibit("tests", State::holds)},
+                      {"coverage", exhibit("coverage", State::holds)},
+                      {"fuzz", exhibit("fuzz", State::stale)},
+                      {"misra", exhibit("misra", State::open)},
+                      {"target", exhibit("target", State::absent)}};
+    // misra is measured and open: measuring it again would not help. scale is not there at all.
+    EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("fuzz", "scale"));
+    exhibits["tests"].state = State::stale;
+    EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("coverage", "fuzz", "scale"));
+    EXPECT_THAT(keys_of(makeable(argument, {})), ElementsAre("coverage", "fuzz", "misra", "scale"));
+}
+
+TEST(MakeEvidence, GoesOnAfterACommandThatFailsAndSaysWhereItsOutputIs) {
+    const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "make evidence";
+    std::filesystem::remove_all(root);
+    std::filesystem::create_directories(root);
+    std::vector<std::string> told;
+    const auto tell = [&told](const std::string& line) { told.push_back(line); };
+    const std::vector<ExpectedEvidence> wanted{{"one", "First", "", "echo told; exit 3", 5},
+                                               {"two", "Second", "", "touch made; test -x \"$CANPROOF\"", 7}};
+    EXPECT_EQ(make_evidence(wanted, root, tell), 1U);
+    EXPECT_TRUE(std::filesystem::exists(root / "made"));
+    EXPECT_EQ(read_file(root / "build/log/evidence-one.log"), "told\n");
+    ASSERT_THAT(told, SizeIs(4));
+    EXPECT_EQ(told[0], "[1/2] First: about 5 min; 12 min for all that is left");
+    EXPECT_THAT(told[1], HasSubstr("[1/2] First: ended with 3 after 0:0"));
+    EXPECT_THAT(told[1], HasSubstr("build/log/evidence-one.log"));
+    EXPECT_EQ(told[2], "[2/2] Second: about 7 min; 7 min for all that is left");
+    EXPECT_THAT(told[3], HasSubstr("[2/2] Second: done after"));
+    std::filesystem::remove_all(root);
+}
+
+}  // namespace canproof::host::test

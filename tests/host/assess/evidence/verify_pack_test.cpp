@@ -1,0 +1,106 @@
+// A pack that was changed after it was written is told, and so is a signature by another key.
+#include "host/assess/evidence/verify_pack.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "host/assess/evidence/pack.hpp"
+#include "host/base/child_process.hpp"
+#include "host/base/input_error.hpp"
+#include "host/base/signature.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class SignedPack : public ::testing::Test {
+  protected:
+    SignedPack() {
+        fs::remove_all(folder_);
+        fs::create_directories(pack_);
+        const PackFiles files{{"a.txt", "one"}, {"b.txt", "two"}};
+        for (const auto& [name, text] : files) {
+            write(name, text);
+        }
+        manifest_ = write_manifest(files, {});
+        write("manifest.json", manifest_);
+    }
+    ~SignedPack() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream{pack_ / name, std::ios::binary} << text;
+    }
+    /// Makes a key pair with OpenSSL's own program; returns the stem of NAME.key and NAME.pub.
+    fs::path key(const std::string& name, const std::vector<std::string>& kind) const {
+        const fs::path stem = folder_ / name;
+        std::vector<std::string> words{"openssl", "genpkey", "-out", stem.string() + ".key"};
+        words.insert(words.end(), kind.begin(), kind.end());
+        EXPECT_TRUE(output_of(words).has_value());
+        EXPECT_TRUE(
+            output_of({"openssl", "pkey", "-in", stem.string() + ".key", "-pubout", "-out", stem.string() + ".pub"})
+                .has_value());
+        return stem;
+    }
+    std::vector<std::string> faults(const fs::path& key = {}) const { return faults_of_pack(pack_, key); }
+
+    fs::path folder_{fs::path{::testing::TempDir()} / "signed_pack"};
+    fs::path pack_{folder_ / "pack"};
+    std::string manifest_;
+};
+
+}  // namespace
+
+TEST_F(SignedPack, IsAsItsManifestSays) {
+    EXPECT_THAT(faults(), IsEmpty());
+    write("a.txt", "three");
+    fs::remove(pack_ / "b.txt");
+    write("c.txt", "new");
+    EXPECT_THAT(faults(),
+                ElementsAre("a.txt differs from the manifest", "b.txt is missing", "c.txt is not in the manifest"));
+}
+
+TEST_F(SignedPack, IsByTheKeyThatSignedIt) {
+    for (const auto& kind : std::vector<std::vector<std::string>>{
+             {"-algorithm", "ed25519"}, {"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256"}}) {
+        const fs::path mine = key("mine", kind);
+        const fs::path other = key("other", kind);
+        fs::remove(pack_ / manifest_signature);
+        EXPECT_THAT(faults(mine.string() + ".pub"), ElementsAre(HasSubstr("there is no manifest.json.sig")));
+        write(manifest_signature, sign(manifest_, mine.string() + ".key"));
+        EXPECT_THAT(faults(mine.string() + ".pub"), IsEmpty());
+        EXPECT_THAT(faults(other.string() + ".pub"), ElementsAre(HasSubstr("is not by the key in")));
+        write("manifest.json", manifest_ + " ");
+        EXPECT_THAT(faults(mine.string() + ".pub"), ElementsAre(HasSubstr("is not by the key in")));
+        write("manifest.json", manifest_);
+    }
+}
+
+TEST_F(SignedPack, IsVerifiedByOpenSslItself) {
+    const fs::path mine = key("mine", {"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256"});
+    write(manifest_signature, sign(manifest_, mine.string() + ".key"));
+    const auto verified = [&] {
+        return output_of({"openssl", "dgst", "-sha256", "-verify", mine.string() + ".pub", "-signature",
+                          (pack_ / manifest_signature).string(), (pack_ / "manifest.json").string()});
+    };
+    EXPECT_EQ(verified().value_or(""), "Verified OK\n");
+    write("manifest.json", manifest_ + " ");
+    EXPECT_FALSE(verified().has_value());
+}
+
+TEST_F(SignedPack, NeedsAManifestAndAKey) {
+    EXPECT_THROW(sign("x", pack_ / "a.txt"), InputError);
+    EXPECT_THROW(is_signed("x", "y", pack_ / "a.txt"), InputError);
+    EXPECT_THROW(faults_of_pack(folder_, {}), InputError);
+    write("manifest.json", "{}");
+    EXPECT_THROW(faults(), InputError);
+}
+
+}  // namespace canproof::host::test

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""tests/program/shell_words.py PROGRAM: completion and manual page name every command and option that --help names."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+
+
+def said(*words, **how):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **how)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, words))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def commands_of(path):
+    """Names of the commands below a command, as its --help lists them."""
+    text = said(PROGRAM, *path, "--help")
+    listed = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.M)
+    return re.findall(r"^  (\S+)", listed.group(1), re.M) if listed else []
+
+
+def options_of(path):
+    return sorted(set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", said(PROGRAM, *path, "--help"), re.M)))
+
+
+def tree(path=()):
+    yield path
+    for name in commands_of(path):
+        yield from tree((*path, name))
+
+
+def completed(script, words):
+    """What bash offers behind these words, of which the last is begun."""
+    line = f'source {script}; COMP_WORDS=(canproof {" ".join(words)}); COMP_CWORD={len(words)}; _canproof; printf "%s\\n" "${{COMPREPLY[@]}}"'
+    return said("bash", "-c", line).split()
+
+
+def main():
+    page = said(PROGRAM, "manual").replace("\\-", "-")
+    with tempfile.TemporaryDirectory() as folder:
+        script = pathlib.Path(folder) / "bash"
+        script.write_text(said(PROGRAM, "completion", "bash"))
+        checked = 0
+        for path in tree():
+            behind = completed(script, [*path, "''"])
+            for word in [*commands_of(path), *options_of(path)]:
+                if word not in behind:
+                    sys.exit(f"bash does not offer {word} behind canproof {' '.join(path)}: {behind}")
+                checked += 1
+            if path and f'.SS "canproof {" ".join(path)} ' not in page:
+                sys.exit(f"the manual page does not have canproof {' '.join(path)}")
+            for option in options_of(path) if path else []:
+                if f".B {option}" not in page:
+                    sys.exit(f"the manual page does not have {option}")
+        if completed(script, ["eds", "ch"]) != ["check"] or completed(script, ["run", "--bus-f"]) != ["--bus-faults"]:
+            sys.exit("bash does not complete a word that is begun")
+        if "nosuch" in completed(script, ["nosuch"]):
+            sys.exit("bash offers what is no command")
+        for shell in ("zsh", "fish"):
+            text = said(PROGRAM, "completion", shell)
+            (pathlib.Path(folder) / shell).write_text(text)
+            if "conform" not in text or "allow-outputs" not in text:
+                sys.exit(f"the completion of {shell} lacks a command or an option")
+            if shutil.which(shell):
+                said(shell, "-n", pathlib.Path(folder) / shell)
+    if checked < 100:
+        sys.exit(f"only {checked} words were looked at: --help has another form")
+    print(f"{checked} commands and options complete and stand on the manual page")
+
+
+main()
