@@ -9,9 +9,10 @@ namespace canproof::host {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, id, section, source file, test or nothing
+    std::string subject;  ///< device, id, section, statement, source file, test or nothing
     std::string verdicts;
     AuditFilter filter;
+    bool json{false};
 };
 
 /// 1 when something is open. Returns the exit status.
