@@ -59,7 +59,8 @@ bool is_heading(const std::string& line, const Section& section) {
     const auto is_there = [&](const std::string& word) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
-    const bool ends_with_number = !words.empty() && words.back().find_first_not_of("0123456789") == std::string::npos;
+    const bool ends_with_number =
+        !words.empty() && line.back() != ')' && words.back().find_first_not_of("0123456789") == std::string::npos;
     if (wanted.empty() || (ends_with_number && words.back() != wanted.back())) {
         return false;
     }

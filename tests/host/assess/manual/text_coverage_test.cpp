@@ -123,7 +123,7 @@ TEST(ManualTextSections, AreNotTakenFromNumberedListsOrLaterReferences) {
 TEST(ManualTextSections, MayHaveParaphrasedTitlesBehindLongNumbers) {
     Manual made;
     made.sections = {section("1.2", "Colours", true), section("1.2.3", "What red means", true)};
-    const std::vector<std::string> lines{"1.2.3 Red lamp 17", "1.2 of the lamps", "1.2.3 Red lamp"};
+    const std::vector<std::string> lines{"1.2.3 Red lamp 17", "1.2 of the lamps", "1.2.3 Red lamp (x = 1...4)"};
     const auto found = section_lines(made, lines);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].section->ref, "1.2.3");
