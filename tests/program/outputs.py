@@ -49,7 +49,7 @@ def full_disk(folder):
     commands = [["--help"], ["devices"], ["signals", "cbx-ao412"], ["eds", "cbx-ao412"],
                 ["eds", "ax188001", "--format", "xdd"], ["eds", "ax060805", "--format", "json"],
                 ["eds", "ax130751", "--format", "md"], ["eds", "cbx-ao412", "--format", "dbc"], ["eds", "check", "--rules"],
-                ["spec", "check"], ["demo"],
+                ["spec", "check"], ["audit", "--json", "--verdicts", verdicts], ["demo"],
                 ["replay", "cbx-ao412", "--node", "3", log], ["run", "cbx-ao412@3", "--seconds", "0.01"],
                 ["panel", "cbx-ao412@3", "--port", "0"], ["audit", "CO-SDO-001", "--verdicts", verdicts],
                 ["coverage", "--records"]]

@@ -60,18 +60,26 @@ class AuditCommand : Command {
   public:
     AuditCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("audit", "manual section to requirement to code to test to verdict");
-        command->add_option("SUBJECT", options_.subject,
-                            "a device, id, section (AX130751:1.3), source file or test; all without it");
-        command->add_option("--section", options_.filter.section,
-                            "list items from there: AX130751:1 takes 1.3 as well; 3.2.8 alone where one manual has it");
+        command->add_option(
+            "SUBJECT", options_.subject,
+            "a device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test; all without "
+            "it");
+        command->add_option(
+            "--section", options_.filter.section,
+            "list items and statements from there: AX130751:1 takes 1.3 as well; 3.2.8 alone where one manual "
+            "has it");
         command->add_option(
             "--kind", options_.filter.kind,
-            "list items of a kind: timing, storage, table, constant …; condition-of-use: what the manuals "
-            "ask of installers");
-        command->add_option("--status", options_.filter.status, "list items that are failed, open, suspect or shown")
-            ->check(CLI::IsMember({"failed", "open", "suspect", "shown"}));
+            "list items of a kind: timing, storage, table, constant …; statement: the manuals' statements; "
+            "condition-of-use: what the manuals ask of installers");
+        command
+            ->add_option("--status", options_.filter.status,
+                         "list items and statements that are failed, open, suspect or shown, or statements that are "
+                         "explained by a reason")
+            ->check(CLI::IsMember({"failed", "open", "suspect", "shown", "explained"}));
         command->add_flag_callback(
             "--untested", [this] { options_.filter.status = "open"; }, "the same as --status open");
+        command->add_flag("--json", options_.json, "the audit or the list as JSON");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; the newest of build/*/verdicts without it");

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
@@ -13,16 +14,34 @@
 #include "host/assess/trace/audit_json.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/kill_audit.hpp"
+#include "host/assess/trace/statement_audit.hpp"
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
 namespace {
 
+/// Says how the manual of a part is covered.
+void print_statements(const PartAudit& audit) {
+    if (audit.part->info.manual.empty()) {
+        return;
+    }
+    if (audit.statements.empty()) {
+        fmt::print("  {} has no statements: an item with a section as its source covers the whole section\n",
+                   audit.part->info.manual);
+        return;
+    }
+    auto count = count_statements(audit);
+    fmt::print("  {}: {} statements, {} shown, {} explained, {} suspect, {} open, {} failed\n", audit.part->info.manual,
+               audit.statements.size(), count["shown"], count["explained"], count["suspect"], count["open"],
+               count["failed"]);
+}
+
 void print_part(const PartAudit& audit) {
     fmt::print("{:<12} {:>4} items, {:>3} normative sections, {:>3} decisions, {:>3} gap(s), {:>3} suspect(s)\n",
                audit.part->name, audit.items.size(), audit.sections.size(), audit.part->decisions.size(),
                audit.gaps.size(), audit.suspects.size());
+    print_statements(audit);
     for (const auto* findings : {&audit.gaps, &audit.suspects}) {
         for (const auto& finding : *findings) {
             fmt::print("  {}\n", finding);
@@ -30,20 +49,49 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-int list_items(const std::vector<PartAudit>& audits, const AuditFilter& filter) {
-    std::size_t found = 0;
-    std::size_t not_shown = 0;
+/// What a filter takes, and how much of it is not shown.
+struct Listed {
+    std::vector<const AuditedItem*> items;
+    std::vector<const AuditedStatement*> statements;
+    std::size_t not_shown{0};
+};
+
+Listed listed_of(const Register& content, const std::vector<PartAudit>& audits, const AuditFilter& filter) {
+    Listed listed;
     for (const auto& audit : audits) {
         for (const auto& item : audit.items) {
             if (passes(item, filter)) {
-                fmt::print("{}", item_line(item));
-                ++found;
-                not_shown += item.status() == "shown" ? 0 : 1;
+                listed.items.push_back(&item);
+                listed.not_shown += item.status() == "shown" ? 0 : 1;
+            }
+        }
+        const Manual* manual = content.manual(audit.part->info.manual);
+        for (const auto& statement : audit.statements) {
+            if (passes(statement, *manual, filter)) {
+                listed.statements.push_back(&statement);
+                listed.not_shown += statement.open() ? 1 : 0;
             }
         }
     }
-    fmt::print("{} item(s), {} of them not shown\n", found, not_shown);
-    return not_shown == 0 ? 0 : 1;
+    return listed;
+}
+
+int list(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
+         const AuditFilter& filter, const bool json) {
+    const Listed listed = listed_of(content, audits, filter);
+    if (json) {
+        fmt::print("{}", write_audit_json(content, audits, filter, {}, evidence));
+        return listed.not_shown == 0 ? 0 : 1;
+    }
+    for (const auto* item : listed.items) {
+        fmt::print("{}", item_line(*item));
+    }
+    for (const auto* statement : listed.statements) {
+        fmt::print("{}", statement_line(*statement));
+    }
+    fmt::print("{} item(s), {} statement(s), {} of them not shown\n", listed.items.size(), listed.statements.size(),
+               listed.not_shown);
+    return listed.not_shown == 0 ? 0 : 1;
 }
 
 /// Lists what installers and operators must keep, by section of the device's manual, or of all manuals.
@@ -77,13 +125,13 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Says which items are shown by tests that notice a mutant; how much of the record no longer holds. A project without
-/// a record is not asked.
-std::size_t print_kills(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
-                        const Evidence& evidence) {
+/// Which items are shown by tests that notice a mutant, and how much of the record no longer holds. A project without a
+/// record is not asked.
+std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
+                                  const Evidence& evidence) {
     const KillRecord record = read_kill_record(root / "reports" / "kills.csv");
     if (record.empty()) {
-        return 0;
+        return std::nullopt;
     }
     std::vector<std::string> ids;
     for (const auto& one : audits) {
@@ -91,16 +139,56 @@ std::size_t print_kills(const std::filesystem::path& root, const std::vector<Par
             ids.push_back(item.item->id);
         }
     }
-    const KillAudit kills = audit_kills(ids, evidence, record, root);
-    fmt::print("{}", kill_summary(kills));
-    return kills.regressions.size();
+    return audit_kills(ids, evidence, record, root);
 }
 
-/// No gap, no suspect, no orphan, no test that failed.
-bool is_sound(const std::vector<PartAudit>& audits, const Evidence& evidence) {
-    return evidence.failed == 0 && orphans(evidence).empty() &&
-           std::all_of(audits.begin(), audits.end(),
-                       [](const PartAudit& one) { return one.gaps.empty() && one.suspects.empty(); });
+int tell_story(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
+               const Evidence& evidence) {
+    if (options.json) {
+        throw InputError{"--json is for an audit of everything or of a device; leave it out for a story"};
+    }
+    const auto mutations =
+        read_mutation_json(std::filesystem::path{options.root} / "build" / "mutation" / "mutation.json");
+    const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
+    if (!story) {
+        throw InputError{fmt::format(
+            "`{}` is no device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test "
+            "(Suite.Name)",
+            options.subject)};
+    }
+    fmt::print("{}", story->text);
+    return story->open ? 1 : 0;
+}
+
+/// Everything that is open in these audits.
+int tell_all(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
+             const Evidence& evidence) {
+    const auto strays = orphans(evidence);
+    const auto kills = kills_of(options.root, audits, evidence);
+    const auto regressions = kills ? kills->regressions : std::vector<std::string>{};
+    std::size_t gaps = 0;
+    std::size_t suspects = 0;
+    for (const auto& one : audits) {
+        gaps += one.gaps.size();
+        suspects += one.suspects.size();
+    }
+    if (options.json) {
+        fmt::print(
+            "{}", write_audit_json(content, audits, {}, {{"orphans", strays}, {"regressions", regressions}}, evidence));
+    } else {
+        for (const auto& one : audits) {
+            print_part(one);
+        }
+        for (const auto& stray : strays) {
+            fmt::print("orphan: {}\n", stray);
+        }
+        fmt::print("{}", kills ? kill_summary(*kills) : "");
+        fmt::print(
+            "{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s), {} regression(s) of noticed "
+            "mutants\n",
+            evidence.tests, evidence.failed, gaps, strays.size(), suspects, regressions.size());
+    }
+    return gaps + suspects + strays.size() + evidence.failed + regressions.size() == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -109,6 +197,9 @@ int audit(const AuditOptions& options) {
     const std::filesystem::path root{options.root};
     const Register content = sound_register(root / "spec");
     if (options.filter.kind == "condition-of-use") {
+        if (options.json) {
+            throw InputError{"--json does not list conditions of use; leave it out"};
+        }
         return list_conditions(content, options.subject);
     }
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
@@ -116,42 +207,13 @@ int audit(const AuditOptions& options) {
     std::vector<PartAudit> audits = audit_all(content, evidence);
     const bool is_device = content.part(options.subject) != nullptr;
     if (!options.subject.empty() && !is_device) {
-        const auto mutations = read_mutation_json(root / "build" / "mutation" / "mutation.json");
-        const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
-        if (!story) {
-            throw InputError{fmt::format(
-                "`{}` is no device, id, section (AX130751:1.3), source file or test (Suite.Name)", options.subject)};
-        }
-        if (options.json) {
-            throw InputError{"--json is for a device or for all; `canproof audit --json` holds every item"};
-        }
-        fmt::print("{}", story->text);
-        return story->open ? 1 : 0;
+        return tell_story(options, content, audits, evidence);
     }
     audits = parts_for(std::move(audits), options.subject);
-    if (options.json) {
-        fmt::print("{}", write_audit_json(content, audits, resolved(options.filter, content, audits),
-                                          {{"orphans", orphans(evidence)}}, evidence));
-        return is_sound(audits, evidence) ? 0 : 1;
-    }
     if (!options.filter.empty()) {
-        return list_items(audits, resolved(options.filter, content, audits));
+        return list(content, audits, evidence, resolved(options.filter, content, audits), options.json);
     }
-    std::size_t gaps = 0;
-    std::size_t suspects = 0;
-    for (const auto& one : audits) {
-        print_part(one);
-        gaps += one.gaps.size();
-        suspects += one.suspects.size();
-    }
-    const auto strays = orphans(evidence);
-    for (const auto& stray : strays) {
-        fmt::print("orphan: {}\n", stray);
-    }
-    const std::size_t regressions = print_kills(root, audits, evidence);
-    fmt::print("{} test(s), {} failed, {} gap(s), {} orphan(s), {} suspect(s), {} regression(s) of noticed mutants\n",
-               evidence.tests, evidence.failed, gaps, strays.size(), suspects, regressions);
-    return gaps + suspects + strays.size() + evidence.failed + regressions == 0 ? 0 : 1;
+    return tell_all(options, content, audits, evidence);
 }
 
 }  // namespace canproof::host

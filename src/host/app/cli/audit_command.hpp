@@ -9,7 +9,7 @@ namespace canproof::host {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, id, section, source file, test or nothing
+    std::string subject;  ///< device, id, section, statement, source file, test or nothing
     std::string verdicts;
     AuditFilter filter;
     bool json{false};  ///< items, gaps, suspects and orphans as JSON instead of lines

@@ -1,26 +1,21 @@
-// devices, signals, eds, spec check: what the register says, printed.
+// devices, signals, eds: what the register says, printed.
 #include "host/app/cli/catalogue_commands.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "devices/catalogue.hpp"
 #include "host/app/cli/built_in.hpp"
 #include "host/app/cli/eds_device.hpp"
 #include "host/app/cli/factory_options.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 #include "host/datasheet/eds_values.hpp"
 #include "host/datasheet/write_dbc.hpp"
 #include "host/datasheet/write_dictionary.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
-#include "host/register/embedded_spec.hpp"
-#include "host/register/load.hpp"
-#include "host/register/spec_files.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::host {
@@ -115,50 +110,6 @@ int print_eds(const EdsOptions& options) {
                   : format == "eds-lely" ? write_eds(built_in_register(), part, Reals::bits)
                                          : write_eds(built_in_register(), part));
     return 0;
-}
-
-namespace {
-
-void print_faults_json(const Faults& faults, const std::size_t items) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const auto& fault : faults) {
-        all.push_back(
-            {{"file", fault.place.file}, {"line", fault.place.line}, {"fault", fault.what}, {"fix", fault.mend}});
-    }
-    const nlohmann::ordered_json json{{"items", items}, {"faults", all}, {"left_out", faults.left_out()}};
-    fmt::print("{}\n", json.dump(2));
-}
-
-}  // namespace
-
-int check_spec(const std::string& spec, const bool json) {
-    if (!std::filesystem::is_directory(spec)) {
-        throw InputError{fmt::format("{} is no folder; name the register with --spec", spec)};
-    }
-    const SpecFiles files = read_spec_files(spec);
-    if (files.empty()) {
-        throw InputError{fmt::format("{} has no .toml file; name the folder of a register with --spec", spec)};
-    }
-    const LoadResult loaded = load_register(with_shared_rules(files, embedded_spec()));
-    std::size_t items = 0;
-    for (const auto& part : loaded.content.parts) {
-        loaded.content.for_each_item(part, [&](const Item&, const char*) { ++items; });
-    }
-    if (items == 0 && loaded.faults.empty()) {
-        throw InputError{fmt::format("the register in {} has no items; name another folder with --spec", spec)};
-    }
-    if (json) {
-        print_faults_json(loaded.faults, items);
-        return loaded.faults.empty() ? 0 : 1;
-    }
-    for (const auto& fault : loaded.faults) {
-        tell(fault.text());
-    }
-    if (loaded.faults.left_out() != 0) {
-        tell(fmt::format("{} more fault(s) are not listed", loaded.faults.left_out()));
-    }
-    fmt::print("{} item(s), {} fault(s)\n", items, loaded.faults.size() + loaded.faults.left_out());
-    return loaded.faults.empty() ? 0 : 1;
 }
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// `canproof devices`, `signals`, `eds` and `spec check`: what the program knows without running anything.
+// `canproof devices`, `signals` and `eds`: what the program knows without running anything.
 #pragma once
 
 #include <string>
@@ -14,7 +14,5 @@ struct EdsOptions {
     int node{0};                ///< node-ID of a DBC, 1 to 127; 0: as shipped
 };
 int print_eds(const EdsOptions& options);
-/// Every fault of the register in this folder, as lines or as JSON; 1 when there is one.
-int check_spec(const std::string& spec, bool json);
 
 }  // namespace canproof::host

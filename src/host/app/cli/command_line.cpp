@@ -24,6 +24,7 @@
 #include "host/app/cli/run_arguments.hpp"
 #include "host/app/cli/run_command.hpp"
 #include "host/app/cli/shell_completion.hpp"
+#include "host/app/cli/spec_command.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 
@@ -100,10 +101,18 @@ class SpecCommands : Command {
     SpecCommands(CLI::App& app, Chosen& chosen) {
         auto* spec = app.add_subcommand("spec", "the register");
         spec->require_subcommand(1);
-        auto* check = spec->add_subcommand("check", "every fault of a register, with file, line and fix");
-        check->add_option("--spec", checked_, "folder of the register")->capture_default_str();
-        check->add_flag("--json", as_json_, "faults as JSON");
-        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_, as_json_); }; });
+        auto* check = spec->add_subcommand("check", "every fault and warning of a register, with file, line and fix");
+        check->add_option("--spec", checked_.spec, "folder of the register")->capture_default_str();
+        check->add_flag("--strict", checked_.strict, "warnings end with 1 as faults do");
+        check->add_flag("--json", checked_.json, "faults and warnings as JSON");
+        check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
+        auto* statements =
+            spec->add_subcommand("statements", "a manual's normative statements by section, and what covers each");
+        statements->add_option("KEY", statements_.key, "of the manual: AX130751")->required();
+        statements->add_option("--text", statements_.text,
+                               "text version of the manual: are all passages there, and which text has no statement?");
+        statements->add_option("--spec", statements_.spec, "folder of the register")->capture_default_str();
+        statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
         auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
@@ -121,8 +130,8 @@ class SpecCommands : Command {
     }
 
   private:
-    std::string checked_{"spec"};
-    bool as_json_{false};
+    SpecCheckOptions checked_;
+    StatementsOptions statements_;
     ReviewOptions review_;
 };
 

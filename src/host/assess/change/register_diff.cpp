@@ -131,6 +131,18 @@ void describe_all(const Items& items, const char* word, std::map<std::string, De
     }
 }
 
+/// By the mark of its first passage: a statement written before it changes its number, and nothing of it.
+void describe_statements(const Manual& manual, std::map<std::string, DescribedItem>& all) {
+    for (const Statement& statement : manual.statements) {
+        const std::string mark = statement.marks.empty() ? "" : statement.marks.front().text();
+        DescribedItem& described = all[fmt::format("{}:{} {}", manual.key, statement.section, mark)];
+        described.word = "statement";
+        described.facets["text"] = one_line(statement.text);
+        described.facets["covered"] = joined(statement.covered);
+        described.facets["reason"] = one_line(statement.reason);
+    }
+}
+
 /// `facet: old -> new` for each that differs; one that is missing reads as empty.
 std::vector<std::string> differences(const Facets& before, const Facets& after) {
     Facets all = before;
@@ -163,6 +175,9 @@ std::map<std::string, DescribedItem> describe(const Register& content) {
         describe_all(part.constants, "constant", all);
         describe_all(part.signals, "signal", all);
         describe_all(part.decisions, "decision", all);
+    }
+    for (const auto& manual : content.manuals) {
+        describe_statements(manual, all);
     }
     return all;
 }

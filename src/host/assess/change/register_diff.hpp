@@ -12,7 +12,7 @@ namespace canproof::host {
 struct ItemChange {
     enum class Kind { added, removed, changed } kind{Kind::changed};
     std::string id;
-    std::string word;                  ///< requirement, object, table …, decision
+    std::string word;                  ///< requirement, object, table …, decision, statement
     std::vector<std::string> details;  ///< `sub 1 default: 5 -> 6`; none for what was added or removed
 };
 
@@ -23,7 +23,7 @@ struct DescribedItem {
     std::string word;
     Facets facets;
 };
-/// All items and decisions of a register by id.
+/// All items and decisions of a register by id, and the statements of its manuals by place and mark.
 std::map<std::string, DescribedItem> describe(const Register& content);
 
 /// In the order of their ids.

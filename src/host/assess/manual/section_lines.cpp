@@ -51,18 +51,22 @@ std::string leading_number(const std::string& line) {
     return number;
 }
 
-/// Whether the line has at least half of the title's words, and does not end with the number of a page.
-bool is_heading(const std::string& line, const std::string& title) {
-    const std::vector<std::string> wanted = words_of(title);
+/// Whether a line, without the section's number in front, is its heading. A number of three parts is enough: nothing
+/// but a heading begins with 7.10.2, and the register may paraphrase its title.
+bool is_heading(const std::string& line, const Section& section) {
+    const std::vector<std::string> wanted = words_of(section.title);
     const std::vector<std::string> words = words_of(line);
     const auto is_there = [&](const std::string& word) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
-    const bool ends_with_number = !words.empty() && words.back().find_first_not_of("0123456789") == std::string::npos;
+    const bool ends_with_number =
+        !words.empty() && line.back() != ')' && words.back().find_first_not_of("0123456789") == std::string::npos;
     if (wanted.empty() || (ends_with_number && words.back() != wanted.back())) {
         return false;
     }
-    return 2 * std::count_if(wanted.begin(), wanted.end(), is_there) >= static_cast<std::ptrdiff_t>(wanted.size());
+    const bool is_enough = std::count(section.ref.begin(), section.ref.end(), '.') >= 2;
+    return is_enough ||
+           2 * std::count_if(wanted.begin(), wanted.end(), is_there) >= static_cast<std::ptrdiff_t>(wanted.size());
 }
 
 }  // namespace
@@ -90,7 +94,7 @@ std::vector<SectionLines> section_lines(const Manual& manual, const std::vector<
         }
         const auto& at = candidates->second;
         const auto line = std::find_if(at.rbegin(), at.rend(), [&](const std::size_t i) {
-            return i < next && is_heading(without_markup(lines[i]).substr(section.ref.size()), section.title);
+            return i < next && is_heading(without_markup(lines[i]).substr(section.ref.size()), section);
         });
         if (line != at.rend()) {
             found.push_back({&section, *line, next});

@@ -17,8 +17,8 @@ struct SectionLines {
 };
 
 /// The numbered sections whose headings are in the text, in its order. A heading begins with the section's number, has
-/// at least half of the words of its title and no page number behind it, and stands before the heading of the section
-/// that follows. Of several such lines the last counts.
+/// no page number behind it, and stands before the heading of the section that follows. After a number of one or two
+/// parts it has at least half of the words of the title. Of several such lines the last counts.
 std::vector<SectionLines> section_lines(const Manual& manual, const std::vector<std::string>& lines);
 
 }  // namespace canproof::host

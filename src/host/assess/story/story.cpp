@@ -200,7 +200,7 @@ std::optional<Story> StoryTeller::section(const std::string& subject) const {
         Story story = list(head, ids);
         const bool covered = manual->statements.empty() ? !ids.empty() : !statements.empty();
         story.open = story.open || (one.normative && !covered) ||
-                     std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->open(); });
+                     std::any_of(statements.begin(), statements.end(), [](const auto* told) { return told->open(); });
         return story;
     }
     return std::nullopt;

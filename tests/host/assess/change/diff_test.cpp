@@ -111,6 +111,27 @@ TEST(RegisterDiff, TellsWhatCameAndWent) {
     EXPECT_EQ(changes[1].kind, ItemChange::Kind::added);
 }
 
+TEST(RegisterDiff, FollowsAStatementByItsMark) {
+    const auto read_statements = [](const std::string& text) {
+        SpecFiles files = with(items_file, items("Opens.", 5, 1));
+        files["spec/manuals/m/1.toml"] = text;
+        return load_register(files).content;
+    };
+    const auto statement = [](const std::string& mark, const std::string& covered) {
+        return "[[statement]]\nsection = \"1\"\ntext = \"It opens.\"\nmark = \"" + mark + "\"\ncovered = [\"" +
+               covered + "\"]\n";
+    };
+    const std::string first = statement("8:00000000000a", "AO4-R-1");
+    const auto changes = compare(read_statements(first), read_statements(statement("7:00000000000b", "AO4-R-1") +
+                                                                         statement("8:00000000000a", "AO4-OD-2000")));
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[0].id, "M1:1 7:00000000000b");
+    EXPECT_EQ(changes[0].kind, ItemChange::Kind::added);
+    EXPECT_EQ(changes[1].id, "M1:1 8:00000000000a");
+    EXPECT_EQ(changes[1].word, "statement");
+    EXPECT_THAT(changes[1].details, ElementsAre("covered: AO4-R-1 -> AO4-OD-2000"));
+}
+
 TEST(Revision, IsReadFromGitAndComparedWithTheFilesAsTheyAre) {
     const Repository repository;
     repository.write(items_file, items("Opens.", 7, 1));

@@ -120,6 +120,16 @@ TEST(ManualTextSections, AreNotTakenFromNumberedListsOrLaterReferences) {
     EXPECT_EQ(found[1].begin, 2U);
 }
 
+TEST(ManualTextSections, MayHaveParaphrasedTitlesBehindLongNumbers) {
+    Manual made;
+    made.sections = {section("1.2", "Colours", true), section("1.2.3", "What red means", true)};
+    const std::vector<std::string> lines{"1.2.3 Red lamp 17", "1.2 of the lamps", "1.2.3 Red lamp (x = 1...4)"};
+    const auto found = section_lines(made, lines);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].section->ref, "1.2.3");
+    EXPECT_EQ(found[0].begin, 2U);
+}
+
 TEST(ManualTextCoverage, TellsMarksThatAreNotInTheText) {
     const TextCoverage coverage = cover_text(with_passages({"The lamp is green", "The lamp is red"}), text_of_manual);
     EXPECT_EQ(coverage.marks, 2U);

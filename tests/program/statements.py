@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""statements.py PROGRAM: `spec statements`, `spec check` and the audit over a small manual with statements, as a shell sees
+them. The marks are computed here, by their definition in spec/README.md."""
+import hashlib
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+program = pathlib.Path(sys.argv[1]).resolve()
+
+MANUAL = """key = "M1"
+title = "Lamp"
+publisher = "Nobody"
+revision = "1"
+date = "2020-02-03"
+[[section]]
+ref = "1"
+title = "Lamp"
+disposition = "normative"
+[[section]]
+ref = "2"
+title = "Rates"
+disposition = "normative"
+"""
+DEVICE = """name = "box"
+title = "Box 1"
+vendor = "Nobody"
+prefix = "BOX"
+manual = "M1"
+part_numbers = ["B.1"]
+node_id = 3
+bit_rate = 125000
+bit_rates = [125000]
+source = ["M1:1"]
+"""
+ITEM = """[[requirement]]
+id = "BOX-R-1"
+text = "The box shall be green."
+source = ["M1:1"]
+kind = "functional"
+verify = ["test"]
+"""
+TEXT = "# 1. Lamp\nThe lamp is\n**green**. It never sleeps.\n# 2. Rates\nTen times a second.\n"
+VERDICTS = ('<testsuites><testsuite name="S"><testcase classname="S" name="Green" status="run" file="tests/a_test.cpp">'
+            '<properties><property name="BOX-R-1" value="test"/></properties></testcase></testsuite></testsuites>')
+
+
+def mark(passage):
+    kept = re.sub("[^a-z0-9]", "", passage.lower())
+    return f"{len(kept)}:{hashlib.sha256(kept.encode()).hexdigest()[:12]}"
+
+
+def statement(section, passage, rest):
+    return f'[[statement]]\nsection = "{section}"\ntext = "Ours."\nmark = "{mark(passage)}"\n{rest}\n'
+
+
+class Project:
+    def __init__(self, folder):
+        self.root = pathlib.Path(folder)
+        for path, text in (("spec/manuals/lamp.toml", MANUAL), ("spec/devices/box/device.toml", DEVICE),
+                           ("spec/devices/box/items.toml", ITEM), ("verdicts/tests.xml", VERDICTS), ("manual.txt", TEXT),
+                           ("src/firmware/a.hpp", "static_assert(implements<req::BOX_R_1>);\nvoid green();\n")):
+            self.write(path, text)
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    def statements(self, *all_of_them):
+        self.write("spec/manuals/lamp/all.toml", "".join(all_of_them))
+
+    def call(self, *words):
+        done = subprocess.run([program, *words], cwd=self.root, capture_output=True, text=True, timeout=120)
+        return done.returncode, done.stdout, done.stderr
+
+    def audit(self, *words):
+        return self.call("audit", *words, "--verdicts", "verdicts")
+
+
+GREEN = statement("1", "The lamp is green", 'covered = ["BOX-R-1"]')
+AWAKE = statement("1", "It never sleeps", 'reason = "a lamp has no sleep"')
+RATE = statement("2", "Ten times a second", 'covered = ["BOX-R-1"]')
+
+
+def listed(project):
+    status, out, err = project.call("spec", "statements", "M1")
+    assert status == 2 and "M1 has no statements; write them below spec/manuals/lamp/" in err, err
+    project.statements(GREEN, AWAKE)
+    status, out, _ = project.call("spec", "statements", "M1")
+    assert status == 1 and "2 Rates: normative, and no statement\n" in out, out
+    assert re.search(r"^  M1:1/1 +covered +Ours\.\n +\[BOX-R-1\]$", out, re.MULTILINE), out
+    assert re.search(r"^  M1:1/2 +explained ", out, re.MULTILINE) and "(a lamp has no sleep)" in out, out
+    assert "2 statement(s), 0 open; 1 normative section(s) without a statement\n" in out, out
+    project.statements(GREEN, AWAKE, RATE)
+    assert project.call("spec", "statements", "M1")[0] == 0
+    status, _, err = project.call("spec", "statements", "M9")
+    assert status == 2 and "no manual has the key M9; there are M1" in err, err
+
+
+def compared(project):
+    project.statements(GREEN, RATE)
+    status, out, _ = project.call("spec", "statements", "M1", "--text", "manual.txt")
+    # "The lamp is green" and "Ten times a second" have 14 + 15 letters; "It never sleeps" has 13 more, the headings 11.
+    assert status == 0 and out == ("3: 1: It never sleeps.\n2 mark(s), 0 not in the text\n"
+                                   "letters and digits of normative sections: 69.0 % of 42 covered, 1 line(s) not or partly\n"
+                                   "letters and digits of the whole text: 54.7 % of 53 covered\n"), out
+    project.statements(GREEN, statement("2", "Eleven times a second", 'covered = ["BOX-R-1"]'))
+    status, out, _ = project.call("spec", "statements", "M1", "--text", "manual.txt")
+    assert status == 1 and f"not in the text: M1:2/1: {mark('Eleven times a second')}\n" in out, out
+    status, _, err = project.call("spec", "statements", "M1", "--text", "none.txt")
+    assert status == 2 and "cannot read none.txt" in err, err
+
+
+def checked(project):
+    project.statements(GREEN, AWAKE, RATE)
+    status, out, err = project.call("spec", "check")
+    assert status == 0 and "3 statement(s), 0 fault(s), 1 warning(s)" in out, out
+    assert "warning: spec/manuals/lamp/all.toml:15: nothing that covers M1:2/1 cites 2 (BOX-R-1)" in err, err
+    assert project.call("spec", "check", "--strict")[0] == 1
+    project.statements(GREEN.replace("BOX-R-1", "BOX-R-9"))
+    status, _, err = project.call("spec", "check")
+    assert status == 1 and "spec/manuals/lamp/all.toml:5: M1:1/1 is covered by BOX-R-9, which does not exist" in err, err
+
+
+def audited(project):
+    project.statements(GREEN, AWAKE, statement("2", "Ten times a second", ""))
+    _, out, _ = project.audit()
+    assert "  M1:2/1: no item covers it, and no reason says why (Ours.)\n" in out, out
+    assert "  M1: 3 statements, 0 shown, 1 explained, 1 suspect, 1 open, 0 failed\n" in out, out
+    status, out, _ = project.audit("--untested")
+    assert status == 1 and "M1:2/1" in out and "M1:1/1" not in out, out
+    status, out, _ = project.audit("M1:1/1")
+    assert status == 1 and "passed S.Green tests/a_test.cpp" in out and "verdict      suspect" in out, out
+    whole = json.loads(project.audit("--json")[1])
+    states = {one["id"]: one["status"] for part in whole["parts"] for one in part.get("statements", [])}
+    assert states == {"M1:1/1": "suspect", "M1:1/2": "explained", "M1:2/1": "open"}, states
+    some = json.loads(project.audit("--json", "--section", "M1:2")[1])
+    assert [one["id"] for part in some["parts"] for one in part.get("statements", [])] == ["M1:2/1"], some
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    small = Project(scratch)
+    listed(small)
+    compared(small)
+    checked(small)
+    audited(small)
+print("statements: listed, compared with a text, checked, audited")
