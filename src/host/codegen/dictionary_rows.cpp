@@ -4,6 +4,8 @@
 #include <cstring>
 #include <map>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "host/register/layout.hpp"
 #include "host/register/service_words.hpp"
@@ -71,31 +73,41 @@ std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, 
     return static_cast<std::uint32_t>((first << 16U) | bits.size());
 }
 
-bool same(const canproof::Limit& a, const canproof::Limit& b) {
-    return a.kind == b.kind && a.bits == b.bits && a.add == b.add;
-}
+/// The rows of limits as they are written, each row once however often it is used.
+class LimitRows {
+  public:
+    LimitRows(DictionaryRows& rows, Limits limits) : rows_{rows}, limits_{limits} {}
 
-/// Number of the limit row of an entry, each row written once however often it is used.
-std::uint16_t limit_row_for(const Entry& entry, DictionaryRows& rows, Limits limits) {
-    if (entry.range.empty()) {
-        return no_limit;
+    /// Number of the limit row of an entry.
+    std::uint16_t row_for(const Entry& entry) {
+        if (entry.range.empty()) {
+            return no_limit;
+        }
+        LimitRow row{limit_of(entry, entry.range.minimum), limit_of(entry, entry.range.maximum)};
+        if (entry.range.zero) {
+            row.minimum.kind = LimitKind::value_or_zero;
+        }
+        if (!entry.range.values.empty()) {
+            row = LimitRow{{LimitKind::list, list_for(entry, rows_.allowed, limits_), 0}, {LimitKind::none, 0U, 0}};
+        }
+        const auto next = static_cast<std::uint16_t>(rows_.limits.size());
+        const auto [known, is_new] = numbers_.try_emplace({content_of(row.minimum), content_of(row.maximum)}, next);
+        if (is_new || limits_ == Limits::one_an_entry) {
+            rows_.limits.push_back(row);
+            return next;
+        }
+        return known->second;
     }
-    LimitRow row{limit_of(entry, entry.range.minimum), limit_of(entry, entry.range.maximum)};
-    if (entry.range.zero) {
-        row.minimum.kind = LimitKind::value_or_zero;
-    }
-    if (!entry.range.values.empty()) {
-        row = LimitRow{{LimitKind::list, list_for(entry, rows.allowed, limits), 0}, {LimitKind::none, 0U, 0}};
-    }
-    const auto found = std::find_if(rows.limits.begin(), rows.limits.end(), [&](const LimitRow& one) {
-        return limits == Limits::shared && same(one.minimum, row.minimum) && same(one.maximum, row.maximum);
-    });
-    const auto at = static_cast<std::uint16_t>(found - rows.limits.begin());
-    if (found == rows.limits.end()) {
-        rows.limits.push_back(row);
-    }
-    return at;
-}
+
+  private:
+    using Content = std::tuple<LimitKind, std::uint32_t, std::int32_t>;
+
+    static Content content_of(const canproof::Limit& limit) { return {limit.kind, limit.bits, limit.add}; }
+
+    DictionaryRows& rows_;
+    Limits limits_;
+    std::map<std::pair<Content, Content>, std::uint16_t> numbers_;
+};
 
 Service service_of(const Entry& entry) {
     const auto& words = service_words();
@@ -121,7 +133,15 @@ std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<
     return {slots, longest};
 }
 
-/// Slots for at least twice as many objects, by the factor of a few hundred whose longest search is the shortest.
+/// How many factors are tried: a few hundred, and for more than a thousand objects as many as take the same work.
+std::size_t attempts_for(std::size_t objects) {
+    constexpr std::size_t most = 300;
+    constexpr std::size_t least = 4;
+    constexpr std::size_t work = 300000;  // objects put into a slot
+    return std::clamp(work / std::max<std::size_t>(objects, 1), least, most);
+}
+
+/// Slots for at least twice as many objects, by the factor of those tried whose longest search is the shortest.
 void find_slots(DictionaryRows& rows) {
     std::size_t count = 2;
     while (count < 2 * rows.objects.size()) {
@@ -129,7 +149,7 @@ void find_slots(DictionaryRows& rows) {
     }
     std::size_t best = rows.objects.size() + 1;
     std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads neighbours
-    for (int attempt = 0; attempt < 300; ++attempt) {
+    for (std::size_t attempt = attempts_for(rows.objects.size()); attempt > 0; --attempt) {
         auto [slots, longest] = fill_slots(rows.objects, count, factor);
         if (longest < best) {
             best = longest;
@@ -175,6 +195,7 @@ DictionaryTables DictionaryRows::tables() const {
 DictionaryRows make_rows(const Part& part, Limits limits) {
     DictionaryRows rows;
     rows.layout = make_layout(part);
+    LimitRows limit_rows{rows, limits};
     for (std::size_t o = 0; o < part.objects.size(); ++o) {
         const Object& object = part.objects[o];
         rows.objects.push_back(ObjectRow{object.index, static_cast<std::uint16_t>(rows.entries.size()),
@@ -183,8 +204,8 @@ DictionaryRows make_rows(const Part& part, Limits limits) {
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
             const Entry& entry = object.entries[e];
             const Placement& place = rows.layout.placements[o][e];
-            rows.entries.push_back(EntryRow{place.offset, place.size, limit_row_for(entry, rows, limits),
-                                            entry.subindex, data_type(entry.type), rights_of(entry, place.constant),
+            rows.entries.push_back(EntryRow{place.offset, place.size, limit_rows.row_for(entry), entry.subindex,
+                                            data_type(entry.type), rights_of(entry, place.constant),
                                             service_of(entry)});
         }
     }

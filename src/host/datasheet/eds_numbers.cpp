@@ -31,14 +31,16 @@ std::optional<unsigned> digit_of(char c, unsigned base) {
     return digit < base ? std::optional{digit} : std::nullopt;
 }
 
-bool is_hexadecimal(const std::string& text) {
-    return text.rfind("0x", 0) == 0;
+bool is_hexadecimal(std::string_view text) {
+    return text.size() >= 2 && text[0] == '0' && lower_case(text[1]) == 'x';
 }
 
-/// 10u, 0x10UL: how C spells the type of a number says nothing here.
-std::string without_suffix(const std::string& lower) {
-    const auto last = lower.find_last_not_of("ul");
-    return last == std::string::npos ? lower : lower.substr(0, last + 1);
+/// 10u, 0x10UL: how C spells the type of a number says nothing here. A text of nothing else is no number.
+std::string_view without_suffix(std::string_view text) {
+    while (!text.empty() && (lower_case(text.back()) == 'u' || lower_case(text.back()) == 'l')) {
+        text.remove_suffix(1);
+    }
+    return text;
 }
 
 std::optional<Value> real_value(const std::string& text, const std::string& type) {
@@ -94,16 +96,10 @@ std::optional<Value> integer_value(const std::string& text, const std::string& t
     return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<std::uint64_t> eds_unsigned(const std::string& text) {
-    const std::string lower = without_suffix(lower_case(text));
-    const bool octal = lower.size() > 1 && lower.front() == '0' && !is_hexadecimal(lower);
-    const unsigned base = is_hexadecimal(lower) ? 16U : octal ? 8U : 10U;
-    const std::string digits = is_hexadecimal(lower) ? lower.substr(2) : lower;
+std::optional<std::uint64_t> number_of_digits(std::string_view digits, unsigned base) {
     std::uint64_t value = 0;
     for (const char c : digits) {
-        const auto digit = digit_of(c, base);
+        const auto digit = digit_of(lower_case(c), base);
         if (!digit || value > (UINT64_MAX - *digit) / base) {
             return std::nullopt;
         }
@@ -112,12 +108,27 @@ std::optional<std::uint64_t> eds_unsigned(const std::string& text) {
     return digits.empty() ? std::nullopt : std::optional{value};
 }
 
+}  // namespace
+
+std::optional<std::uint64_t> eds_unsigned(std::string_view text) {
+    const std::string_view number = without_suffix(text);
+    if (is_hexadecimal(number)) {
+        return number_of_digits(number.substr(2), 16U);
+    }
+    const bool octal = number.size() > 1 && number.front() == '0';
+    return number_of_digits(number, octal ? 8U : 10U);
+}
+
+std::optional<std::uint64_t> eds_hexadecimal(std::string_view digits) {
+    return number_of_digits(without_suffix(digits), 16U);
+}
+
 std::optional<NodeIdTerm> split_node_id(const std::string& text) {
-    const std::string sum = lower_case(without_blanks(text));
-    const std::string word = node_id_word;
-    if (sum.find('$') == std::string::npos) {
+    if (text.find('$') == std::string::npos) {
         return NodeIdTerm{text, false};
     }
+    const std::string sum = lower_case(without_blanks(text));
+    const std::string word = node_id_word;
     if (sum == word) {
         return NodeIdTerm{"0", true};
     }

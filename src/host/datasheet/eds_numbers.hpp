@@ -5,13 +5,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
 /// An unsigned number; nothing when it is none or does not fit 64 bits.
-std::optional<std::uint64_t> eds_unsigned(const std::string& text);
+std::optional<std::uint64_t> eds_unsigned(std::string_view text);
+
+/// The same for digits of a hexadecimal number without the 0x before them.
+std::optional<std::uint64_t> eds_hexadecimal(std::string_view digits);
 
 /// A value that may hold the node-ID as a term: `$NODEID+0x180`, `0x180+$NODEID`, `$NODEID`.
 struct NodeIdTerm {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "host/base/trimmed.hpp"
 
@@ -11,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-bool has_control(const std::string& text) {
+bool has_control(std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) {
         const auto u = static_cast<unsigned char>(c);
         return u < 0x20U && c != '\t';
@@ -22,13 +21,13 @@ class IniReader {
   public:
     explicit IniReader(const EdsTelling& tell) : tell_{tell} {}
 
-    void read_line(const std::string& raw) {
+    void read_line(std::string_view raw) {
         ++line_;
         if (raw.size() > longest_ini_line) {
             strange(fmt::format("line has more than {} characters", longest_ini_line));
             return;
         }
-        const std::string text = trimmed(raw, ini_blanks);
+        const std::string_view text = trimmed_view(raw, ini_blanks);
         if (text.empty() || text.front() == ';' || text.front() == '#') {
             return;
         }
@@ -49,9 +48,10 @@ class IniReader {
         tell_.note(line_, std::move(what), "it is passed over");
     }
 
-    void open_section(const std::string& text) {
+    void open_section(std::string_view text) {
         const auto close = text.find(']');
-        const std::string name = close == std::string::npos ? "" : trimmed(text.substr(1, close - 1), ini_blanks);
+        const std::string_view name =
+            close == std::string_view::npos ? "" : trimmed_view(text.substr(1, close - 1), ini_blanks);
         if (name.empty()) {
             ++strange_;
             tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)),
@@ -60,11 +60,12 @@ class IniReader {
             skips_ = true;
             return;
         }
-        const std::string rest = trimmed(text.substr(close + 1), ini_blanks);
+        const std::string_view rest = trimmed_view(text.substr(close + 1), ini_blanks);
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
             tell_.note(line_, fmt::format("`{}` stands behind the section", rest.substr(0, 40)), "it is passed over");
         }
-        const auto [place, is_new] = file_.sections.emplace(lower_case(name), IniSection{name, line_, {}});
+        const auto [place, is_new] =
+            file_.sections.try_emplace(lower_case(name), IniSection{std::string{name}, line_, {}});
         if (!is_new) {
             tell_.note(line_, fmt::format("section [{}] stands already in line {}", name, place->second.line),
                        "the two are taken as one");
@@ -73,19 +74,19 @@ class IniReader {
         section_ = &place->second;
     }
 
-    void add_value(const std::string& text) {
+    void add_value(std::string_view text) {
         const auto equals = text.find('=');
-        const std::string key = trimmed(text.substr(0, equals), ini_blanks);
+        const std::string_view key = trimmed_view(text.substr(0, equals), ini_blanks);
         if (skips_) {
             return;  // told with the section
         }
-        if (equals == std::string::npos || key.empty()) {
+        if (equals == std::string_view::npos || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
         } else if (section_ == nullptr) {
             strange(fmt::format("{} stands before the first section", key));
         } else {
-            const auto [place, is_new] = section_->values.emplace(
-                lower_case(key), IniValue{trimmed(text.substr(equals + 1), ini_blanks), line_});
+            const auto [place, is_new] = section_->values.try_emplace(
+                lower_case(key), IniValue{std::string{trimmed_view(text.substr(equals + 1), ini_blanks)}, line_});
             if (!is_new) {
                 tell_.note(line_, fmt::format("{} stands already in line {}", key, place->second.line),
                            "the first counts");
@@ -103,24 +104,25 @@ class IniReader {
 
 }  // namespace
 
-std::string lower_case(const std::string& text) {
-    std::string out = text;
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+std::string lower_case(std::string_view text) {
+    std::string out{text};
+    for (char& c : out) {
+        c = lower_case(c);
+    }
     return out;
 }
 
-const IniValue* IniSection::find(const std::string& key) const {
+const IniValue* IniSection::find(std::string_view key) const {
     const auto found = values.find(lower_case(key));
     return found == values.end() ? nullptr : &found->second;
 }
 
-const IniValue* IniSection::filled(const std::string& key) const {
+const IniValue* IniSection::filled(std::string_view key) const {
     const IniValue* found = find(key);
     return found == nullptr || found->text.empty() ? nullptr : found;
 }
 
-const IniSection* IniFile::find(const std::string& name) const {
+const IniSection* IniFile::find(std::string_view name) const {
     const auto found = sections.find(lower_case(name));
     return found == sections.end() ? nullptr : &found->second;
 }
@@ -130,7 +132,7 @@ IniFile read_ini(const std::string& text, const EdsTelling& tell) {
     const bool marked = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
     for (std::size_t at = marked ? 3 : 0; at < text.size() && !reader.is_strange();) {
         const auto end = std::min(text.find('\n', at), text.size());
-        reader.read_line(text.substr(at, end - at));
+        reader.read_line(std::string_view{text}.substr(at, end - at));
         at = end + 1;
     }
     if (reader.is_strange()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -20,18 +21,18 @@ struct IniValue {
 struct IniSection {
     std::string name;  ///< as written
     unsigned line{0};
-    std::map<std::string, IniValue> values;  ///< by key in lower case
+    std::map<std::string, IniValue, std::less<>> values;  ///< by key in lower case
 
     /// nullptr when the key is absent.
-    const IniValue* find(const std::string& key) const;
+    const IniValue* find(std::string_view key) const;
     /// Text of a key that is present and not empty; nullptr otherwise.
-    const IniValue* filled(const std::string& key) const;
+    const IniValue* filled(std::string_view key) const;
 };
 
 struct IniFile {
-    std::map<std::string, IniSection> sections;  ///< by name in lower case
+    std::map<std::string, IniSection, std::less<>> sections;  ///< by name in lower case
 
-    const IniSection* find(const std::string& name) const;
+    const IniSection* find(std::string_view name) const;
 };
 
 /// What CiA 306 allows around names and values, and what real files have there.
@@ -62,6 +63,10 @@ struct EdsTelling {
 /// Lines that say nothing are notes, and passed over; what cannot be a data sheet at all is a fault.
 IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
-std::string lower_case(const std::string& text);
+/// `A` to `Z` as `a` to `z`; every other byte as it is.
+constexpr char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+std::string lower_case(std::string_view text);
 
 }  // namespace canproof::host

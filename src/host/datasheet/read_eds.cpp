@@ -49,8 +49,9 @@ class EdsReader {
             read_list(list);
         }
         read_unlisted();
-        std::sort(part.objects.begin(), part.objects.end(),
-                  [](const Object& a, const Object& b) { return a.index < b.index; });
+        for (auto& [index, object] : objects_) {
+            part.objects.push_back(std::move(object));
+        }
         check_whole();
         read_commissioning();
         mend_cob_ids(part, tell_);
@@ -143,10 +144,10 @@ class EdsReader {
             if (sub == std::string::npos || sub == 0) {
                 continue;
             }
-            const auto index = eds_unsigned("0x" + name.substr(0, sub));
-            const auto number = eds_unsigned("0x" + name.substr(sub + 3));
-            if (index && number && *index <= 0xFFFFU && name.substr(0, sub).size() <= 4 &&
-                *number <= highest_subindex) {
+            const std::string_view digits{name};
+            const auto index = eds_hexadecimal(digits.substr(0, sub));
+            const auto number = eds_hexadecimal(digits.substr(sub + 3));
+            if (index && number && *index <= 0xFFFFU && sub <= 4 && *number <= highest_subindex) {
                 const IniSection*& first =
                     subs_[static_cast<std::uint16_t>(*index)][static_cast<std::uint8_t>(*number)];
                 if (first == nullptr) {
@@ -216,14 +217,14 @@ class EdsReader {
         read_entries(object, *section);
         entries_ += object.entries.size();
         if (entries_ <= most_entries && !object.entries.empty()) {
-            result_.part.objects.push_back(std::move(object));
+            objects_.emplace(index, std::move(object));
         }
     }
 
     /// What the lists forget exists all the same.
     void read_unlisted() {
         for (const auto& [name, section] : ini_.sections) {
-            const auto index = name.size() == 4 ? eds_unsigned("0x" + name) : std::nullopt;
+            const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
             if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
                 tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
                            "the object exists");
@@ -298,11 +299,15 @@ class EdsReader {
     }
 
     void add_subs(Object& object) {
-        for (const auto& [sub, section] : subs_[object.index]) {
+        const auto compact_end = static_cast<std::ptrdiff_t>(object.entries.size());
+        const auto& subs = subs_[object.index];
+        object.entries.reserve(object.entries.size() + subs.size() + 1);  // and sub-index 0
+        for (const auto& [sub, section] : subs) {
             Entry entry = read_eds_entry(*section, sub, sub == 0, tell_);
-            const auto same = std::find_if(object.entries.begin(), object.entries.end(),
-                                           [s = sub](const Entry& one) { return one.subindex == s; });
-            if (same == object.entries.end()) {
+            const auto end = object.entries.begin() + compact_end;
+            const auto same =
+                std::find_if(object.entries.begin(), end, [s = sub](const Entry& one) { return one.subindex == s; });
+            if (same == end) {
                 object.entries.push_back(std::move(entry));
             } else {
                 *same = std::move(entry);  // described on its own: more exact than CompactSubObj
@@ -311,8 +316,10 @@ class EdsReader {
     }
 
     void complete(Object& object, const IniSection& section) {
-        std::sort(object.entries.begin(), object.entries.end(),
-                  [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; });
+        const auto before = [](const Entry& a, const Entry& b) { return a.subindex < b.subindex; };
+        if (!std::is_sorted(object.entries.begin(), object.entries.end(), before)) {
+            std::sort(object.entries.begin(), object.entries.end(), before);
+        }
         if (object.entries.empty()) {
             tell_.note(section.line, fmt::format("[{}] has no sub-objects", section.name),
                        fmt::format("object {:04X}h does not exist", object.index));
@@ -371,6 +378,7 @@ class EdsReader {
     IniFile ini_;
     std::map<std::uint16_t, std::map<std::uint8_t, const IniSection*>> subs_;
     std::map<std::uint16_t, unsigned> seen_;  ///< index → line that lists it
+    std::map<std::uint16_t, Object> objects_;
     std::size_t entries_{0};
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <iterator>
 
 #include "host/base/fnv1a.hpp"
 
@@ -39,7 +40,21 @@ bool is_constant(const Entry& entry) {
     return entry.access == "const" || (entry.access == "ro" && !entry.live && entry.service == "none");
 }
 
+std::size_t size_of(const Entry& entry) {
+    return is_string_type(entry.type) ? entry.length : type_size(entry.type);
+}
+
 }  // namespace
+
+std::size_t image_size(const Part& part) {
+    std::size_t size = 0;
+    for (const Object& object : part.objects) {
+        for (const Entry& entry : object.entries) {
+            size += is_constant(entry) ? 0U : size_of(entry);
+        }
+    }
+    return size;
+}
 
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
     if (is_string_type(entry.type)) {
@@ -58,23 +73,27 @@ std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
 Layout make_layout(const Part& part) {
     Layout layout;
     std::uint32_t print = fnv1a("");
+    std::string stored;
     for (const Object& object : part.objects) {
         std::vector<Placement> placed;
+        placed.reserve(object.entries.size());
         for (const Entry& entry : object.entries) {
             Placement place;
             place.constant = is_constant(entry);
-            place.size = static_cast<std::uint16_t>(is_string_type(entry.type) ? entry.length : type_size(entry.type));
+            place.size = static_cast<std::uint16_t>(size_of(entry));
             auto& pool = place.constant ? layout.constants : layout.image;
             place.offset = static_cast<std::uint16_t>(pool.size());
             const auto bytes = value_bytes(entry, place.size);
             pool.insert(pool.end(), bytes.begin(), bytes.end());
             if (entry.stored) {
-                print = fnv1a(fmt::format("{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type, place.offset),
-                              print);
+                stored.clear();
+                fmt::format_to(std::back_inserter(stored), "{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type,
+                               place.offset);
+                print = fnv1a(stored, print);
             }
             placed.push_back(place);
         }
-        layout.placements.push_back(placed);
+        layout.placements.push_back(std::move(placed));
     }
     layout.fingerprint = print;
     return layout;

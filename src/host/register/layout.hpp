@@ -25,6 +25,8 @@ struct Layout {
 };
 
 Layout make_layout(const Part& part);
+/// Bytes of its value image: how long make_layout(part).image is.
+std::size_t image_size(const Part& part);
 
 /// The bytes of a default: little-endian, strings padded with zeros to `size`.
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <limits>
+#include <string_view>
 
 namespace canproof::host {
 
@@ -80,7 +81,7 @@ const Enumeration* Register::enumeration(const Part& in, const std::string& id) 
 namespace {
 
 struct TypeFacts {
-    const char* word;
+    std::string_view word;
     std::size_t size;
     std::int64_t minimum;
     std::int64_t maximum;

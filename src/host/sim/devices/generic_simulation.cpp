@@ -10,7 +10,7 @@ constexpr std::size_t bank_overhead = 64;  // header and CRC of a bank of stored
 
 /// Two banks of parameters, each no longer than the value image, and LSS at the end.
 std::size_t memory_size(const Part& part) {
-    return 2 * (make_layout(part).image.size() + bank_overhead) + LssStore::size;
+    return 2 * (image_size(part) + bank_overhead) + LssStore::size;
 }
 
 Signal input(const char* name, const char* type, double highest, const char* text) {
