@@ -192,6 +192,21 @@ TEST(CanTransmitter, AFrameThatFindsNoRoomInTheQueueStaysInItsMailbox) {
     EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
 }
 
+TEST(CanTransmitter, AnUrgentFrameLeavesAFullQueueToo) {
+    verifies<req::CO_CAN_006>();
+    Bench bench;
+    bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
+    bench.serve();
+    for (int i = 0; bench.queue.size() + 1 < TransmitQueue::capacity; ++i) {
+        bench.queue_up({{0x703, i}});
+    }
+    bench.queue_up({{0x083, 4}});
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 3 + TransmitQueue::capacity);
+    EXPECT_THAT(std::vector(sent.begin(), sent.begin() + 4),
+                ElementsAre(Pair(0x083, 4), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3)));
+}
+
 TEST(CanTransmitter, NothingOvertakesTheBootUpMessage) {
     verifies<req::CO_CAN_006, req::CO_NMT_001>();
     Bench bench;

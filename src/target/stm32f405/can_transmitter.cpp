@@ -65,10 +65,29 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
         if (is_over || queue.put_back(slot.frame)) {
             slot = Slot{};
         } else {
-            request(mailbox);  // the queue has no room: it stays here
+            exchange(mailbox, queue);
         }
     }
     is_alone_ = is_alone_ && (waiting() != 0U);
+}
+
+/// The queue is full: the frame of an aborted mailbox finds room when the first of the queue takes its place. Where
+/// that one is no more urgent, or its like waits in a mailbox behind this one, the frame is sent from here again.
+static_assert(implements<req::CO_CAN_006>);
+void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) noexcept {
+    Slot& slot = slots_[mailbox];
+    const Frame* const next = queue.front();
+    bool is_in_order = (next != nullptr) && (next->id < slot.frame.id);
+    for (std::size_t behind = mailbox + 1U; behind < mailbox_count; ++behind) {
+        const Slot& other = slots_[behind];
+        is_in_order = is_in_order && !(other.busy && (other.frame.id == next->id));
+    }
+    if (is_in_order) {
+        const Frame aborted = slot.frame;
+        slot.frame = queue.pop();
+        static_cast<void>(queue.put_back(aborted));  // into the room of the one that left
+    }
+    request(mailbox);
 }
 
 /// Whether a frame went from the queue to a mailbox, or a mailbox was made free for it.

@@ -29,6 +29,7 @@ class CanTransmitter {
     };
 
     void collect(TransmitQueue& queue) noexcept;
+    void exchange(std::size_t mailbox, TransmitQueue& queue) noexcept;
     bool place_next(TransmitQueue& queue) noexcept;
     bool make_room(std::uint32_t id, TransmitQueue& queue) noexcept;
     std::size_t place_for(std::uint32_t id) const noexcept;

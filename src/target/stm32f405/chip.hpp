@@ -33,21 +33,7 @@ struct Chip {
     bool was_reset_by_watchdog{false};
 
     /// Clocks, time, and CAN's pins and interrupts; the boards start the rest.
-    void start() noexcept {
-        source = clock.start(plan);
-        auto& clocks = registers_at<ClockRegisters>(rcc_address);
-        clocks.enable_ahb[0U].set(ahb1_ports_a_to_c);
-        clocks.enable_apb[0U].set(apb1_tim2_to_4 | apb1_can1 | apb1_dac);
-        clocks.enable_apb[1U].set(apb2_adc1);
-        was_reset_by_watchdog = clock.take_watchdog_reset();
-        time.start();
-        constexpr std::uint32_t can_function = 9U;
-        port_b.pull_up(8U);  // an open receiver reads as a recessive bus
-        port_b.configure(8U, PinMode::alternate, can_function);
-        port_b.configure(9U, PinMode::alternate, can_function);
-        can.interrupt_on_frames(true);
-        registers_at<Register>(nvic_enable_address).write(can1_receive_interrupts);
-    }
+    void start() noexcept;
 };
 
 /// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the

@@ -314,7 +314,8 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    if (on_bus_ || initialising_ || bus_off_ || dominant_) {
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame begins: 32.4.1
+    if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }
     on_bus_ = winner();
