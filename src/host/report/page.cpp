@@ -22,7 +22,7 @@ h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem}h2{font-size:1.3rem;ma
 p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
 th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
-caption{text-align:left;font-weight:600;padding:.4rem 0}td{overflow-wrap:anywhere}td a{display:inline-block;padding:.2rem 0}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
+caption{text-align:left;font-weight:600;padding:.4rem 0}li,td{overflow-wrap:anywhere}td a{display:inline-block;min-width:1.5rem;padding:.2rem 0}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
