@@ -58,7 +58,7 @@ std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
 
 /// A title that fits the box.
 std::string shortened(const std::string& title) {
-    constexpr std::size_t most = 17;
+    constexpr std::size_t most = 13;
     return title.size() <= most ? title : title.substr(0, most - 1) + "…";
 }
 
@@ -112,7 +112,7 @@ std::string write_argument_json(const Argument& argument, const Exhibits& exhibi
 
 std::string argument_graph(const Argument& argument, const Exhibits& exhibits) {
     std::string text;
-    int x = 0;
+    int x = 2;
     int lowest = 0;
     for (const Claim* root : children_of(argument, "")) {
         const auto children = children_of(argument, root->id);
