@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """statements.py PROGRAM: `spec statements`, `spec check` and the audit over a small manual with statements, as a shell sees
-them. The marks are computed here, by their definition in spec/README.md."""
+them, and the statements of the manuals of this repository. The marks are computed here, by their definition in spec/README.md."""
 import hashlib
 import json
 import pathlib
@@ -10,6 +10,7 @@ import sys
 import tempfile
 
 program = pathlib.Path(sys.argv[1]).resolve()
+SPEC = pathlib.Path(__file__).resolve().parents[2] / "spec"
 
 MANUAL = """key = "M1"
 title = "Lamp"
@@ -142,10 +143,23 @@ def audited(project):
     assert [one["id"] for part in some["parts"] for one in part.get("statements", [])] == ["M1:2/1"], some
 
 
+def shipped(project):
+    """Each manual of this repository has statements, none of them open, in every normative section."""
+    manuals = sorted((SPEC / "manuals").glob("*.toml"))
+    assert manuals, f"no manual in {SPEC}"
+    for manual in manuals:
+        key = re.search(r'^key *= *"([^"]+)"', manual.read_text(), re.MULTILINE)[1]
+        status, out, err = project.call("spec", "statements", key, "--spec", str(SPEC))
+        assert status == 0, out[-2000:] + err
+        found = re.search(r"^(\d+) statement\(s\), 0 open; 0 normative section\(s\) without a statement$", out, re.MULTILINE)
+        assert found and int(found[1]) >= len(list((SPEC / "manuals" / manual.stem).glob("*.toml"))), out[-2000:]
+
+
 with tempfile.TemporaryDirectory() as scratch:
     small = Project(scratch)
     listed(small)
     compared(small)
     checked(small)
     audited(small)
+    shipped(small)
 print("statements: listed, compared with a text, checked, audited")

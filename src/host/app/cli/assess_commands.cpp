@@ -83,7 +83,6 @@ class AuditCommand : Command {
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; the newest of build/*/verdicts without it");
-        command->add_flag("--json", options_.json, "items, gaps, suspects and orphans as JSON");
         command->callback([this, &chosen] { chosen = [this] { return audit(options_); }; });
     }
 
