@@ -1,4 +1,4 @@
-// A mapping object of the conformance slave, resolved (firmware/canopen/pdo_mapping.hpp).
+// Mapping objects, resolved (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -6,6 +6,88 @@
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
+
+namespace {
+
+/// Three objects of two bytes each in the image, one behind the other, and two in flash: 2000h to 2002h, 2010h, 2011h.
+/// 1A00h maps four entries.
+class SmallDictionary {
+  public:
+    SmallDictionary() {
+        slots_.fill(no_object);
+        for (std::size_t at = 0; at < objects_.size(); ++at) {
+            std::size_t slot = object_slot(objects_[at].index, tables_.slot_factor, slots_.size());
+            while (slots_[slot] != no_object) {
+                slot = (slot + 1) % slots_.size();
+            }
+            slots_[slot] = static_cast<std::uint16_t>(at);
+        }
+    }
+
+    /// What a PDO carries that maps 16 bits of each of these objects.
+    std::uint64_t carried(const std::vector<std::uint16_t>& mapped) {
+        objects_view_.write(0x1A00, 0, static_cast<std::uint32_t>(mapped.size()));
+        for (std::size_t i = 0; i < mapped.size(); ++i) {
+            objects_view_.write(0x1A00, static_cast<std::uint8_t>(i + 1), (std::uint32_t{mapped[i]} << 16U) | 16U);
+        }
+        for (const std::uint16_t index : {0x2000, 0x2001, 0x2002}) {
+            objects_view_.write(index, 0, 0xA000U + index);
+        }
+        std::array<PdoLine, 4> places{};
+        PdoMapping mapping;
+        mapping.resolve(objects_view_, 0x1A00, Slots<PdoLine>{places});
+        return mapping.values(objects_view_);
+    }
+
+  private:
+    static constexpr EntryRow word(std::uint16_t offset, std::uint8_t rights) {
+        return {offset, 2, no_limit, 0, DataType::unsigned16, rights, Service::none};
+    }
+    static constexpr EntryRow line(std::uint8_t subindex) {
+        const bool first = subindex == 0;
+        return {static_cast<std::uint16_t>(subindex * 4U),
+                static_cast<std::uint16_t>(first ? 1U : 4U),
+                no_limit,
+                subindex,
+                first ? DataType::unsigned8 : DataType::unsigned32,
+                rights::read | rights::write,
+                Service::none};
+    }
+    static constexpr std::uint8_t in_image = rights::read | rights::write | rights::tpdo;
+    static constexpr std::uint8_t in_flash = rights::read | rights::constant | rights::tpdo;
+
+    std::array<ObjectRow, 6> objects_{{{0x1A00, 0, 5, ObjectKind::record},
+                                       {0x2000, 5, 1, ObjectKind::var},
+                                       {0x2001, 6, 1, ObjectKind::var},
+                                       {0x2002, 7, 1, ObjectKind::var},
+                                       {0x2010, 8, 1, ObjectKind::var},
+                                       {0x2011, 9, 1, ObjectKind::var}}};
+    std::array<EntryRow, 10> entries_{{line(0), line(1), line(2), line(3), line(4), word(20, in_image),
+                                       word(22, in_image), word(24, in_image), word(0, in_flash), word(2, in_flash)}};
+    std::array<std::uint8_t, 4> constants_{0x10, 0xF0, 0x11, 0xF0};
+    std::array<std::uint8_t, 28> image_{};
+    std::array<std::uint16_t, 16> slots_{};
+    DictionaryTables tables_{
+        table_view(objects_), table_view(entries_), {}, {}, table_view(constants_), table_view(image_), 0,
+        table_view(slots_),   0x9E3779B1U};
+    ObjectDictionary objects_view_{tables_, MutableBytes{image_}, LimitAbort::high_low};
+};
+
+}  // namespace
+
+// The image holds A000h + index, flash F010h and F011h. 2000h has eight bytes behind it, 2001h and 2002h have not.
+TEST(Mapping, CarriesWhatLiesTogetherAndWhatDoesNot) {
+    verifies<req::CO_PDO_028>();
+    SmallDictionary small;
+    EXPECT_EQ(small.carried({0x2000, 0x2001, 0x2002}), 0xC002'C001'C000U);
+    EXPECT_EQ(small.carried({0x2001, 0x2002}), 0xC002'C001U);
+    EXPECT_EQ(small.carried({0x2000, 0x2002}), 0xC002'C000U);
+    EXPECT_EQ(small.carried({0x2002, 0x2001, 0x2000}), 0xC000'C001'C002U);
+    EXPECT_EQ(small.carried({0x2000, 0x2000}), 0xC000'C000U);
+    EXPECT_EQ(small.carried({0x2000, 0x2010, 0x2011}), 0xF011'F010'C000U);
+    EXPECT_EQ(small.carried({0x2010, 0x2011}), 0xF011'F010U);
+    EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
+}
 
 TEST(Mapping, HoldsWhatItNamesAndNothingElse) {
     verifies<req::CO_PDO_015>();

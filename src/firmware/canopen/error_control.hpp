@@ -16,8 +16,8 @@ class ErrorControl {
     void boot_up(std::uint8_t node_id, Instant now) noexcept;
     void set_state(const NmtState state) noexcept { state_ = state; }
 
-    /// Answers the master's guarding request. True when the frame was one (life guarding is then fed).
-    bool receive(const Frame& frame, const Instant now) noexcept { return frame.remote ? answer(frame, now) : false; }
+    /// Answers the master's guarding request. True when the remote frame was one (life guarding is then fed).
+    bool answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (next_deadline() <= now) {
             act(now);
@@ -35,7 +35,6 @@ class ErrorControl {
   private:
     /// Reads the parameters anew: after a reset and after each write to one of them.
     void refresh() noexcept;
-    bool answer(const Frame& request, Instant now) noexcept;
     void act(Instant now) noexcept;
     Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;

@@ -20,10 +20,13 @@ class HeartbeatConsumer {
 
     /// Monitoring of each producer starts with the first heartbeat that is received from it.
     void reset() noexcept;
-    void receive(const Frame& frame, const Instant now) noexcept {
-        if (any_ && !frame.extended && !frame.remote && (frame.length == 1U)) {
+    /// Takes a data frame. True when it may be a heartbeat that is watched.
+    bool receive(const Frame& frame, const Instant now) noexcept {
+        const bool heard = any_ && (frame.length == 1U) && !frame.extended;
+        if (heard) {
             hear(frame.id, now);
         }
+        return heard;
     }
     void advance(const Instant now) noexcept {
         if (next_ <= now) {

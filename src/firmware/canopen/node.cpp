@@ -171,7 +171,7 @@ void Node::switch_bit_rate(const Instant now) noexcept {
 
 /// What no service takes, 29-bit identifiers and TIME among it, has no effect.
 static_assert(implements<req::CO_FRAME_001> && implements<req::CO_TIME_001>);
-void Node::serve(const Frame& frame, const Instant now) noexcept {
+inline void Node::serve(const Frame& frame, const Instant now) noexcept {
     if (frame.id == generated::canopen::nmt_command_cob_id) {
         const auto command = nmt_command(frame, node_id_);
         if (command.has_value()) {
@@ -181,10 +181,10 @@ void Node::serve(const Frame& frame, const Instant now) noexcept {
     }
     if (allowed_.has(NmtService::sync) && sync_.is_sync(frame)) {
         serve_sync(frame, now);
-    } else if (error_control_.receive(frame, now)) {
-        wake();
+    } else if (frame.remote) {
+        serve_remote(frame, now);
     } else {
-        serve_pdo(frame, now);
+        serve_data(frame, now);
     }
 }
 
@@ -196,16 +196,27 @@ void Node::serve_sync(const Frame& frame, const Instant now) noexcept {
     }
 }
 
+void Node::serve_remote(const Frame& request, const Instant now) noexcept {
+    if (error_control_.answer(request, now)) {
+        wake();
+    } else if (allowed_.has(NmtService::pdo)) {
+        rpdos_.answer(request);
+        tpdos_.answer(request, now);
+    } else {
+        // asks for no object of this state
+    }
+}
+
 /// A heartbeat may have the identifier of a PDO; each is served.
-void Node::serve_pdo(const Frame& frame, const Instant now) noexcept {
-    heartbeats_.receive(frame, now);
-    idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
+inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
+    if (heartbeats_.receive(frame, now)) {
+        idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
+    }
     if (allowed_.has(NmtService::pdo)) {
         rpdos_.receive(frame, now);
-        if (frame.remote) {
-            tpdos_.answer(frame, now);
+        if (rpdos_.next_deadline() < idle_until_) {
+            idle_until_ = rpdos_.next_deadline();
         }
-        idle_until_ = earliest(idle_until_, rpdos_.next_deadline());
     }
 }
 
@@ -262,23 +273,20 @@ void Node::act(const Instant now) noexcept {
     emcy_.advance(now);
     watch_communication(now);
     send_events(now);
-    // A block upload goes on as soon as there is room: nothing else needs to be looked at to know that.
-    const Instant segments = sdo_.idle_until();
-    idle_until_ = (segments <= now) ? segments : earliest(segments, next_without_tpdos());
+    idle_until_ = earliest(next_of_others(), sdo_.idle_until());
 }
 
 void Node::tell_register(const Instant now) noexcept {
     tpdos_.value_changed(index::error_register, 0U, now);
 }
 
-Instant Node::next_without_tpdos() const noexcept {
+Instant Node::next_of_others() const noexcept {
     if (state_ == NmtState::initialising) {
         return lss_.next_deadline();
     }
     Instant next = earliest(start_at_, error_control_.next_deadline());
     next = earliest(next, lss_.next_deadline());
     next = earliest(next, heartbeats_.next_deadline());
-    next = earliest(next, sdo_.next_deadline());
     next = earliest(next, sync_.next_deadline());
     next = earliest(next, rpdos_.next_deadline());
     return earliest(next, emcy_.next_deadline());

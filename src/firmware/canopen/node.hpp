@@ -121,11 +121,15 @@ class Node final : private ObjectAccess {
     void advance(const Instant now) noexcept {
         if (idle_until_ <= now) {
             act(now);
+        } else {
+            sdo_.send_waiting(now);
         }
         tpdos_.advance(now);
     }
     /// The earliest time at which advance() has something to do.
-    Instant next_deadline() const noexcept { return earliest(next_without_tpdos(), tpdos_.next_deadline()); }
+    Instant next_deadline() const noexcept {
+        return earliest(earliest(next_of_others(), sdo_.next_deadline()), tpdos_.next_deadline());
+    }
 
     void set_can_state(CanState state, Instant now) noexcept;
     /// The CAN controller as a physical input reports it: `state` numbers CanState, whatever is beyond is bus-off.
@@ -165,7 +169,7 @@ class Node final : private ObjectAccess {
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
     AbortCode before_received(const EntryRef& entry, std::uint64_t bits) override;
-    /// Inline by order: an expedited download may take 320 instructions (tests/bench/transactions.cpp).
+    /// Inline by order: an expedited download may take 305 instructions (tests/bench/transactions.cpp).
     [[gnu::always_inline]] void after_put(const EntryRef& entry, const bool changes, const Instant now) override {
         if (entry.row->service != Service::none) {
             after_write(entry, now);
@@ -176,7 +180,8 @@ class Node final : private ObjectAccess {
         }
     }
 
-    Instant next_without_tpdos() const noexcept;
+    /// Of all services but SDO and the TPDOs.
+    Instant next_of_others() const noexcept;
     /// What was thought to be idle may have something to do now.
     void wake() noexcept { idle_until_ = Instant{}; }
     void act(Instant now) noexcept;
@@ -194,7 +199,8 @@ class Node final : private ObjectAccess {
     }
     void change_error(ErrorId error, bool present, Instant now) noexcept;
     void serve_sync(const Frame& frame, Instant now) noexcept;
-    void serve_pdo(const Frame& frame, Instant now) noexcept;
+    void serve_remote(const Frame& request, Instant now) noexcept;
+    void serve_data(const Frame& frame, Instant now) noexcept;
     void obey(NmtCommand command, Instant now) noexcept;
     void configure(const Frame& frame, Instant now) noexcept;
     void follow_switching(const Instant now) noexcept {
@@ -244,22 +250,18 @@ class Node final : private ObjectAccess {
         bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
     };
 
-    CommunicationFaults communication_faults() const noexcept {
-        static_assert(implements<req::CO_PDO_032>);
-        return CommunicationFaults{heartbeats_.failed() |
-                                   (error_control_.life_guarding_failed() ? CommunicationFaults::guarding : 0U) |
-                                   (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
-                                   (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
-                                   (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
-                                   ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
+    CommunicationFaults communication_faults() const noexcept;
+    /// Nothing stands in the way of communication, and nothing did at the last look.
+    bool communicates() const noexcept {
+        return (faults_.bits == 0U) && (heartbeats_.failed() == 0U) && !error_control_.life_guarding_failed() &&
+               !rpdos_.has_failed() && (can_state_ != CanState::bus_off);
     }
     void watch_communication(const Instant now) noexcept {
-        const CommunicationFaults faults = communication_faults();
-        if (faults.bits != faults_.bits) {
-            take_note(faults, now);
+        if (!communicates()) {
+            take_note(now);
         }
     }
-    [[gnu::noinline]] void take_note(CommunicationFaults faults, Instant now) noexcept;
+    [[gnu::noinline]] void take_note(Instant now) noexcept;
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
@@ -295,7 +297,7 @@ class Node final : private ObjectAccess {
     bool switching_{false};  ///< silent: LSS changes the bit rate
     Instant start_at_{never};
     Instant
-        idle_until_{};  ///< no service but the TPDOs has anything to do before: the last look found it, wake() ends it
+        idle_until_{};  ///< nothing but TPDOs and segments of SDO is due before: the last look found it, wake() ends it
 };
 
 }  // namespace canproof

@@ -78,7 +78,21 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
 }
 
 static_assert(implements<req::CO_PDO_032>);
-void Node::take_note(const CommunicationFaults faults, const Instant now) noexcept {
+Node::CommunicationFaults Node::communication_faults() const noexcept {
+    return CommunicationFaults{heartbeats_.failed() |
+                               (error_control_.life_guarding_failed() ? CommunicationFaults::guarding : 0U) |
+                               (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
+                               (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
+                               (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
+                               ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
+}
+
+static_assert(implements<req::CO_PDO_032>);
+void Node::take_note(const Instant now) noexcept {
+    const CommunicationFaults faults = communication_faults();
+    if (faults.bits == faults_.bits) {
+        return;
+    }
     wake();
     faults_ = faults;
     announce(faults, now);

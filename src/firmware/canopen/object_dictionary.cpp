@@ -70,10 +70,13 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
     const EntryRow* row = &tables.entries[object.first_entry];
     const EntryRow* const first = row;
     row += (std::uint32_t{subindex} < object.count) ? std::size_t{subindex} : (object.count - std::size_t{1U});
-    while ((row != first) && (std::uint32_t{row->subindex} > subindex)) {
+    while (std::uint32_t{row->subindex} != subindex) {
+        if ((row == first) || (std::uint32_t{row->subindex} < subindex)) {
+            return EntryRef{};
+        }
         --row;
     }
-    return EntryRef{(std::uint32_t{row->subindex} == subindex) ? row : nullptr, index};
+    return EntryRef{row, index};
 }
 
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {

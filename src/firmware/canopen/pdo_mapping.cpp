@@ -85,6 +85,14 @@ AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint32
 
 namespace {
 
+constexpr std::size_t nowhere = SIZE_MAX;
+
+/// Where the bytes of a line begin in the image of values; nowhere when they are a constant, no whole bytes or a gap.
+std::size_t offset_in_image(const PdoLine& line) noexcept {
+    const bool lies_there = (line.width != 0U) && !line.row->may(rights::constant);
+    return lies_there ? std::size_t{line.row->offset} : nowhere;
+}
+
 /// The bits that stand in the dictionary for a line; zero for a gap.
 inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& objects) noexcept {
     switch (line.width) {
@@ -132,15 +140,22 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     const bool fits = (wanted <= max_pdo_lines) && (total <= max_bits);
     lines_ = places.part(0U, fits ? count : 0U);
     length_ = static_cast<std::uint8_t>(fits ? ((total + 7U) / 8U) : 0U);
+    mapped_ = is_usable() ? low_bits(UINT64_MAX, total) : 0U;
+    run_ = find_run(objects);
 }
 
-bool PdoMapping::maps(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
+/// Where the values of all lines lie one behind the other, as the elements of an array do, and can be read as eight
+/// bytes; nullptr when they do not.
+const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const noexcept {
+    const std::size_t first = is_usable() ? offset_in_image(*lines_.begin()) : nowhere;
+    std::size_t next{first};
+    bool is_run{first != nowhere};
     for (const PdoLine& line : lines_) {
-        if ((line.row != nullptr) && line.entry().is(index, subindex)) {
-            return true;
-        }
+        is_run = is_run && (offset_in_image(line) == next);
+        next += line.width;
     }
-    return false;
+    const ByteView run = objects.image().part(first, max_frame_length);
+    return (is_run && (run.size() == max_frame_length)) ? run.data() : nullptr;
 }
 
 std::uint64_t PdoMapping::watch_marks() const noexcept {
@@ -171,9 +186,8 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
     return true;
 }
 
-void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access,
-                       const Instant now) const noexcept {
-    const std::uint64_t packed = packed_values(frame);
+void PdoMapping::apply_lines(const std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access,
+                             const Instant now) const noexcept {
     std::uint32_t at{0U};
     for (const PdoLine& line : lines_) {
         if (line.row != nullptr) {
@@ -188,16 +202,14 @@ void PdoMapping::apply(const Frame& frame, ObjectDictionary& objects, ObjectAcce
 }
 
 static_assert(implements<req::CO_PDO_028>);
-Frame PdoMapping::pack(const ObjectDictionary& objects, const std::uint32_t id) const noexcept {
+std::uint64_t PdoMapping::collect(const ObjectDictionary& objects) const noexcept {
     std::uint64_t packed{0U};
     std::uint32_t at{0U};
     for (const PdoLine& line : lines_) {
         packed |= present_value(line, objects) << at;
         at += line.bits;
     }
-    Frame frame = data_frame(id, length_);
-    MutableBytes{frame.data}.put_le<max_frame_length>(0U, packed);
-    return frame;
+    return packed;
 }
 
 }  // namespace canproof

@@ -43,7 +43,14 @@ class PdoMapping {
     bool is_usable() const noexcept { return !lines_.empty(); }
     /// Length in bytes of a PDO that carries all that is mapped, 0…8.
     std::uint8_t length() const noexcept { return length_; }
-    bool maps(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    bool maps(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
+        for (const PdoLine& line : lines_) {
+            if ((line.row != nullptr) && line.entry().is(index, subindex)) {
+                return true;
+            }
+        }
+        return false;
+    }
     /// One bit for each mapped value, by watch_mark(): what cannot be mapped here is seen at once.
     std::uint64_t watch_marks() const noexcept;
 
@@ -55,18 +62,32 @@ class PdoMapping {
         return is_acceptable(packed_values(frame), objects, access);
     }
     /// Writes the mapped values, which are accepted.
-    void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
-    /// The mapped values as they go on the bus under `id`.
-    Frame pack(const ObjectDictionary& objects, std::uint32_t id) const noexcept;
+    void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, const Instant now) const noexcept {
+        const std::uint64_t packed = packed_values(frame);
+        const bool stays = all_free_ && (((packed ^ values(objects)) & mapped_) == 0U);
+        if (!stays) {
+            apply_lines(packed, objects, access, now);
+        }
+    }
+    /// The mapped values as they go on the bus, the first byte lowest.
+    std::uint64_t values(const ObjectDictionary& objects) const noexcept {
+        return (run_ != nullptr) ? (load_le<max_frame_length>(run_) & mapped_) : collect(objects);
+    }
 
   private:
     static std::uint64_t packed_values(const Frame& frame) noexcept {
         return field_le<0U, max_frame_length>(frame.data);
     }
     static PdoLine find_line(const ObjectDictionary& objects, std::uint32_t entry) noexcept;
+    const std::uint8_t* find_run(const ObjectDictionary& objects) const noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
+    void apply_lines(std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
+    std::uint64_t collect(const ObjectDictionary& objects) const noexcept;
 
     Slots<PdoLine> lines_{};
+    std::uint64_t mapped_{0U};  ///< the bits of a frame that are mapped or a gap
+    const std::uint8_t* run_{
+        nullptr};  ///< where all values lie as in the frame, eight bytes at least; nullptr: nowhere
     std::uint8_t length_{0U};
     bool all_free_{false};
 };

@@ -5,14 +5,19 @@
 
 namespace canproof {
 
-namespace {
-
-constexpr std::uint8_t with_bit(const std::uint8_t set, const std::size_t number, const bool on) noexcept {
-    const std::uint32_t bit = 1U << number;
-    return static_cast<std::uint8_t>(on ? (set | bit) : (set & ~bit));
+void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, const bool on) noexcept {
+    const std::uint32_t bit = std::uint32_t{1U} << (failure + number);
+    failed_ = on ? (failed_ | bit) : (failed_ & ~bit);
 }
 
-}  // namespace
+/// What nobody asks while all goes well.
+std::size_t ReceivePdos::number_of(const ReceivePdo& wanted) const noexcept {
+    std::size_t number{0U};
+    while (&rpdos_[number] != &wanted) {
+        ++number;
+    }
+    return number;
+}
 
 void ReceivePdos::reset() noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
@@ -28,9 +33,9 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
     rpdo.identifier = rpdo.parameters.valid ? rpdo.parameters.identifier : ReceivePdo::nobody;
     rpdo.waits = false;
     rpdo.due = never;
-    short_ = with_bit(short_, number, false);
-    refused_ = with_bit(refused_, number, false);
-    overdue_ = with_bit(overdue_, number, false);
+    mark(came_short, number, false);
+    mark(came_refused, number, false);
+    mark(came_late, number, false);
 }
 
 static_assert(implements<req::CO_PDO_003>);
@@ -42,47 +47,30 @@ void ReceivePdos::stop() noexcept {
     next_ = never;
 }
 
-void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
-    if (frame.extended) {
-        return;
-    }
-    std::size_t number{0U};
-    for (const ReceivePdo& rpdo : rpdos_) {
-        if (rpdo.identifier != frame.id) {
-            // not for this one
-        } else if (frame.remote) {
-            answer(number);
-        } else {
-            take(number, frame, now);
+/// Whether it is long enough and no value of it is refused, and takes note of that.
+static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
+static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
+inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) noexcept {
+    const bool is_short = std::uint32_t{frame.length} < rpdo.mapping.length();
+    const bool taken = !is_short && rpdo.mapping.accepts(frame, objects_, access_);
+    if (!taken || has_failed()) {
+        const std::size_t number = number_of(rpdo);
+        mark(came_short, number, is_short);
+        if (!is_short) {
+            mark(came_refused, number, !taken);
         }
-        ++number;
     }
-}
-
-/// CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes. Elsewhere nobody asks a receive PDO.
-void ReceivePdos::answer(const std::size_t number) noexcept {
-    const ReceivePdo& rpdo = rpdos_[number];
-    const bool answers = ((std::uint32_t{answering_remote_} >> number) & 1U) != 0U;
-    if (answers && rpdo.parameters.remote_allowed) {
-        static_cast<void>(queue_.push(rpdo.mapping.pack(objects_, rpdo.identifier)));
-    }
+    return taken;
 }
 
 static_assert(implements<req::CO_PDO_001>);
-void ReceivePdos::take(const std::size_t number, const Frame& frame, const Instant now) noexcept {
-    ReceivePdo& rpdo = rpdos_[number];
-    static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
-    const bool too_short = std::uint32_t{frame.length} < rpdo.mapping.length();
-    short_ = with_bit(short_, number, too_short);
-    if (too_short) {
-        return;
-    }
-    if (!is_taken(number, frame)) {
+inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instant now) noexcept {
+    if (!is_taken(rpdo, frame)) {
         return;
     }
     static_assert(implements<req::CO_PDO_021>);
     if (rpdo.parameters.event.us != 0U) {
-        overdue_ = with_bit(overdue_, number, false);
+        mark(came_late, number_of(rpdo), false);
         rpdo.due = now + rpdo.parameters.event;
         schedule();
     }
@@ -94,12 +82,27 @@ void ReceivePdos::take(const std::size_t number, const Frame& frame, const Insta
     }
 }
 
-/// Whether no value of it is refused, and takes note of that.
-static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
-bool ReceivePdos::is_taken(const std::size_t number, const Frame& frame) noexcept {
-    const bool taken = rpdos_[number].mapping.accepts(frame, objects_, access_);
-    refused_ = with_bit(refused_, number, !taken);
-    return taken;
+void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
+    if (frame.extended) {
+        return;
+    }
+    for (ReceivePdo& rpdo : rpdos_) {
+        if (rpdo.identifier == frame.id) {
+            take(rpdo, frame, now);
+        }
+    }
+}
+
+/// CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes. Elsewhere nobody asks a receive PDO.
+void ReceivePdos::answer(const Frame& request) noexcept {
+    std::uint32_t answering{answering_remote_};
+    for (const ReceivePdo& rpdo : rpdos_) {
+        const bool is_asked = (rpdo.identifier == request.id) && !request.extended;
+        if (is_asked && ((answering & 1U) != 0U) && rpdo.parameters.remote_allowed) {
+            static_cast<void>(queue_.push(rpdo.identifier, rpdo.mapping.length(), rpdo.mapping.values(objects_)));
+        }
+        answering >>= 1U;
+    }
 }
 
 /// Whether it waits with values that are still taken: a limit may have moved since the reception. It waits no more.
@@ -111,7 +114,7 @@ bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
     rpdo.waits = false;
     const bool taken = rpdo.mapping.accepts(rpdo.waiting, objects_, access_);
     if (!taken) {
-        refused_ = with_bit(refused_, number, true);
+        mark(came_refused, number, true);
     }
     return taken;
 }
@@ -129,7 +132,7 @@ void ReceivePdos::find_overdue(const Instant now) noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         if (rpdos_[number].due <= now) {
             rpdos_[number].due = never;
-            overdue_ = with_bit(overdue_, number, true);
+            mark(came_late, number, true);
         }
     }
     schedule();

@@ -38,8 +38,10 @@ class ReceivePdos {
     /// Operational is left: nothing waits for a SYNC, no reception is expected. What was wrong stays so until a
     /// reception cures it.
     void stop() noexcept;
-    /// Takes a frame in operational; one that is no RPDO of this node is passed over.
+    /// Takes a data frame in operational; one that is no RPDO of this node is passed over.
     void receive(const Frame& frame, Instant now) noexcept;
+    /// The same for a remote frame.
+    void answer(const Frame& request) noexcept;
     /// Applies what was received in the synchronous types since the last SYNC, RPDO1 first.
     void sync(Instant now) noexcept;
     /// Notices receptions that are overdue.
@@ -51,23 +53,33 @@ class ReceivePdos {
     Instant next_deadline() const noexcept { return next_; }
 
     /// An RPDO came with fewer bytes than mapped, and none of right length since (error 8210h).
-    bool has_short() const noexcept { return short_ != 0U; }
+    bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
     /// A value of an RPDO was refused, and the RPDO has not come with values that are taken since (error 8200h).
-    bool has_refused() const noexcept { return refused_ != 0U; }
+    bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
     /// An RPDO did not come within its event time, and has not come since.
-    bool has_overdue() const noexcept { return overdue_ != 0U; }
-    /// Which: bit n stands for RPDO n + 1.
-    std::uint8_t overdue() const noexcept { return overdue_; }
+    bool has_overdue() const noexcept { return overdue() != 0U; }
+    /// Any of these.
+    bool has_failed() const noexcept { return failed_ != 0U; }
+    /// Which are overdue: bit n stands for RPDO n + 1.
+    std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// An entry of 14xxh or 16xxh has a new value: the PDO begins anew.
     void after_write(const EntryRef& entry) noexcept;
 
   private:
     void refresh(std::size_t number) noexcept;
-    void answer(std::size_t number) noexcept;
-    void take(std::size_t number, const Frame& frame, Instant now) noexcept;
+    static constexpr std::uint32_t all_pdos = 0xFFU;
+    static_assert(max_pdos <= 8U, "a PDO each is a bit of eight");
+    // Where the bits of a failure begin: bit n of eight stands for RPDO n + 1.
+    static constexpr std::uint32_t came_short = 0U;
+    static constexpr std::uint32_t came_refused = 8U;
+    static constexpr std::uint32_t came_late = 16U;
+
+    void mark(std::uint32_t failure, std::size_t number, bool on) noexcept;
+    std::size_t number_of(const ReceivePdo& wanted) const noexcept;
+    void take(ReceivePdo& rpdo, const Frame& frame, Instant now) noexcept;
     bool leaves_waiting(std::size_t number) noexcept;
-    bool is_taken(std::size_t number, const Frame& frame) noexcept;
+    bool is_taken(const ReceivePdo& rpdo, const Frame& frame) noexcept;
     void find_overdue(Instant now) noexcept;
     void schedule() noexcept;
 
@@ -77,9 +89,7 @@ class ReceivePdos {
     ObjectAccess& access_;
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
-    std::uint8_t short_{0U};    ///< bit n: RPDO n + 1
-    std::uint8_t refused_{0U};  ///< bit n: RPDO n + 1
-    std::uint8_t overdue_{0U};  ///< bit n: RPDO n + 1
+    std::uint32_t failed_{0U};  ///< by came_short, came_refused and came_late
     Instant next_{never};
 };
 

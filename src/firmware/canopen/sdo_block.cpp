@@ -5,37 +5,10 @@
 
 namespace canproof {
 
-using generated::canopen::sdo_block_size;
-
 void SdoBlockDownload::start(const MutableBytes place, const bool checks_crc) noexcept {
     *this = SdoBlockDownload{};
     place_ = place;
     checks_crc_ = checks_crc;
-}
-
-static_assert(implements<req::CO_SDO_026>);
-static_assert(implements<req::CO_SDO_027>);
-SdoBlockDownload::Step SdoBlockDownload::take(const sdo::Request& segment) noexcept {
-    const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
-    const std::uint32_t sequence = segment[0] & ~sdo::block_last_segment_flag;
-    if (sequence == 0U) {
-        return Step::invalid_sequence;
-    }
-    if (sequence == (in_order_ + 1U)) {
-        if (size_ > place_.size()) {
-            return Step::too_long;  // the segment before this one was full, for it was not the last
-        }
-        if (checks_crc_) {
-            crc_.add_seven(newest_);  // zeros before the first one, which leave the CRC at 0
-        }
-        newest_ = field_le<0U, max_frame_length>(segment) >> 8U;
-        // Bytes beyond the place may be unused ones of the last segment; finish() knows.
-        place_.put_le<sdo::segment_capacity>(size_, newest_);
-        size_ += sdo::segment_capacity;
-        in_order_ = static_cast<std::uint8_t>(sequence);
-        complete_ = last;
-    }
-    return (last || (sequence == sdo_block_size)) ? Step::acknowledge : Step::none;
 }
 
 std::uint8_t SdoBlockDownload::acknowledge() noexcept {
@@ -61,7 +34,8 @@ void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) 
     block_size_ = block_size;
 }
 
-std::uint64_t SdoBlockUpload::next_segment() noexcept {
+/// That segment, sequence number and data: the eight bytes of its frame as a number, the first one lowest.
+inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
     const std::size_t from = base_ + (sent_ * sdo::segment_capacity);
     const std::uint64_t data = sdo::read_segment(value_, from);
     const std::size_t rest = value_.size() - from;
@@ -78,6 +52,14 @@ std::uint64_t SdoBlockUpload::next_segment() noexcept {
     }
     const std::uint32_t sequence = sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U);
     return (data << 8U) | sequence;
+}
+
+void SdoBlockUpload::send(TransmitQueue& queue, const std::uint32_t id) noexcept {
+    const std::size_t left = std::size_t{block_size_} - sent_;
+    const std::size_t room = generated::canopen::sdo_block_queued - queue.size();
+    for (std::size_t turns = (left < room) ? left : room; (turns != 0U) && !last_sent_; --turns) {
+        static_cast<void>(queue.push(id, max_frame_length, next_segment()));
+    }
 }
 
 static_assert(implements<req::CO_SDO_022>);

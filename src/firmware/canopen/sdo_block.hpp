@@ -6,6 +6,7 @@
 #include "firmware/base/crc16.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/sdo_protocol.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
 #include "firmware/canopen/vocabulary.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -25,7 +26,30 @@ class SdoBlockDownload {
     /// Begins a transfer into `place`.
     void start(MutableBytes place, bool checks_crc) noexcept;
     /// One segment frame of eight bytes.
-    Step take(const sdo::Request& segment) noexcept;
+    Step take(const sdo::Request& segment) noexcept {
+        static_assert(implements<req::CO_SDO_026> && implements<req::CO_SDO_027>);
+        const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
+        const std::uint32_t sequence = segment[0] & ~sdo::block_last_segment_flag;
+        if (sequence == 0U) {
+            return Step::invalid_sequence;
+        }
+        if (sequence == (in_order_ + 1U)) {
+            if (size_ > place_.size()) {
+                return Step::too_long;  // the segment before this one was full, for it was not the last
+            }
+            const std::uint64_t data = field_le<0U, max_frame_length>(segment) >> 8U;
+            if (checks_crc_ && !last) {
+                crc_.add_seven(data);
+            }
+            // Eight bytes are put more easily than seven: the next segment overwrites the last one. Bytes beyond the
+            // place may be unused ones of the last segment; finish() knows.
+            place_.put_le<max_frame_length>(size_, data);
+            size_ += sdo::segment_capacity;
+            in_order_ = static_cast<std::uint8_t>(sequence);
+            complete_ = last;
+        }
+        return (last || (sequence == generated::canopen::sdo_block_size)) ? Step::acknowledge : Step::none;
+    }
     /// Ends the sub-block: sequence number of the last segment that came in order, 0 when none did. The client goes on
     /// behind that one.
     std::uint8_t acknowledge() noexcept;
@@ -40,8 +64,7 @@ class SdoBlockDownload {
   private:
     MutableBytes place_{};
     std::size_t size_{0U};
-    std::uint64_t newest_{0U};  ///< the last segment, not yet in the CRC: how much of it counts is told only at the end
-    Crc16 crc_{};
+    Crc16 crc_{};                ///< without the last segment: how much of it counts is told only at the end
     std::uint8_t in_order_{0U};  ///< sequence number of the last segment taken in this sub-block
     bool checks_crc_{false};
     bool complete_{false};
@@ -57,10 +80,12 @@ class SdoBlockUpload {
 
     /// `value` stays where it is until the transfer ends. `block_size` is one of is_block_size().
     void start(ByteView value, std::uint8_t block_size) noexcept;
-    /// Whether the present sub-block has another segment.
-    bool has_segment() const noexcept { return !last_sent_ && (std::uint32_t{sent_} < block_size_); }
-    /// That segment, sequence number and data: the eight bytes of its frame as a number, the first one lowest.
-    std::uint64_t next_segment() noexcept;
+    /// Whether the present sub-block has another segment, and room for it among `queued` frames that wait.
+    bool can_send(const std::size_t queued) const noexcept {
+        return !last_sent_ && (std::uint32_t{sent_} < block_size_) && (queued < generated::canopen::sdo_block_queued);
+    }
+    /// Queues the next segments under `id`, which it can, until the sub-block ends or the room.
+    void send(TransmitQueue& queue, std::uint32_t id) noexcept;
     /// The client has segments up to `sequence` (0: none) and wants `block_size` segments next. 05040003h when that
     /// segment was not sent, 05040002h for a block size of 0 or above 127.
     AbortCode acknowledge(std::uint8_t sequence, std::uint8_t block_size) noexcept;
@@ -72,6 +97,8 @@ class SdoBlockUpload {
     std::uint16_t crc() const noexcept { return crc_.value(); }
 
   private:
+    std::uint64_t next_segment() noexcept;
+
     ByteView value_{};
     std::size_t base_{0U};     ///< bytes before the present sub-block
     std::size_t checked_{0U};  ///< bytes that the CRC covers: a repeated segment does not count again

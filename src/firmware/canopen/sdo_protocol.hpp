@@ -14,6 +14,20 @@ constexpr std::size_t data_position = 4U;     ///< first data byte of an initiat
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
 
+/// The object that an initiation or an abort names: index and sub-index where they stand in the first four bytes, the
+/// command beside them zero.
+struct NamedObject {
+    std::uint32_t bits{0U};
+
+    std::uint16_t index() const noexcept {
+        return static_cast<std::uint16_t>((bits >> (8U * index_position)) & 0xFFFFU);
+    }
+    std::uint8_t subindex() const noexcept { return static_cast<std::uint8_t>(bits >> (8U * subindex_position)); }
+};
+inline NamedObject named_object(const Request& request) noexcept {
+    return NamedObject{static_cast<std::uint32_t>(field_le<0U, 4U>(request)) & 0xFFFFFF00U};
+}
+
 /// Size of a download that the client gives with its initiation.
 inline std::uint32_t announced_size(const Request& request) noexcept {
     return static_cast<std::uint32_t>(field_le<data_position, 4U>(request));

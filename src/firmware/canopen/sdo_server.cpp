@@ -23,10 +23,6 @@ static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
 void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcept {
-    if (state_ == State::block_downloading) {
-        block_download_segment(request, now);
-        return;
-    }
     switch (static_cast<ClientCommand>(std::uint32_t{request[0]} >> 5U)) {
         case ClientCommand::download_segment:
             download_segment(request, now);
@@ -62,12 +58,12 @@ void SdoServer::begin(const State state, const Instant now) noexcept {
     toggle_ = 0U;
     done_ = 0U;
     last_progress_ = now;
-    idle_until_ = (state == State::block_uploading) ? now : deadline();
+    idle_until_ = deadline();
 }
 
 static_assert(implements<req::CO_SDO_034>);
 AbortCode SdoServer::open_download(const bool has_size, const std::uint32_t announced) noexcept {
-    const auto place = objects_.writable(index_, subindex_);
+    const auto place = objects_.writable(object_.index(), object_.subindex());
     if (!place.ok()) {
         return place.error();
     }
@@ -92,7 +88,7 @@ AbortCode SdoServer::commit(const std::size_t size, const Instant now) noexcept 
     if (has_size_ && (announced_ != size)) {
         return AbortCode::length_mismatch;
     }
-    return objects_.write(index_, subindex_, place_.view().part(0U, size), now);
+    return objects_.write(object_.index(), object_.subindex(), place_.view().part(0U, size), now);
 }
 
 void SdoServer::initiate_download(const sdo::Request& request, const Instant now) noexcept {
@@ -120,14 +116,14 @@ std::size_t SdoServer::expedited_length(const std::uint8_t command) const noexce
         return sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
     }
     // Size not shown: the entry's own length is meant.
-    const auto place = objects_.writable(index_, subindex_);
+    const auto place = objects_.writable(object_.index(), object_.subindex());
     const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
     return shorter ? place.value().capacity : sdo::expedited_capacity;
 }
 
 void SdoServer::download_expedited(const sdo::Request& request, const Instant now) noexcept {
     const ByteView data = ByteView{request}.part(sdo::data_position, expedited_length(request[0]));
-    const AbortCode code = objects_.write(index_, subindex_, data, now);
+    const AbortCode code = objects_.write(object_.index(), object_.subindex(), data, now);
     if (code == AbortCode::none) {
         answer_object(sdo::download_done);
     } else {
@@ -161,7 +157,7 @@ void SdoServer::download_segment(const sdo::Request& request, const Instant now)
         }
         abandon();
     }
-    send_command(static_cast<std::uint8_t>(sdo::download_segment_done | (command & sdo::toggle_bit)));
+    send(sdo::download_segment_done | (command & sdo::toggle_bit));
 }
 
 ByteView SdoServer::keep(const ByteView value) noexcept {
@@ -175,7 +171,7 @@ ByteView SdoServer::keep(const ByteView value) noexcept {
 static_assert(implements<req::CO_SDO_042>);
 void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) noexcept {
     select(request);
-    const auto read = objects_.read(index_, subindex_);
+    const auto read = objects_.read(object_.index(), object_.subindex());
     if (read.ok()) {
         answer_upload(read.value(), now);
     } else {
@@ -189,7 +185,7 @@ void SdoServer::answer_upload(const ByteView value, const Instant now) noexcept 
         const std::size_t unused = sdo::expedited_capacity - value.size();
         const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
         const std::uint64_t data = read_le(value, 0U, value.size());
-        answer_object(static_cast<std::uint8_t>(command), static_cast<std::uint32_t>(data));
+        answer_object(static_cast<std::uint32_t>(command), static_cast<std::uint32_t>(data));
         return;
     }
     value_ = keep(value);
@@ -208,16 +204,13 @@ void SdoServer::upload_segment(const sdo::Request& request, const Instant now) n
     if (!toggle_fits(command)) {
         return;
     }
-    const ByteView segment = value_.part(done_, sdo::segment_capacity);
-    done_ += segment.size();
+    const std::size_t rest = value_.size() - done_;
+    const bool last = rest <= sdo::segment_capacity;
+    const std::size_t unused = last ? (sdo::segment_capacity - rest) : 0U;
+    const std::uint64_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
+    send((sdo::read_segment(value_, done_) << 8U) | specifier);
+    done_ += sdo::segment_capacity;
     last_progress_ = now;
-    const bool last = done_ == value_.size();
-    const std::size_t unused = sdo::segment_capacity - segment.size();
-    const std::size_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
-    const std::uint64_t data = sdo::read_segment(value_, done_ - segment.size());
-    Frame frame = answer(static_cast<std::uint8_t>(specifier));
-    set_field_le<0U, max_frame_length>(frame.data, (data << 8U) | specifier);
-    send(frame);
     if (last) {
         abandon();
     }
@@ -227,8 +220,7 @@ static_assert(implements<req::CO_SDO_018>);
 void SdoServer::refuse_command() noexcept {
     if (state_ == State::idle) {
         // No transfer is open, and the request names no object: the abort must not name that of an earlier transfer.
-        index_ = 0U;
-        subindex_ = 0U;
+        object_ = sdo::NamedObject{};
     }
     abort(AbortCode::command_specifier);
 }
@@ -250,27 +242,8 @@ void SdoServer::proceed(const Instant now) noexcept {
     if (deadline() <= now) {
         abort(AbortCode::time_out);
     } else {
-        idle_until_ = (state_ == State::block_uploading) ? last_progress_ : deadline();
+        idle_until_ = deadline();
     }
-}
-
-Frame SdoServer::answer(const std::uint8_t command) const noexcept {
-    Frame frame = data_frame(response_id_, max_frame_length);
-    frame.data[0] = command;
-    return frame;
-}
-
-void SdoServer::send_command(const std::uint8_t command) noexcept {
-    send(answer(command));
-}
-
-static_assert(implements<req::CO_SDO_041>);
-void SdoServer::answer_object(const std::uint8_t command, const std::uint32_t data) noexcept {
-    Frame frame = answer(command);
-    set_field_le<sdo::index_position, 2U>(frame.data, index_);
-    frame.data[sdo::subindex_position] = subindex_;
-    set_field_le<sdo::data_position, 4U>(frame.data, data);
-    send(frame);
 }
 
 static_assert(implements<req::CO_SDO_015>);

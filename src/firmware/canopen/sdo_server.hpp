@@ -38,7 +38,12 @@ class SdoServer {
     /// Answers one request. Frames of other than eight bytes are ignored.
     void receive(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
-        if (frame.length == max_frame_length) {
+        if (frame.length != max_frame_length) {
+            return;
+        }
+        if (state_ == State::block_downloading) {
+            block_download_segment(frame.data, now);
+        } else {
             dispatch(frame.data, now);
         }
     }
@@ -46,6 +51,12 @@ class SdoServer {
     void advance(const Instant now) noexcept {
         if (state_ != State::idle) {
             proceed(now);
+        }
+    }
+    /// The first half of that alone.
+    void send_waiting(const Instant now) noexcept {
+        if (state_ == State::block_uploading) {
+            send_segments(now);
         }
     }
     /// A block upload with segments to send is due as soon as the queue has room; the driver calls advance() when a
@@ -56,8 +67,7 @@ class SdoServer {
         }
         return can_send_segment() ? last_progress_ : deadline();
     }
-    /// Not later than next_deadline(), whatever requests come and whatever room the queue gets in the meantime: until
-    /// then advance() can wait.
+    /// Until then only send_waiting() has something to do, whatever requests come in the meantime.
     Instant idle_until() const noexcept { return idle_until_; }
 
   private:
@@ -93,17 +103,15 @@ class SdoServer {
     void initiate_block_upload(const sdo::Request& request, Instant now) noexcept;
     void acknowledge_block_upload(const sdo::Request& request, Instant now) noexcept;
     void send_segments(Instant now) noexcept;
-    bool can_send_segment() const noexcept { return (state_ == State::block_uploading) && has_segment_and_room(); }
-    bool has_segment_and_room() const noexcept {
-        return sent_.has_segment() && (queue_.size() < generated::canopen::sdo_block_queued);
+    bool can_send_segment() const noexcept {
+        return (state_ == State::block_uploading) && sent_.can_send(queue_.size());
     }
 
     void select(const sdo::Request& request) noexcept {
         static_assert(implements<req::CO_SDO_012>);
         abandon();  // a new initiate ends the transfer before it
         static_assert(implements<req::CO_SDO_041>);
-        index_ = static_cast<std::uint16_t>(field_le<sdo::index_position, 2U>(request));
-        subindex_ = request[sdo::subindex_position];
+        object_ = sdo::named_object(request);
     }
     void begin(State state, Instant now) noexcept;
     /// Finds the place for a download of the selected entry. `announced`: size that the client gave, if it gave one.
@@ -117,14 +125,16 @@ class SdoServer {
     void refuse_command() noexcept;
     bool toggle_fits(std::uint8_t command) noexcept;
     Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
-    /// A frame with `command` and no more.
-    Frame answer(std::uint8_t command) const noexcept;
-    /// Sends that frame.
-    void send_command(std::uint8_t command) noexcept;
+    /// Sends a frame with these eight bytes, the first one lowest.
+    void send(const std::uint64_t bytes) noexcept {
+        static_cast<void>(queue_.push(response_id_, max_frame_length, bytes));
+    }
     /// Sends a frame with `command`, index, sub-index and four bytes of data.
-    void answer_object(std::uint8_t command, std::uint32_t data = 0U) noexcept;
+    void answer_object(const std::uint32_t command, const std::uint32_t data = 0U) noexcept {
+        static_assert(implements<req::CO_SDO_041>);
+        send((std::uint64_t{data} << 32U) | object_.bits | command);
+    }
     void abort(AbortCode code) noexcept;
-    void send(const Frame& frame) noexcept { static_cast<void>(queue_.push(frame)); }
 
     ObjectAccess& objects_;
     TransmitQueue& queue_;
@@ -134,8 +144,7 @@ class SdoServer {
     State state_{State::idle};
     Instant last_progress_{};
     Instant idle_until_{never};
-    std::uint16_t index_{0U};
-    std::uint8_t subindex_{0U};
+    sdo::NamedObject object_{};
     std::uint8_t toggle_{0U};
     bool has_size_{false};       ///< the client announced the size of its download
     std::size_t announced_{0U};  ///< that size

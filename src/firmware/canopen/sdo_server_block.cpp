@@ -53,15 +53,16 @@ void SdoServer::block_download_segment(const sdo::Request& request, const Instan
         return;
     }
     last_progress_ = now;
-    switch (received_.take(request)) {
-        case SdoBlockDownload::Step::acknowledge: {
-            Frame frame = answer(sdo::block_acknowledged);
-            frame.data[sequence_position] = received_.acknowledge();
-            frame.data[next_block_size_position] = sdo_block_size;
-            send(frame);
+    const SdoBlockDownload::Step step = received_.take(request);
+    if (step == SdoBlockDownload::Step::none) {
+        return;
+    }
+    switch (step) {
+        case SdoBlockDownload::Step::acknowledge:
+            send(sdo::block_acknowledged | (std::uint32_t{received_.acknowledge()} << 8U) |
+                 (std::uint32_t{sdo_block_size} << 16U));
             state_ = received_.complete() ? State::block_download_ending : State::block_downloading;
             break;
-        }
         case SdoBlockDownload::Step::invalid_sequence:
             abort(AbortCode::invalid_sequence_number);
             break;
@@ -86,7 +87,7 @@ void SdoServer::end_block_download(const sdo::Request& request, const Instant no
     }
     if (code == AbortCode::none) {
         abandon();
-        send_command(sdo::block_download_done);
+        send(sdo::block_download_done);
     } else {
         abort(code);
     }
@@ -127,7 +128,7 @@ void SdoServer::block_upload(const sdo::Request& request, const Instant now) noe
 static_assert(implements<req::CO_SDO_020>);
 static_assert(implements<req::CO_SDO_031>);
 void SdoServer::initiate_block_upload(const sdo::Request& request, const Instant now) noexcept {
-    const auto read = objects_.read(index_, subindex_);
+    const auto read = objects_.read(object_.index(), object_.subindex());
     if (!read.ok()) {
         abort(read.error());
         return;
@@ -165,9 +166,7 @@ void SdoServer::acknowledge_block_upload(const sdo::Request& request, const Inst
         send_segments(now);
         return;
     }
-    Frame frame = answer(static_cast<std::uint8_t>(sdo::block_upload_ended | (std::uint32_t{sent_.unused()} << 2U)));
-    set_field_le<crc_position, 2U>(frame.data, sent_.crc());
-    send(frame);
+    send(sdo::block_upload_ended | (std::uint32_t{sent_.unused()} << 2U) | (std::uint32_t{sent_.crc()} << 8U));
     state_ = State::block_upload_ending;
 }
 
@@ -178,12 +177,7 @@ void SdoServer::send_segments(const Instant now) noexcept {
         return;
     }
     last_progress_ = now;
-    // At most sdo_block_queued turns: each adds a frame to the queue.
-    Frame frame = data_frame(response_id_, max_frame_length);
-    while (has_segment_and_room()) {
-        set_field_le<0U, max_frame_length>(frame.data, sent_.next_segment());
-        send(frame);
-    }
+    sent_.send(queue_, response_id_);
 }
 
 }  // namespace canproof

@@ -106,10 +106,10 @@ void TransmitPdos::sync_one(TransmitPdo& tpdo, const std::uint8_t counter) noexc
         // sent on request
     }
     if (is_sent) {
-        push(tpdo);
+        send(tpdo, tpdo.mapping.values(objects_));
     }
     if (tpdo.parameters.remote_allowed) {
-        tpdo.sample = tpdo.mapping.pack(objects_, tpdo.parameters.identifier);
+        tpdo.sample = tpdo.mapping.values(objects_);
         tpdo.sampled = true;
     }
 }
@@ -125,9 +125,9 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
             tpdo.pending = true;
             plan(tpdo, now);
         } else if (!is_sampled_at_sync(tpdo.parameters)) {
-            push(tpdo);
+            send(tpdo, tpdo.mapping.values(objects_));
         } else if (tpdo.sampled) {
-            static_cast<void>(queue_.push(tpdo.sample));
+            send(tpdo, tpdo.sample);
         } else {
             // no SYNC yet, hence no values
         }
@@ -151,22 +151,26 @@ void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
     next_ = earliest(next_, tpdo.due);
 }
 
+/// An interval that the timer ended is followed by the next one without a gap, so that a period does not drift; after a
+/// long silence it is not made up for.
+void TransmitPdos::restart_timer(TransmitPdo& tpdo, const Instant now) const noexcept {
+    const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
+    tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
+}
+
 static_assert(implements<req::CO_PDO_017>);
-void TransmitPdos::send_event(TransmitPdo& tpdo, const Instant now) noexcept {
-    push(tpdo);
-    // An interval that the timer ended is followed by the next one without a gap, so that a period does not drift;
-    // after a long silence it is not made up for.
+inline void TransmitPdos::send_event(TransmitPdo& tpdo, const Instant now) noexcept {
+    send(tpdo, tpdo.mapping.values(objects_));
     tpdo.inhibited_until = now + tpdo.parameters.inhibit;
     if (tpdo.parameters.event.us != 0U) {
-        const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
-        tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
+        restart_timer(tpdo, now);
     }
     tpdo.pending = false;
     tpdo.due = latest(tpdo.timer_expires, tpdo.inhibited_until);
 }
 
-void TransmitPdos::push(const TransmitPdo& tpdo) noexcept {
-    static_cast<void>(queue_.push(tpdo.mapping.pack(objects_, tpdo.parameters.identifier)));
+void TransmitPdos::send(const TransmitPdo& tpdo, const std::uint64_t values) noexcept {
+    static_cast<void>(queue_.push(tpdo.parameters.identifier, tpdo.mapping.length(), values));
 }
 
 /// Which values each TPDO waits for and when it is due.

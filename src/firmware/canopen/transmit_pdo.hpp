@@ -20,7 +20,7 @@ enum class TpdoTrigger : std::uint8_t {
 struct TransmitPdo {
     PdoParameters parameters{};
     PdoMapping mapping{};
-    Frame sample{};  ///< the values of the last SYNC
+    std::uint64_t sample{0U};  ///< the values of the last SYNC
     bool usable{false};
     bool event_driven{false};   ///< usable, of type 254 or 255
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
@@ -77,7 +77,8 @@ class TransmitPdos {
     void sync_one(TransmitPdo& tpdo, std::uint8_t counter) noexcept;
     void send_due(Instant now) noexcept;
     void send_event(TransmitPdo& tpdo, Instant now) noexcept;
-    void push(const TransmitPdo& tpdo) noexcept;
+    [[gnu::noinline]] void restart_timer(TransmitPdo& tpdo, Instant now) const noexcept;
+    void send(const TransmitPdo& tpdo, std::uint64_t values) noexcept;
     void plan(TransmitPdo& tpdo, Instant event) noexcept;
     void schedule() noexcept;
 

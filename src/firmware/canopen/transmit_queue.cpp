@@ -2,20 +2,37 @@
 
 namespace canproof {
 
-bool TransmitQueue::push(const Frame& frame) noexcept {
-    const bool goes_last = (count_ == 0U) || (id_at(count_ - 1U) <= frame.id);
-    if (!open_ || (count_ == capacity)) {
-        return false;
+inline Frame* TransmitQueue::take_place(const std::uint32_t id) noexcept {
+    if (!open_ || (size() == capacity)) {
+        return nullptr;
     }
-    place(goes_last ? count_ : make_room(frame.id + 1U)) = frame;
-    ++count_;
-    return true;
+    const bool goes_last = empty() || (place(end_ - 1U).id <= id);
+    Frame& free = place(goes_last ? end_ : make_room(id + 1U));
+    ++end_;
+    return &free;
 }
 
-std::size_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
-    const std::size_t first_free = boot_up_waits_ ? 1U : 0U;
-    std::size_t at{count_};
-    while ((at > first_free) && (id_at(at - 1U) >= bound)) {
+bool TransmitQueue::push(const Frame& frame) noexcept {
+    Frame* const place = take_place(frame.id);
+    if (place != nullptr) {
+        *place = frame;
+    }
+    return place != nullptr;
+}
+
+bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
+    Frame* const place = take_place(id);
+    if (place != nullptr) {
+        *place = data_frame(id, length);
+        set_field_le<0U, max_frame_length>(place->data, data);
+    }
+    return place != nullptr;
+}
+
+std::uint32_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
+    const std::uint32_t first_free = boot_up_waits_ ? (first_ + 1U) : first_;
+    std::uint32_t at{end_};
+    while ((at != first_free) && (place(at - 1U).id >= bound)) {
         place(at) = place(at - 1U);
         --at;
     }
@@ -23,24 +40,24 @@ std::size_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
 }
 
 bool TransmitQueue::put_back(const Frame& frame) noexcept {
-    if (open_ && (count_ == capacity)) {
+    if (open_ && (size() == capacity)) {
         return false;
     }
     if (open_) {
         place(make_room(frame.id)) = frame;
-        ++count_;
+        ++end_;
     }
     return true;
 }
 
 void TransmitQueue::push_boot_up(const Frame& frame) noexcept {
-    count_ = 0U;
+    first_ = end_;
     boot_up_waits_ = false;
     boot_up_waits_ = push(frame);
 }
 
 void TransmitQueue::close() noexcept {
-    count_ = 0U;
+    first_ = end_;
     boot_up_waits_ = false;
     open_ = false;
 }

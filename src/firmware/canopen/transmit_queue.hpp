@@ -21,21 +21,22 @@ class TransmitQueue {
 
     /// False when the queue is full or closed: the frame is lost.
     bool push(const Frame& frame) noexcept;
+    /// The same for a data frame of `length` (0…8) bytes, the first one lowest in `data`: written where it waits.
+    bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
     /// The boot-up message of a reset: what waited is forgotten with the state that sent it, and what follows, of
     /// whatever priority, stays behind it.
     void push_boot_up(const Frame& frame) noexcept;
-    bool empty() const noexcept { return count_ == 0U; }
-    std::size_t size() const noexcept { return count_; }
+    bool empty() const noexcept { return first_ == end_; }
+    std::size_t size() const noexcept { return end_ - first_; }
     /// The frame to be sent next; nullptr when there is none. Good until the queue is touched.
-    const Frame* front() const noexcept { return (count_ == 0U) ? nullptr : &frames_[first_]; }
+    const Frame* front() const noexcept { return empty() ? nullptr : &frames_[first_ % capacity]; }
     /// Removes the frame to be sent next. Without one, gives an empty frame.
     Frame pop() noexcept {
-        if (count_ == 0U) {
+        if (empty()) {
             return Frame{};
         }
-        const Frame next = frames_[first_];
-        first_ = (first_ + 1U) % capacity;
-        --count_;
+        const Frame& next = frames_[first_ % capacity];
+        ++first_;
         boot_up_waits_ = false;
         return next;
     }
@@ -52,14 +53,17 @@ class TransmitQueue {
     void open() noexcept { open_ = true; }
 
   private:
-    /// Moves every frame whose identifier is `bound` or higher one place on: the place that becomes free.
-    std::size_t make_room(std::uint32_t bound) noexcept;
-    Frame& place(const std::size_t at) noexcept { return frames_[(first_ + at) % capacity]; }
-    std::uint32_t id_at(const std::size_t at) const noexcept { return frames_[(first_ + at) % capacity].id; }
+    /// Where a frame with this identifier waits; nullptr when there is no room.
+    Frame* take_place(std::uint32_t id) noexcept;
+    /// Moves every frame whose identifier is `bound` or higher one place on: the number of the place that becomes free.
+    std::uint32_t make_room(std::uint32_t bound) noexcept;
+    Frame& place(const std::uint32_t number) noexcept { return frames_[number % capacity]; }
+
+    static_assert((capacity & (capacity - 1U)) == 0U, "the numbers of places wrap to where the ring begins");
 
     std::array<Frame, capacity> frames_{};  ///< a ring, ascending: a frame that is not urgent goes to its end
-    std::size_t first_{0U};                 ///< the next one to send
-    std::size_t count_{0U};
+    std::uint32_t first_{0U};               ///< number of the place of the next one to send
+    std::uint32_t end_{0U};                 ///< and of that behind the last one
     bool open_{true};
     bool boot_up_waits_{false};
 };
