@@ -2,150 +2,29 @@
 // SYNCs, NMT commands, values that change in the device, and time. The slave is that of the conformance suite, node 5.
 // Input: records of ten bytes: what happens, how (length, number or milliseconds), and eight bytes of data.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
-#include <set>
+#include <utility>
 
 #include "fuzz/support/claims.hpp"
-#include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/pdo_slave.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "host/sim/devices/generic_device.hpp"
-#include "host/sim/devices/memory.hpp"
 #include "properties/support/naive_pdo.hpp"
-#include "tests/support/slave_register.hpp"
 
 namespace {
 
 using namespace canproof;
+using fuzz::Pdo;
+using fuzz::pdo_count;
 using fuzz::require;
+using Slave = fuzz::PdoSlave;
+using Values = fuzz::PdoValues;
 using naive_pdo::Bytes;
-using naive_pdo::Mapping;
-using naive_pdo::Values;
 
 constexpr std::size_t record_size = 10;
-constexpr unsigned pdo_count = 4;
-
-/// One PDO as the dictionary has it.
-struct Pdo {
-    std::uint32_t cob_id;
-    std::uint32_t type;
-    Mapping mapping;
-
-    std::uint32_t id() const { return cob_id & 0x7FF; }
-    bool is_valid() const { return (cob_id >> 31) == 0; }
-    bool has_remote() const { return ((cob_id >> 30) & 1) == 0; }
-};
-
-class Slave {
-  public:
-    /// As new: power-on with an empty memory.
-    void restart() {
-        queue_ = TransmitQueue{};
-        std::fill(memory_.bytes().begin(), memory_.bytes().end(), std::uint8_t{0xFF});
-        now = fuzz::begin_input();
-        sent_.clear();
-        emcy_ids_ = {0x085};
-        image_seen_.clear();
-        device_.power_on(5, now);
-        drain();
-    }
-    /// Any object has another value than at the last call.
-    bool has_changed() {
-        const ByteView image = device_.objects().image().view();
-        const bool same = std::equal(image.data(), image.data() + image.size(), image_seen_.begin(), image_seen_.end());
-        if (!same) {
-            image_seen_.assign(image.data(), image.data() + image.size());
-        }
-        return !same;
-    }
-
-    Pdo rpdo(unsigned number) { return pdo(0x1400 + number, 0x1600 + number); }
-    Pdo tpdo(unsigned number) { return pdo(0x1800 + number, 0x1A00 + number); }
-    bool is_operational() { return device_.node().state() == NmtState::operational; }
-
-    std::uint64_t value(unsigned index, unsigned subindex) {
-        auto& objects = device_.objects();
-        const auto entry = objects.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex));
-        const ByteView bytes = objects.value(entry.value());
-        std::uint64_t read = 0;
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            read |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
-        }
-        return read;
-    }
-    /// All that can be mapped.
-    Values values() {
-        Values all;
-        for (const unsigned index : {0x2000U, 0x2001U, 0x2002U, 0x2003U}) {
-            for (unsigned sub = 1; sub <= 8; ++sub) {
-                all[{index, sub}] = value(index, sub);
-            }
-        }
-        for (const unsigned index : {0x2100U, 0x2101U}) {
-            for (unsigned sub = 1; sub <= 4; ++sub) {
-                all[{index, sub}] = value(index, sub);
-            }
-        }
-        for (const unsigned index : {0x1001U, 0x2200U, 0x2202U, 0x2206U, 0x2207U}) {
-            all[{index, 0}] = value(index, 0);
-        }
-        return all;
-    }
-    void receive(const Frame& frame) { fuzz::deliver(device_, frame, now); }
-    void set_byte(std::uint8_t subindex, std::uint8_t byte) {
-        device_.objects().write(0x2001, subindex, byte);
-        device_.node().process_value_changed(0x2001, subindex, now);
-        device_.advance(now);
-    }
-    void pass(std::uint64_t ms) {
-        const Instant end = now + milliseconds(ms);
-        for (; device_.next_deadline() <= end; device_.advance(now)) {
-            now = std::max(now, device_.next_deadline(), [](Instant a, Instant b) { return a < b; });
-            drain();
-        }
-        now = end;
-    }
-    /// What has been sent since the last call.
-    const std::vector<Frame>& drain() {
-        while (!queue_.empty()) {
-            sent_.push_back(queue_.pop());
-        }
-        return sent_;
-    }
-    void forget() { sent_.clear(); }
-    /// Those of 1014h until now: an emergency message that waits keeps its own.
-    const std::set<std::uint32_t>& emcy_ids() {
-        emcy_ids_.insert(static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF);
-        return emcy_ids_;
-    }
-    bool is_idle() {
-        device_.advance(now);
-        return device_.next_deadline() > now;
-    }
-
-    Instant now{};
-
-  private:
-    Pdo pdo(unsigned parameters, unsigned lines) {
-        Pdo read{
-            static_cast<std::uint32_t>(value(parameters, 1)), static_cast<std::uint32_t>(value(parameters, 2)), {}};
-        for (unsigned sub = 1; sub <= value(lines, 0); ++sub) {
-            const auto entry = static_cast<std::uint32_t>(value(lines, sub));
-            read.mapping.push_back({entry >> 16, (entry >> 8) & 0xFF, entry & 0xFF});
-        }
-        return read;
-    }
-
-    host::Memory memory_{4096};
-    TransmitQueue queue_;
-    host::GenericDevice device_{test::slave_part(), memory_, queue_};
-    std::vector<Frame> sent_;
-    std::set<std::uint32_t> emcy_ids_;
-    Bytes image_seen_;
-};
 
 /// 2200h takes -100 … 100, 2202h numbers from -10 to 10, a BOOLEAN 0 and 1.
 bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
@@ -166,19 +45,28 @@ bool is_kept_for_others(std::uint32_t id) {
            (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
 }
 
+/// Whether a valid TPDO before `number` has that identifier.
+bool is_transmitted(const Slave& slave, std::uint32_t id, unsigned before) {
+    for (unsigned number = 0; number < before; ++number) {
+        if (slave.tpdo(number).is_valid() && slave.tpdo(number).id() == id) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void check_parameters(Slave& slave) {
-    std::set<std::uint32_t> transmitted;
     for (unsigned number = 0; number < pdo_count; ++number) {
-        const Pdo pdo = slave.tpdo(number);
+        const Pdo& pdo = slave.tpdo(number);
         require(naive_pdo::total_bits(pdo.mapping) <= 64 && pdo.mapping.size() <= 8);
         require(pdo.type <= 240 || (pdo.type >= 252 && pdo.type <= 255));
-        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && transmitted.insert(pdo.id()).second));
+        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && !is_transmitted(slave, pdo.id(), number)));
     }
     for (unsigned number = 0; number < pdo_count; ++number) {
-        const Pdo pdo = slave.rpdo(number);
+        const Pdo& pdo = slave.rpdo(number);
         require(naive_pdo::total_bits(pdo.mapping) <= 64 && pdo.mapping.size() <= 8);
         require(pdo.type <= 240 || (pdo.type >= 254 && pdo.type <= 255));
-        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && transmitted.count(pdo.id()) == 0));
+        require(!pdo.is_valid() || (!is_kept_for_others(pdo.id()) && !is_transmitted(slave, pdo.id(), pdo_count)));
     }
     require(fits({0x2200, 0, 16}, slave.value(0x2200, 0)) && fits({0x2202, 0, 32}, slave.value(0x2202, 0)));
     for (const unsigned index : {0x2002U, 0x2003U}) {
@@ -190,14 +78,16 @@ void check_parameters(Slave& slave) {
 
 /// What the node may send by its dictionary. Frames of a step belong to what it was before that or to what it is after.
 struct Settings {
-    std::vector<Pdo> tpdos;
-    bool operational;
-    std::uint32_t sync_id;
+    std::array<Pdo, pdo_count> tpdos;
+    bool operational{false};
+    std::uint32_t sync_id{0};
 
-    explicit Settings(Slave& slave)
-        : operational{slave.is_operational()}, sync_id{static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF} {
+    /// Keeps its memory from one execution to the next.
+    void read(Slave& slave) {
+        operational = slave.is_operational();
+        sync_id = static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF;
         for (unsigned number = 0; number < pdo_count; ++number) {
-            tpdos.push_back(slave.tpdo(number));
+            tpdos[number] = slave.tpdo(number);
         }
     }
     bool has(const Frame& frame) const {
@@ -216,7 +106,7 @@ void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     for (const Frame& frame : slave.drain()) {
         require(!frame.extended && !frame.remote && frame.length <= 8);
         const bool service = frame.id == 0x585 || frame.id == 0x705 || frame.id == before.sync_id ||
-                             frame.id == after.sync_id || slave.emcy_ids().count(frame.id) != 0;
+                             frame.id == after.sync_id || slave.has_emcy_id(frame.id);
         require(service || (operational && (before.has(frame) || after.has(frame))));
     }
 }
@@ -226,7 +116,7 @@ Values expected_after(Slave& slave, const Frame& frame) {
     Values values = slave.values();
     const Bytes data(frame.data.begin(), frame.data.begin() + frame.length);
     for (unsigned number = 0; number < pdo_count && slave.is_operational(); ++number) {
-        const Pdo pdo = slave.rpdo(number);
+        const Pdo& pdo = slave.rpdo(number);
         if (pdo.is_valid() && pdo.id() == frame.id && pdo.type >= 254) {
             values = naive_pdo::received(values, pdo.mapping, data, fits);
         }
@@ -248,7 +138,7 @@ void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std
 
 /// Types 253 to 255 without an inhibit time answer with the present values.
 void request_tpdo(Slave& slave, unsigned number) {
-    const Pdo pdo = slave.tpdo(number);
+    const Pdo& pdo = slave.tpdo(number);
     Frame frame = data_frame(pdo.id(), 0);
     frame.remote = true;
     slave.pass(0);
@@ -324,18 +214,20 @@ CANPROOF_FUZZ_RECORDS(record_size)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Slave slave;
+    static Settings settings;
+    static Settings after;
     slave.restart();
     slave.has_changed();
-    Settings settings{slave};
+    settings.read(slave);
     for (; size >= record_size; data += record_size, size -= record_size) {
         slave.forget();
         step(slave, data);
         require(slave.is_idle());
         if (slave.has_changed()) {
-            const Settings after{slave};
+            after.read(slave);
             check_frames(slave, settings, after);
             check_parameters(slave);
-            settings = after;
+            std::swap(settings, after);
         } else {
             settings.operational = settings.operational || slave.is_operational();
             check_frames(slave, settings, settings);

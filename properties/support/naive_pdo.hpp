@@ -55,8 +55,9 @@ inline Bytes bytes_of(const Bits& bits) {
     return bytes;
 }
 
-/// What a TPDO carries.
-inline Bytes packed(const Mapping& mapping, Values values) {
+/// What a TPDO carries. `values` are Values, or what is used as they are.
+template <typename AnyValues>
+Bytes packed(const Mapping& mapping, AnyValues values) {
     Bits bits;
     for (const Mappable& line : mapping) {
         for (unsigned bit = 0; bit < line.bits; ++bit) {
@@ -68,13 +69,13 @@ inline Bytes packed(const Mapping& mapping, Values values) {
 
 /// The values after an RPDO: all that are mapped, or none when the frame is too short or `fits(line, value)` denies
 /// one.
-template <typename Fits>
-Values received(const Values& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
+template <typename AnyValues, typename Fits>
+AnyValues received(const AnyValues& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
     if (frame.size() < total_bytes(mapping)) {
         return values;
     }
     const Bits bits = bits_of(frame);
-    Values next = values;
+    AnyValues next = values;
     std::size_t at = 0;
     for (const Mappable& line : mapping) {
         std::uint64_t value = 0;

@@ -21,15 +21,18 @@ constexpr std::size_t longest_usual_line = 64;  // room for `(1436509052.249713)
         fmt::format("{}: {}; a line of a candump log reads `(1.000000) can0 603#2B116401B33E0000`", where, what)};
 }
 
+constexpr bool is_blank(char c) {
+    return c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
+}
+
 /// Cuts the next word off a line; empty when there is none.
 std::string_view next_word(std::string_view& line) {
-    constexpr std::string_view blanks = " \t\n\v\f\r";
     std::size_t begin = 0;
-    while (begin < line.size() && blanks.find(line[begin]) != std::string_view::npos) {
+    while (begin < line.size() && is_blank(line[begin])) {
         ++begin;
     }
     std::size_t end = begin;
-    while (end < line.size() && blanks.find(line[end]) == std::string_view::npos) {
+    while (end < line.size() && !is_blank(line[end])) {
         ++end;
     }
     const std::string_view word = line.substr(begin, end - begin);

@@ -111,8 +111,10 @@ class Player {
     }
 
     void step(Instant now) {
-        advance_device(device_, "the device", now);
-        report();
+        if (device_.next_deadline() <= now) {
+            advance_device(device_, "the device", now);
+            report();
+        }
         for (Instant line = next_line(); line != never && due_of(line) <= now; line = next_line()) {
             pass_silence(line, now);
             if (has_stimulus() && stimulus().time == line) {
