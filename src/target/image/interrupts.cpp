@@ -3,6 +3,7 @@
 #include <array>
 
 #include "target/image/image.hpp"
+#include "target/stm32f405/image_check.hpp"
 
 extern "C" {
 extern const std::uint8_t vectors_begin[];

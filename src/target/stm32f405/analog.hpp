@@ -11,11 +11,11 @@ struct AdcRegisters {
     Register control_1;                    ///< 04h ADC_CR1
     Register control_2;                    ///< 08h ADC_CR2
     std::array<Register, 2U> sample_time;  ///< 0Ch ADC_SMPR1, ADC_SMPR2
-    Reserved<6U> reserved_14;
+    Reserved<6U> reserved_14{};
     std::array<Register, 3U> sequence;  ///< 2Ch ADC_SQR1 to ADC_SQR3
-    Reserved<5U> reserved_38;
+    Reserved<5U> reserved_38{};
     Register data;  ///< 4Ch ADC_DR
-    Reserved<173U> reserved_50;
+    Reserved<173U> reserved_50{};
     Register common;  ///< 304h ADC_CCR
 };
 
@@ -25,7 +25,7 @@ struct DacRegisters {
     Register control;  ///< 00h DAC_CR
     Register trigger;  ///< 04h DAC_SWTRIGR
     Register data_1;   ///< 08h DAC_DHR12R1
-    Reserved<2U> reserved_0c;
+    Reserved<2U> reserved_0c{};
     Register data_2;  ///< 14h DAC_DHR12R2
 };
 

@@ -32,19 +32,19 @@ struct BxcanRegisters {
     Register interrupt_enable;                      ///< 014h CAN_IER
     Register error_status;                          ///< 018h CAN_ESR
     Register bit_timing;                            ///< 01Ch CAN_BTR
-    Reserved<88U> reserved_020;
+    Reserved<88U> reserved_020{};
     std::array<Mailbox, mailbox_count> transmit;  ///< 180h
     std::array<Mailbox, fifo_count> receive;      ///< 1B0h
-    Reserved<12U> reserved_1d0;
+    Reserved<12U> reserved_1d0{};
     Register filter_master;  ///< 200h CAN_FMR
     Register filter_mode;    ///< 204h CAN_FM1R
-    Reserved<1U> reserved_208;
+    Reserved<1U> reserved_208{};
     Register filter_scale;  ///< 20Ch CAN_FS1R
-    Reserved<1U> reserved_210;
+    Reserved<1U> reserved_210{};
     Register filter_fifo;  ///< 214h CAN_FFA1R
-    Reserved<1U> reserved_218;
+    Reserved<1U> reserved_218{};
     Register filter_active;  ///< 21Ch CAN_FA1R
-    Reserved<8U> reserved_220;
+    Reserved<8U> reserved_220{};
     std::array<FilterBank, filter_bank_count> filter_bank;  ///< 240h CAN_FiRx
 };
 

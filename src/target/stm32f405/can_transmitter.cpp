@@ -61,8 +61,11 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
         }
         registers_.transmit_status.write(of_mailbox(tsr::completed, mailbox));  // a written 1 clears it
         const bool is_unwanted = slot.unwanted || queue.boot_up_waits();
-        const bool is_over = is_unwanted || ((status & of_mailbox(tsr::sent, mailbox)) != 0U);
-        if (is_over || queue.put_back(slot.frame)) {
+        bool is_over = is_unwanted || ((status & of_mailbox(tsr::sent, mailbox)) != 0U);
+        if (!is_over) {
+            is_over = queue.put_back(slot.frame);
+        }
+        if (is_over) {
             slot = Slot{};
         } else {
             exchange(mailbox, queue);
@@ -100,7 +103,11 @@ bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
     }
     const std::size_t mailbox = place_for(next->id);
     if (mailbox == mailbox_count) {
-        return (waiting() == mailbox_count) && make_room(next->id, queue);
+        bool is_free{false};
+        if (waiting() == mailbox_count) {
+            is_free = make_room(next->id, queue);
+        }
+        return is_free;
     }
     is_alone_ = goes_alone;
     slots_[mailbox].frame = queue.pop();

@@ -1,5 +1,7 @@
 #include "target/stm32f405/chip.hpp"
 
+#include "target/stm32f405/device_loop.hpp"
+
 namespace canproof::stm32f405 {
 
 namespace {

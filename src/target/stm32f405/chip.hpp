@@ -1,12 +1,10 @@
-// The drivers of one STM32F405 on its real registers, in the order in which an image starts them.
+// The drivers of one STM32F405 on its real registers.
 #pragma once
 
 #include "target/stm32f405/analog.hpp"
 #include "target/stm32f405/bxcan.hpp"
 #include "target/stm32f405/clock.hpp"
-#include "target/stm32f405/device_loop.hpp"
 #include "target/stm32f405/gpio.hpp"
-#include "target/stm32f405/image_check.hpp"
 #include "target/stm32f405/memory_map.hpp"
 
 namespace canproof::stm32f405 {
@@ -35,27 +33,5 @@ struct Chip {
     /// Clocks, time, and CAN's pins and interrupts; the boards start the rest.
     void start() noexcept;
 };
-
-/// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
-/// image is damaged (`is_sound` false), or no clock is right.
-template <typename Device, typename Board>
-void run_image(Device& device, TransmitQueue& queue, Board& board, Chip& chip, ParameterJournal& memory,
-               const bool is_sound) noexcept {
-    if (!is_sound) {
-        return;
-    }
-    chip.start();
-    if (chip.source == ClockSource::none) {
-        return;
-    }
-    board.start();
-    memory.open();
-    static_cast<void>(memory.prepare());  // without it a commit has to erase, or says that it failed
-    DeviceLoop<Device, Board> loop{device, queue, board, chip.can, chip.time, chip.watchdog};
-    loop.power_on(chip.source == ClockSource::crystal);
-    for (;;) {
-        loop.pass();
-    }
-}
 
 }  // namespace canproof::stm32f405

@@ -12,17 +12,17 @@ struct ClockRegisters {
     Register configuration;              ///< 08h RCC_CFGR
     Register interrupts;                 ///< 0Ch RCC_CIR
     std::array<Register, 3U> reset_ahb;  ///< 10h RCC_AHB1RSTR to RCC_AHB3RSTR
-    Reserved<1U> reserved_1c;
+    Reserved<1U> reserved_1c{};
     std::array<Register, 2U> reset_apb;  ///< 20h RCC_APB1RSTR, RCC_APB2RSTR
-    Reserved<2U> reserved_28;
+    Reserved<2U> reserved_28{};
     std::array<Register, 3U> enable_ahb;  ///< 30h RCC_AHB1ENR to RCC_AHB3ENR
-    Reserved<1U> reserved_3c;
+    Reserved<1U> reserved_3c{};
     std::array<Register, 2U> enable_apb;  ///< 40h RCC_APB1ENR, RCC_APB2ENR
-    Reserved<2U> reserved_48;
+    Reserved<2U> reserved_48{};
     std::array<Register, 3U> low_power_ahb;  ///< 50h
-    Reserved<1U> reserved_5c;
+    Reserved<1U> reserved_5c{};
     std::array<Register, 2U> low_power_apb;  ///< 60h
-    Reserved<2U> reserved_68;
+    Reserved<2U> reserved_68{};
     Register backup;  ///< 70h RCC_BDCR
     Register status;  ///< 74h RCC_CSR
 };

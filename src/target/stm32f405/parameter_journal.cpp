@@ -66,7 +66,8 @@ bool ParameterJournal::is_in_use(const std::size_t sector, std::uint32_t& genera
 bool ParameterJournal::is_erased(const std::size_t sector) const noexcept {
     const Slots<Register> words = sectors_[sector].words;
     bool erased = words[mark_at].read() == erased_mark;
-    for (const Register& word : words.part(magic_at, words.size())) {
+    const Slots<Register> others = words.part(magic_at, words.size());
+    for (const Register& word : others) {
         erased = erased && (word.read() == blank);
     }
     return erased;
@@ -151,13 +152,20 @@ void ParameterJournal::apply(const std::size_t from, const std::size_t last, con
 
 bool ParameterJournal::prepare() noexcept {
     flash_.begin();
-    const bool done = is_erased(spare()) || erase(spare());
+    bool done = is_erased(spare());
+    if (!done) {
+        done = erase(spare());
+    }
     flash_.finish();
     return done;
 }
 
 bool ParameterJournal::erase(const std::size_t sector) noexcept {
-    return flash_.erase(sectors_[sector].number) && program(sectors_[sector].words, mark_at, erased_mark);
+    bool done = flash_.erase(sectors_[sector].number);
+    if (done) {
+        done = program(sectors_[sector].words, mark_at, erased_mark);
+    }
+    return done;
 }
 
 bool ParameterJournal::program(const Slots<Register>& words, const std::size_t at, const std::uint32_t value) noexcept {
@@ -174,7 +182,8 @@ bool ParameterJournal::read(const std::size_t at, MutableBytes to) const {
 
 bool ParameterJournal::write(const std::size_t at, const ByteView bytes) {
     const bool is_inside = (at <= bytes_.size()) && (bytes.size() <= (bytes_.size() - at));
-    for (std::size_t i = 0U; is_inside && (i < bytes.size()); ++i) {
+    const std::size_t count = is_inside ? bytes.size() : 0U;
+    for (std::size_t i = 0U; i < count; ++i) {
         if (bytes_[at + i] != std::uint32_t{bytes[i]}) {
             bytes_.set(at + i, bytes[i]);
             set_changed((at + i) / line_size, true);
@@ -209,14 +218,17 @@ bool ParameterJournal::move() noexcept {
     const std::size_t to = spare();
     note_filled_lines();
     next_slot_ = 1U;
-    if ((!is_erased(to) && !erase(to)) || !write_lines(to, changed_count())) {
-        return false;
+    bool done = is_erased(to);
+    if (!done) {
+        done = erase(to);
+    }
+    if (done) {
+        done = write_lines(to, changed_count());
     }
     Slot header{};
     header[magic_at] = journal_magic;
     header[generation_at] = generation_ + 1U;
     header[header_crc_at] = crc_of(header, magic_at, header_crc_at);
-    bool done{true};
     for (std::size_t i = magic_at; i <= header_crc_at; ++i) {
         if (done) {
             done = program(slot_at(to, 0U), i, header[i]);

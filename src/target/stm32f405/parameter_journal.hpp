@@ -28,7 +28,7 @@ class ParameterJournal final : public NonVolatileMemory {
     /// it.
     ParameterJournal(Flash& flash, const std::array<FlashSector, sector_count>& sectors, const MutableBytes bytes,
                      const Slots<std::uint32_t> changed) noexcept
-        : flash_{flash}, sectors_{sectors}, bytes_{bytes}, changed_{changed} {}
+        : NonVolatileMemory{}, flash_{flash}, sectors_{sectors}, bytes_{bytes}, changed_{changed} {}
 
     /// After power-on, before anything is read: finds what was committed last.
     void open() noexcept;

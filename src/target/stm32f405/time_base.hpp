@@ -19,7 +19,7 @@ struct TimerRegisters {
     Register counter;                       ///< 24h TIMx_CNT
     Register prescaler;                     ///< 28h TIMx_PSC
     Register reload;                        ///< 2Ch TIMx_ARR
-    Reserved<1U> reserved_30;
+    Reserved<1U> reserved_30{};
     std::array<Register, 4U> compare;  ///< 34h TIMx_CCR1 to TIMx_CCR4
 };
 

@@ -22,12 +22,18 @@ bool Watchdog::start() noexcept {
     registers_.key.write(key_access);
     registers_.prescaler.write(by_32);
     registers_.reload.write(period_ms - 1U);
-    bool taken{false};
-    for (std::uint32_t poll = 0U; (poll < most_polls_) && !taken; ++poll) {
-        taken = !registers_.status.has(updating);
-    }
+    const bool taken = waits_for_update();
     refresh();
     return taken;
+}
+
+bool Watchdog::waits_for_update() const noexcept {
+    for (std::uint32_t poll = 0U; poll < most_polls_; ++poll) {
+        if (!registers_.status.has(updating)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void Watchdog::refresh() noexcept {

@@ -30,6 +30,8 @@ class Watchdog {
     void refresh() noexcept;
 
   private:
+    bool waits_for_update() const noexcept;
+
     WatchdogRegisters& registers_;
     std::uint32_t most_polls_;
 };

@@ -22,5 +22,5 @@ extern "C" void can_received() {
 }
 
 extern "C" void image_main() {
-    stm32f405::run_image(device, queue, wiring, chip, memory, target::is_sound());
+    target::run_image(device, queue, wiring, chip, memory);
 }
