@@ -1,6 +1,7 @@
 // The frames of a device as DBC, read back by a small reader of this test's own.
 #include "host/datasheet/write_dbc.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

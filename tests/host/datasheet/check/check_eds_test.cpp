@@ -1,6 +1,7 @@
 // Every rule of `canproof eds check` by a bad and a good example, and the fixes.
 #include "host/datasheet/check/check_eds.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

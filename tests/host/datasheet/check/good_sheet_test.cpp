@@ -1,6 +1,7 @@
 // The good data sheet, and how patches change it.
 #include "tests/host/datasheet/check/good_sheet.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
