@@ -30,7 +30,7 @@ class SmallDictionary {
         for (std::size_t i = 0; i < mapped.size(); ++i) {
             objects_view_.write(0x1A00, static_cast<std::uint8_t>(i + 1), (std::uint32_t{mapped[i]} << 16U) | 16U);
         }
-        for (const std::uint16_t index : {0x2000, 0x2001, 0x2002}) {
+        for (const std::uint16_t index : std::array<std::uint16_t, 3>{0x2000, 0x2001, 0x2002}) {
             objects_view_.write(index, 0, 0xA000U + index);
         }
         std::array<PdoLine, 4> places{};

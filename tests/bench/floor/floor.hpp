@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/codegen/dictionary_rows.hpp"
+#include "tests/bench/floor/floor_crc.hpp"
 #include "tests/bench/server.hpp"
 
 namespace canproof::bench {
@@ -31,16 +32,6 @@ class Floor final : public Server {
                 }
                 add(entry);
             }
-        }
-        for (std::uint32_t byte = 0; byte < last_byte_.size(); ++byte) {
-            std::uint32_t remainder = byte << 8U;
-            for (int bit = 0; bit < 16; ++bit) {
-                remainder = (remainder << 1U) ^ ((remainder & 0x8000U) != 0 ? 0x1021U : 0U);
-                if (bit == 7) {
-                    last_byte_[byte] = swapped(remainder);
-                }
-            }
-            first_byte_[byte] = swapped(remainder);
         }
     }
 
@@ -256,25 +247,6 @@ class Floor final : public Server {
         answer(0x60, request, 0);
     }
 
-    // The register of the CRC has its bytes swapped, as the data has them.
-    static std::uint16_t swapped(std::uint32_t word) {
-        return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
-    }
-    std::uint32_t after_one(std::uint32_t crc, std::uint64_t data) const {
-        return (crc >> 8U) ^ last_byte_[(crc ^ data) & 0xFFU];
-    }
-    std::uint32_t after_two(std::uint32_t crc, std::uint64_t data) const {
-        const auto two = static_cast<std::uint16_t>(crc ^ data);
-        return static_cast<std::uint32_t>(first_byte_[two & 0xFFU] ^ last_byte_[two >> 8U]);
-    }
-    void add_to_crc(std::uint64_t data, std::size_t count) {
-        for (; count != 0; --count, data >>= 8U) {
-            crc_ = after_one(crc_, data);
-        }
-    }
-    void add_seven_to_crc(std::uint64_t data) {
-        crc_ = after_one(after_two(after_two(after_two(crc_, data), data >> 16U), data >> 32U), data >> 48U);
-    }
     void block_download(std::uint64_t request) {
         if ((request & 1U) != 0) {
             end_block_download(request);
@@ -287,7 +259,7 @@ class Floor final : public Server {
         capacity_ = target_->size;
         size_ = 0;
         sequence_ = 0;
-        crc_ = 0;
+        crc_.start();
         state_ = State::block_downloading;
         answer(0xA4, request, 127);
     }
@@ -298,7 +270,7 @@ class Floor final : public Server {
             if (size_ + 7 <= capacity_ && !last) {
                 const std::uint64_t data = request >> 8U;
                 std::memcpy(staging_.data() + size_, &data, 7);
-                add_seven_to_crc(data);
+                crc_.add_seven(data);
             } else {
                 tail_ = request >> 8U;  // how much of it counts is told at the end
             }
@@ -319,8 +291,8 @@ class Floor final : public Server {
             return;
         }
         std::memcpy(staging_.data() + begun, &tail_, 7 - unused);
-        add_to_crc(tail_, 7 - unused);
-        if (swapped(crc_) != ((request >> 8U) & 0xFFFFU)) {
+        crc_.add(tail_, 7 - unused);
+        if (crc_.value() != ((request >> 8U) & 0xFFFFU)) {
             abort(request, 0x0504'0004);
             return;
         }
@@ -340,7 +312,7 @@ class Floor final : public Server {
             left_ = entry->size;
             block_size_ = (request >> 32U) & 0x7FU;
             sequence_ = block_size_;
-            crc_ = 0;
+            crc_.start();
             state_ = State::block_uploading;
             answer(0xC6, request, entry->size);
         } else if (state_ == State::block_uploading && sub_command == 3) {
@@ -349,7 +321,7 @@ class Floor final : public Server {
             block_size_ = (request >> 16U) & 0x7FU;
             sequence_ = 0;
             if (left_ == 0) {
-                push(0xC1U | (unused_ << 2U) | (std::uint64_t{swapped(crc_)} << 8U));
+                push(0xC1U | (unused_ << 2U) | (std::uint64_t{crc_.value()} << 8U));
                 state_ = State::block_sent;
             }
         } else if (state_ == State::block_sent && sub_command == 1) {
@@ -364,13 +336,13 @@ class Floor final : public Server {
             std::uint64_t data = 0;
             if (left_ > 7) {
                 std::memcpy(&data, from_, 7);
-                add_seven_to_crc(data);
+                crc_.add_seven(data);
                 from_ += 7;
                 left_ -= 7;
                 push((data << 8U) | sequence_);
             } else {
                 std::memcpy(&data, from_, left_);
-                add_to_crc(data, left_);
+                crc_.add(data, left_);
                 unused_ = 7 - left_;
                 left_ = 0;
                 push((data << 8U) | sequence_ | 0x80U);
@@ -383,8 +355,6 @@ class Floor final : public Server {
     std::vector<std::uint8_t> constants_;
     std::vector<std::uint8_t> domain_;
     std::vector<std::uint8_t> staging_;
-    std::array<std::uint16_t, 256> first_byte_{};  ///< what a byte before another one adds to the CRC
-    std::array<std::uint16_t, 256> last_byte_{};
     std::array<Frame, 128> queue_{};
     std::size_t first_queued_{0};
     std::size_t last_queued_{0};
@@ -403,7 +373,7 @@ class Floor final : public Server {
     std::uint64_t unused_{0};
     std::uint64_t sequence_{0};
     std::uint64_t block_size_{0};
-    std::uint32_t crc_{0};
+    FloorCrc crc_;
 };
 
 }  // namespace canproof::bench
