@@ -90,20 +90,6 @@ void crc16_of_a_segment_is_that_of_its_bytes() {
     claim(crc.swapped_ == state);
 }
 
-void crc16_of_bytes_is_that_of_the_first_and_the_rest() {
-    shows("CRC-16 of 1 to 8 bytes is that of the first byte, then of the rest, in every state");
-    auto bytes = any<std::array<std::uint8_t, 8U>>();
-    const std::size_t size = any<std::size_t>();
-    assume((size >= 1U) && (size <= bytes.size()));
-    Crc16 whole = any_crc16();
-    Crc16 parts = whole;
-    const ByteView view = ByteView{bytes}.part(0U, size);
-    whole.add(view);
-    parts.add(view.part(0U, 1U));
-    parts.add(view.part(1U, size - 1U));
-    claim(whole.swapped_ == parts.swapped_);
-}
-
 void crc32_of_a_byte_is_as_defined() {
     shows("CRC-32 takes a byte as polynomial 04C11DB7h, mirrored, says, in every state");
     Crc32 crc{};

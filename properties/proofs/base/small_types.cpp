@@ -64,8 +64,8 @@ void instants_are_ordered() {
 }
 
 void durations_have_their_units() {
-    shows("milliseconds are 1000 us and inhibit times 100 us, exactly, for every 32-bit count");
-    const std::uint64_t count = any<std::uint32_t>();
+    shows("milliseconds are 1000 us and inhibit times 100 us, exactly, for every 16-bit count: those of the objects");
+    const std::uint64_t count = any<std::uint16_t>();
     claim(microseconds(count).us == count);
     // 1000 = 1024 - 16 - 8, 100 = 64 + 32 + 4
     claim(milliseconds(count).us == ((count << 10U) - (count << 4U) - (count << 3U)));

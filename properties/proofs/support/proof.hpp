@@ -12,7 +12,7 @@ void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept;
 void canproof_assume(bool holds) noexcept;
-void canproof_claim(bool holds) noexcept;
+void canproof_claim(bool holds, unsigned line) noexcept;
 void canproof_shows(const char* statement) noexcept;
 void canproof_proves(const char* requirement) noexcept;
 }
@@ -35,9 +35,9 @@ inline void assume(const bool holds) noexcept {
     canproof_assume(holds);
 }
 
-/// Must hold.
-inline void claim(const bool holds) noexcept {
-    canproof_claim(holds);
+/// Must hold. `line` is that of the claim.
+inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
+    canproof_claim(holds, line);
 }
 
 /// Gives an object any value: each byte is open but those of addresses that it holds; a bool is 0 or 1.

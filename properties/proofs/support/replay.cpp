@@ -53,13 +53,14 @@ void canproof_any_state(void* at, std::size_t bytes) noexcept {
 
 // Left to the end of the program, which is one theorem long.
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
-    auto* const memory = static_cast<std::uint8_t*>(std::calloc(bytes == 0 ? 1 : bytes, 1));
+    constexpr std::size_t room = 16;
+    auto* const memory = static_cast<std::uint8_t*>(std::calloc(bytes == 0 ? room : bytes, 1));
     if (memory == nullptr) {
         std::fputs("the counterexample needs more memory than there is\n", stderr);
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return memory;
+    return bytes == 0 ? memory + room : memory;  // without bytes the first one lies outside already
 }
 
 void canproof_assume(bool holds) noexcept {
@@ -69,9 +70,9 @@ void canproof_assume(bool holds) noexcept {
     }
 }
 
-void canproof_claim(bool holds) noexcept {
+void canproof_claim(bool holds, unsigned line) noexcept {
     if (!holds) {
-        std::fputs("a claim does not hold\n", stderr);
+        std::fprintf(stderr, "the claim in line %u does not hold\n", line);
         std::_Exit(claim_fails);
     }
 }

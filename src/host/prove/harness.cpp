@@ -126,7 +126,9 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
         return assume(state, call.arguments[0]);
     }
     if (name == "canproof_claim") {
-        proof.obligations.add(state.path, as_truth(call.arguments[0]), "a claim", call.where);
+        const std::uint64_t line = number(call.arguments[1]).value_or(0);
+        proof.obligations.add(state.path, as_truth(call.arguments[0]),
+                              "the claim in line " + std::to_string(line) + " holds", call.where);
     } else if (name == "canproof_any") {
         leave_open(proof, state, call);
     } else if (name == "canproof_any_state") {

@@ -28,8 +28,9 @@ Term Obligations::broken(const Obligation& one) const {
     return all_of(context_, one.path) && !one.holds;
 }
 
-Obligations::Outcome Obligations::settle(unsigned milliseconds) {
+Obligations::Outcome Obligations::settle(unsigned milliseconds, const std::vector<Term>& preferred) {
     Outcome outcome;
+    preferred_ = preferred;
     constexpr std::size_t at_a_time = 32;
     for (std::size_t first = 0; first < open_.size(); first += at_a_time) {
         if (settle_range(first, std::min(first + at_a_time, open_.size()), milliseconds, outcome)) {
@@ -63,6 +64,11 @@ bool Obligations::settle_range(std::size_t first, std::size_t last, unsigned mil
     outcome.verdict = Verdict::refuted;
     outcome.reason = one.what + " (" + one.where + ")";
     outcome.counterexample = solver_.model();
+    std::vector<Term> nicer = preferred_;
+    nicer.push_back(broken(one));
+    if (solver_.satisfiable(nicer, milliseconds) == Answer::yes) {
+        outcome.counterexample = solver_.model();
+    }
     return true;
 }
 

@@ -32,8 +32,9 @@ class Obligations {
         std::string reason;  ///< the first obligation that does not hold or is not decided
         std::optional<z3::model> counterexample;
     };
-    /// Decides all, several at a time, each in at most so long.
-    Outcome settle(unsigned milliseconds);
+    /// Decides all, several at a time, each in at most so long. `preferred` is true of the counterexample where it can
+    /// be.
+    Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:
     /// Those of `first` to `last`; true when the search is over.
@@ -43,6 +44,7 @@ class Obligations {
     z3::context& context_;
     Solver& solver_;
     std::vector<Obligation> open_;
+    std::vector<Term> preferred_;
     std::size_t count_{0};
 };
 

@@ -44,6 +44,18 @@ std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Inpu
     return all;
 }
 
+/// That memory of any size is small: a counterexample can then be written out and run.
+std::vector<Term> small_memory(Proof& proof) {
+    constexpr std::uint64_t small = 64;
+    std::vector<Term> all;
+    for (const Input& input : proof.inputs) {
+        if (input.size) {
+            all.push_back(z3::ule(*input.size, constant(proof.context, small, address_width)));
+        }
+    }
+    return all;
+}
+
 /// Whether some values come to the end, so that the assumptions mean something.
 void refuse_vacuous(Proof& proof, const std::optional<Return>& end, TheoremResult& result) {
     const Answer reached = end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
@@ -68,7 +80,7 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
     try {
         Machine machine{proof, program.module()};
         const auto end = machine.call(program.theorem(result.name), {}, State{});
-        const Obligations::Outcome outcome = proof.obligations.settle(1000 * limits.seconds);
+        const Obligations::Outcome outcome = proof.obligations.settle(1000 * limits.seconds, small_memory(proof));
         result.verdict = outcome.verdict;
         result.reason = outcome.reason;
         if (outcome.counterexample) {
