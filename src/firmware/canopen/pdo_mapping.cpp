@@ -38,7 +38,7 @@ std::uint32_t bit_length(const EntryRow& row) noexcept {
 
 /// The lowest `bits` (1…64) bits of a number.
 constexpr std::uint64_t low_bits(const std::uint64_t number, const std::uint32_t bits) noexcept {
-    return number & (UINT64_MAX >> (max_bits - bits));
+    return number & (UINT64_MAX >> ((max_bits - bits) % max_bits));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ inline Frame* TransmitQueue::take_place(const std::uint32_t id) noexcept {
     if (!open_ || (size() == capacity)) {
         return nullptr;
     }
-    const bool goes_last = empty() || (place(end_ - 1U).id <= id);
+    const bool goes_last = empty() || (id_at(end_ - 1U) <= id);
     Frame& free = place(goes_last ? end_ : make_room(id + 1U));
     ++end_;
     return &free;
@@ -32,7 +32,7 @@ bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, cons
 std::uint32_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
     const std::uint32_t first_free = boot_up_waits_ ? (first_ + 1U) : first_;
     std::uint32_t at{end_};
-    while ((at != first_free) && (place(at - 1U).id >= bound)) {
+    while ((at != first_free) && (id_at(at - 1U) >= bound)) {
         place(at) = place(at - 1U);
         --at;
     }

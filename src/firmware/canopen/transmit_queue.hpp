@@ -58,6 +58,7 @@ class TransmitQueue {
     /// Moves every frame whose identifier is `bound` or higher one place on: the number of the place that becomes free.
     std::uint32_t make_room(std::uint32_t bound) noexcept;
     Frame& place(const std::uint32_t number) noexcept { return frames_[number % capacity]; }
+    std::uint32_t id_at(const std::uint32_t number) const noexcept { return frames_[number % capacity].id; }
 
     static_assert((capacity & (capacity - 1U)) == 0U, "the numbers of places wrap to where the ring begins");
 
