@@ -212,15 +212,44 @@ class ProveCommand : Command {
     ProveCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand(
             "prove", "theorems about the firmware, shown for all values: proven, refuted or unknown");
-        command->prefix_command();  // canproof-prove reads the rest, and its --help
-        command->set_help_flag();
+        add_options(*command);
         command->callback([this, command, &chosen] {
-            words_ = command->remaining();
+            words_ = words_of(*command);
             chosen = [this] { return prove(words_); };
         });
     }
 
   private:
+    /// Those of canproof-prove, which checks their values and has the defaults.
+    void add_options(CLI::App& command) {
+        command.add_option("--only", value_, "proofs of this folder below properties/proofs: base");
+        command.add_option("--proofs", value_, "folder of harnesses");
+        command.add_option("--theorem", value_, "this one alone");
+        command.add_option("--timeout", value_, "seconds of processor time for one theorem; unknown after that");
+        command.add_option("--jobs", value_, "processes at once");
+        command.add_option("--json", value_, "file to write the results to");
+        command.add_option("--faults", value_, "table of seeded faults: each must be refuted");
+        command.add_option("--every", value_, "with --faults: only every Nth of the table");
+        command.add_flag("--no-replay", "do not run counterexamples natively");
+        command.add_option("--root", value_, "the project's folder");
+        command.add_option("--build", value_, "a build of the project; where this program lies without it");
+    }
+    /// Returns the options as they were given.
+    static std::vector<std::string> words_of(const CLI::App& command) {
+        std::vector<std::string> words;
+        for (const CLI::Option* option : command.get_options()) {
+            if (option->count() == 0) {
+                continue;
+            }
+            words.push_back(option->get_name());
+            if (option->get_items_expected_max() != 0) {
+                words.push_back(option->results().back());
+            }
+        }
+        return words;
+    }
+
+    std::string value_;  ///< of whichever option; words_of() reads them
     std::vector<std::string> words_;
 };
 
