@@ -120,6 +120,8 @@ class SpecCommands : Command {
         review->add_flag("--mark", review_.mark,
                          "mark the code and tests of reviewed items as they are, without saying that anybody has read "
                          "them");
+        review->add_flag("--wording", review_.wording,
+                         "the texts of items were read; their code and tests are marked as they are, as by --mark");
         review->add_option("--role", review_.role, "author of the change, or independent of it")
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,

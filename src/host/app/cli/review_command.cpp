@@ -35,8 +35,9 @@ void check(const ReviewOptions& options) {
         throw InputError{fmt::format("{} is no date; write YYYY-MM-DD", options.date)};
     }
     if (options.mark) {
-        if (options.all || !options.subjects.empty() || !options.by.empty() || !options.role.empty()) {
-            throw InputError{"--mark is for all reviews and nobody's: it takes no ID, --all, --by or --role"};
+        if (options.all || options.wording || !options.subjects.empty() || !options.by.empty() ||
+            !options.role.empty()) {
+            throw InputError{"--mark is for all reviews and nobody's: it takes no ID, --all, --wording, --by or --role"};
         }
         return;
     }
@@ -91,7 +92,7 @@ int review_spec(const ReviewOptions& options) {
     if (options.mark) {
         return mark_reviews(options, content, work);
     }
-    const ReviewSession session{date_of(options), options.by, options.role};
+    const ReviewSession session{date_of(options), options.by, options.role, options.wording};
     std::set<std::string> names{options.subjects.begin(), options.subjects.end()};
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;

@@ -14,6 +14,7 @@ struct ReviewOptions {
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
     bool mark{false};      ///< the marks of code and tests alone, of reviews that stay
+    bool wording{false};   ///< the items alone were read; their code and tests are marked as they are
     std::string date;      ///< 2026-11-21; empty: today
 };
 

@@ -118,7 +118,9 @@ std::string write_reviews(const Part& part, const std::set<std::string>& ids, co
     for (const auto& [id, print] : prints_in_force(part)) {
         if (ids.count(id) != 0) {
             const ItemWork now = work_of(id, work);
-            reviews[id] = {print, now.code, now.tests, session.date, session.by, session.role, "", {}};
+            reviews[id] = {
+                print, now.code, now.tests, session.date, session.by, session.role, session.wording ? session.date : "",
+                {}};
         } else if (const auto old = part.reviews.find(id); old != part.reviews.end()) {
             reviews[id] = old->second;
         }

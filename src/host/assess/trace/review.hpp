@@ -15,7 +15,8 @@ namespace canproof::host {
 struct ReviewSession {
     std::string date;  ///< 2026-11-21
     std::string by;
-    std::string role;  ///< author or independent
+    std::string role;     ///< author or independent
+    bool wording{false};  ///< the items alone were read; their code and tests are marked as they are
 };
 
 class ReviewState {

@@ -38,7 +38,7 @@ Register read(const std::string& first, const std::string& second, const std::st
 }
 
 std::string reviewed(const Register& content, const std::set<std::string>& ids, const char* date, const char* by) {
-    return write_reviews(*content.part("box"), ids, {date, by, "author"}, {});
+    return write_reviews(*content.part("box"), ids, {date, by, "author", false}, {});
 }
 
 }  // namespace
@@ -53,6 +53,20 @@ TEST(Review, IsReadBackAsItWasWritten) {
     EXPECT_THAT(unreviewed(*content.part("box"), {}), IsEmpty());
     EXPECT_EQ(content.part("box")->reviews.at("AO4-R-1").by, "A \"B\"");
     EXPECT_EQ((ReviewState{content, no_work}.suspicion("AO4-R-1", {})), "");
+}
+
+TEST(Review, OfTheWordingMarksCodeAndTestsAndDoesNotSayThatTheyWereRead) {
+    const WorkByItem work{{"AO4-R-1", {"c0de", "7e57"}}};
+    const Register content = read("a", "b", "");
+    const Register renewed =
+        read("a", "b", write_reviews(*content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", true}, work));
+    const Review& review = renewed.part("box")->reviews.at("AO4-R-1");
+    EXPECT_EQ(review.marked, "2026-01-02");
+    EXPECT_EQ(review.code, "c0de");
+    EXPECT_EQ((ReviewState{renewed, work}.suspicion("AO4-R-1", {})), "");
+    const Register both =
+        read("a", "b", write_reviews(*content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", false}, work));
+    EXPECT_EQ(both.part("box")->reviews.at("AO4-R-1").marked, "");
 }
 
 TEST(Review, RenewsWhatIsNamedAndKeepsTheRest) {
