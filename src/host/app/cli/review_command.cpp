@@ -37,7 +37,8 @@ void check(const ReviewOptions& options) {
     if (options.mark) {
         if (options.all || options.wording || !options.subjects.empty() || !options.by.empty() ||
             !options.role.empty()) {
-            throw InputError{"--mark is for all reviews and nobody's: it takes no ID, --all, --wording, --by or --role"};
+            throw InputError{
+                "--mark is for all reviews and nobody's: it takes no ID, --all, --wording, --by or --role"};
         }
         return;
     }
