@@ -49,13 +49,13 @@ void ReceivePdos::stop() noexcept {
 
 /// Whether it is long enough and no value of it is refused, and takes note of that.
 static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
-static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
 inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) noexcept {
     const bool is_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     const bool taken = is_short ? false : rpdo.mapping.accepts(frame, objects_, access_);
     if (!taken || has_failed()) {
         const std::size_t number = number_of(rpdo);
         mark(came_short, number, is_short);
+        static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
         if (!is_short) {
             mark(came_refused, number, !taken);
         }

@@ -1,5 +1,8 @@
 #include "target/stm32f405/analog.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
 namespace canproof::stm32f405 {
 
 namespace {
@@ -64,6 +67,7 @@ void AnalogInputs::convert() noexcept {
     registers_.control_2.write(converter_on | start_conversion);
 }
 
+static_assert(implements<req::CO_IMAGE_002>);
 void AnalogInputs::advance() noexcept {
     if (registers_.status.has(conversion_done)) {
         values_[current_] = static_cast<std::uint16_t>(registers_.data.read() & 0xFFFU);  // clears EOC
@@ -81,6 +85,7 @@ void AnalogOutputs::start() noexcept {
     registers_.control.write(both_dac_channels);
 }
 
+static_assert(implements<req::CO_IMAGE_002>);
 void AnalogOutputs::set(const std::size_t channel, const float share) noexcept {
     const auto code = static_cast<std::uint32_t>((between(share, 0.0F, 1.0F) * full_scale_12_bit) + 0.5F);
     Register& data = (channel == 0U) ? registers_.data_1 : registers_.data_2;
@@ -106,6 +111,7 @@ void PulseOutputs::set_frequency(const float hertz) noexcept {
     timer_.reload.write(period_ - 1U);
 }
 
+static_assert(implements<req::CO_IMAGE_002>);
 void PulseOutputs::set_duty(const std::size_t channel, const float share) noexcept {
     timer_.compare[channel].write(static_cast<std::uint32_t>(between(share, 0.0F, 1.0F) * static_cast<float>(period_)));
 }

@@ -1,5 +1,7 @@
 #include "target/stm32f405/chip.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/device_loop.hpp"
 
 namespace canproof::stm32f405 {
@@ -12,6 +14,7 @@ constexpr std::uint32_t can_function = 9U;
 
 }  // namespace
 
+static_assert(implements<req::CO_IMAGE_002>);
 void Chip::start() noexcept {
     source = clock.start(plan);
     ClockRegisters& clocks = registers_at<ClockRegisters>(rcc_address);

@@ -1,5 +1,8 @@
 #include "target/stm32f405/gpio.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
 namespace canproof::stm32f405 {
 
 namespace {
@@ -20,11 +23,13 @@ void Port::pull_up(const std::uint32_t pin) noexcept {
     registers_.pull.replace(pull_up_mask << (2U * pin), pull_up_bits << (2U * pin));
 }
 
+static_assert(implements<req::CO_IMAGE_002>);
 std::uint32_t Port::read(const std::uint32_t first, const std::uint32_t count) const noexcept {
     return (registers_.input.read() >> first) & (bit(count) - 1U);
 }
 
 /// One write: no other pin of the port is touched.
+static_assert(implements<req::CO_IMAGE_002>);
 void Port::set(const std::uint32_t pin, const bool high) noexcept {
     registers_.set_reset.write(bit(high ? pin : (pin + 16U)));
 }
