@@ -10,7 +10,7 @@ install(DIRECTORY src/firmware src/target DESTINATION ${home}/src USE_SOURCE_PER
 install(DIRECTORY src/host DESTINATION ${home}/src USE_SOURCE_PERMISSIONS
         FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.cmake PATTERN *.hpp PATTERN main.cpp PATTERN ccache_launcher REGEX "/panel/page/[^/]*$")
 # What an image of tests for the microcontroller compiles.
-foreach(file base/time_text codegen/dictionary_rows sim/bus/candump sim/devices/generic_device sim/devices/memory)
+foreach(file base/time_text codegen/dictionary_rows sim/bus/candump sim/bus/frame_text sim/devices/generic_device sim/devices/memory)
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES src/host/${file}.cpp DESTINATION ${home}/src/host/${folder})
 endforeach()
