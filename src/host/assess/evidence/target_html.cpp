@@ -29,7 +29,8 @@ std::string bounded(std::uint64_t value, std::uint64_t budget) {
 std::string memory_table(const json& footprint) {
     const json& budgets = footprint.at("budgets");
     std::string text =
-        "<div class=wrap><table><tr><th>Image, -Os, bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen "
+        "<div class=wrap tabindex=0 role=\"region\" aria-label=\"Table, scrolls sideways\"><table><tr><th>Image, -Os, "
+        "bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen "
         "layer: "
         "code<th>RAM without values<th>stack\n";
     for (const auto& [device, found] : footprint.at("devices").items()) {
