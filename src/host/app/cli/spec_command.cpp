@@ -12,6 +12,7 @@
 #include "host/app/cli/sound_register.hpp"
 #include "host/app/cli/standard_streams.hpp"
 #include "host/assess/manual/text_coverage.hpp"
+#include "host/assess/trace/audit_filter.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/register/advice.hpp"
@@ -31,20 +32,13 @@ std::size_t count_items(const Register& content) {
     return items;
 }
 
-const Manual& manual_with(const std::string& key, const Register& content) {
-    const Manual* manual = content.manual(key);
-    if (manual == nullptr) {
-        std::vector<std::string> keys;
-        for (const auto& one : content.manuals) {
-            keys.push_back(one.key);
-        }
-        throw InputError{fmt::format("no manual has the key {}; there are {}", key, fmt::join(keys, ", "))};
-    }
-    if (manual->statements.empty()) {
+const Manual& manual_with_statements(const std::string& key, const Register& content) {
+    const Manual& manual = manual_with(key, content);
+    if (manual.statements.empty()) {
         throw InputError{fmt::format("{} has no statements; write them below {}/", key,
-                                     std::filesystem::path{manual->place.file}.replace_extension().generic_string())};
+                                     std::filesystem::path{manual.place.file}.replace_extension().generic_string())};
     }
-    return *manual;
+    return manual;
 }
 
 void print_statement(const Manual& manual, const Statement& statement) {
@@ -165,7 +159,7 @@ int check_spec(const SpecCheckOptions& options) {
 
 int list_statements(const StatementsOptions& options) {
     const Register content = sound_register(options.spec);
-    const Manual& manual = manual_with(options.key, content);
+    const Manual& manual = manual_with_statements(options.key, content);
     return options.text.empty() ? print_by_section(manual) : print_coverage(manual, options.text);
 }
 

@@ -41,17 +41,10 @@ std::string with_key(const std::string& ref, const Register& content, const std:
 void check_section(const std::string& section, const Register& content) {
     const auto colon = section.find(':');
     const std::string key = section.substr(0, colon);
-    const Manual* manual = content.manual(key);
-    if (manual == nullptr) {
-        std::vector<std::string> keys;
-        for (const auto& one : content.manuals) {
-            keys.push_back(one.key);
-        }
-        throw InputError{fmt::format("no manual has the key {}; there are {}", key, fmt::join(keys, ", "))};
-    }
+    const Manual& manual = manual_with(key, content);
     const std::string ref = section.substr(colon + 1);
     const bool is_section = !ref.empty() && ref.find_first_not_of("0123456789.") == std::string::npos;
-    if (is_section && !has_section(*manual, ref)) {
+    if (is_section && !has_section(manual, ref)) {
         throw InputError{fmt::format("{} has no section {}", key, ref)};
     }
 }
@@ -76,6 +69,18 @@ void check_kind(const std::string& kind, const std::vector<PartAudit>& audits) {
 }
 
 }  // namespace
+
+const Manual& manual_with(const std::string& key, const Register& content) {
+    const Manual* manual = content.manual(key);
+    if (manual == nullptr) {
+        std::vector<std::string> keys;
+        for (const auto& one : content.manuals) {
+            keys.push_back(one.key);
+        }
+        throw InputError{fmt::format("no manual has the key {}; there are {}", key, fmt::join(keys, ", "))};
+    }
+    return *manual;
+}
 
 bool passes(const AuditedItem& item, const AuditFilter& filter) {
     const auto from_section = [&](const std::string& source) {

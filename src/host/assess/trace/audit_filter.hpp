@@ -16,6 +16,9 @@ struct AuditFilter {
     bool empty() const { return section.empty() && kind.empty() && status.empty(); }
 };
 
+/// Returns the manual with this key. Throws InputError, which names those that there are.
+const Manual& manual_with(const std::string& key, const Register& content);
+
 bool passes(const AuditedItem& item, const AuditFilter& filter);
 /// The same for a statement of that manual. One about an object is in the section that describes it as well.
 bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter);
