@@ -33,7 +33,7 @@ Json json_of(const AuditedItem& item, const Evidence& evidence) {
             {"suspect", item.suspect}};
 }
 
-Json json_of(const AuditedStatement& statement, const Evidence&) {
+Json json_of(const AuditedStatement& statement) {
     const Statement& one = *statement.statement;
     Json made{{"id", statement.id}, {"section", one.section}, {"text", one.text}, {"status", statement.status}};
     made["covered"] = one.covered;
@@ -43,35 +43,35 @@ Json json_of(const AuditedStatement& statement, const Evidence&) {
     return made;
 }
 
-Json json_of(const AuditedSection& section, const Evidence&) {
+Json json_of(const AuditedSection& section) {
     return {{"ref", section.section->ref},
             {"title", section.section->title},
             {"covered", section.covered},
             {"source_of", section.covered_by}};
 }
 
-template <typename All, typename Takes>
-Json list_of(const All& all, const Evidence& evidence, const Takes& takes) {
-    Json list = Json::array();
-    for (const auto& one : all) {
-        if (takes(one)) {
-            list.push_back(json_of(one, evidence));
+Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& filter, const Evidence& evidence) {
+    Json made{{"part", audit.part->name}, {"items", Json::array()}};
+    for (const auto& one : audit.items) {
+        if (passes(one, filter)) {
+            made["items"].push_back(json_of(one, evidence));
         }
     }
-    return list;
-}
-
-Json json_of(const PartAudit& audit, const Manual* manual, const AuditFilter& filter, const Evidence& evidence) {
-    Json made{{"part", audit.part->name}};
-    made["items"] = list_of(audit.items, evidence, [&](const AuditedItem& one) { return passes(one, filter); });
     if (manual != nullptr) {
         made["manual"] = manual->key;
         made["counts_by"] = manual->statements.empty() ? "section" : "statement";
-        made["statements"] = list_of(audit.statements, evidence,
-                                     [&](const AuditedStatement& one) { return passes(one, *manual, filter); });
+        made["statements"] = Json::array();
+        for (const auto& one : audit.statements) {
+            if (passes(one, *manual, filter)) {
+                made["statements"].push_back(json_of(one));
+            }
+        }
     }
     if (filter.empty()) {
-        made["sections"] = list_of(audit.sections, evidence, [](const AuditedSection&) { return true; });
+        made["sections"] = Json::array();
+        for (const auto& one : audit.sections) {
+            made["sections"].push_back(json_of(one));
+        }
         made["gaps"] = audit.gaps;
         made["suspects"] = audit.suspects;
     }
