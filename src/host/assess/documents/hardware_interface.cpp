@@ -63,7 +63,8 @@ Document hardware_interface(const Part& part) {
         "Which values pass between the firmware and its hardware, with type, unit, range and source. `canproof "
         "signals` prints the same list.",
         {Chapter{"Signals",
-                 {"The firmware has no drivers. Time comes in as microseconds, frames go out through a queue, and "
+                 {"The firmware of a device has no drivers of its own. Time comes in as microseconds, frames go out "
+                  "through a queue, and "
                   "physical inputs and outputs are plain data. A driver converts each signal to and from its hardware.",
                   "The range of an input is what the simulation accepts. Some inputs belong to the simulated world "
                   "alone; their meaning says so."},
