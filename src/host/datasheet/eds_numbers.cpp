@@ -35,7 +35,7 @@ bool is_hexadecimal(std::string_view text) {
     return text.size() >= 2 && text[0] == '0' && lower_case(text[1]) == 'x';
 }
 
-/// 10u, 0x10UL: how C spells the type of a number says nothing here. A text of nothing else is no number.
+/// 10u, 0x10UL: how C spells the type of a number says nothing here. A text of nothing else is not a number.
 std::string_view without_suffix(std::string_view text) {
     while (!text.empty() && (lower_case(text.back()) == 'u' || lower_case(text.back()) == 'l')) {
         text.remove_suffix(1);

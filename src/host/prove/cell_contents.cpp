@@ -6,12 +6,12 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// A place that is no number makes a choice between all bytes of the object.
+/// A place that is not constant makes a choice between all bytes of the object.
 constexpr std::size_t most_choices = 8192;
 
 void refuse_large(std::size_t size) {
     if (size > most_choices) {
-        throw Unknown{"an offset that is no number, in an object of more than 8192 bytes"};
+        throw Unknown{"an offset that is not constant, in an object of more than 8192 bytes"};
     }
 }
 

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// "7.10.2" → {7, 10, 2}; empty for what is no number of a section.
+/// "7.10.2" → {7, 10, 2}; empty for any other text.
 std::vector<unsigned> number_of(const std::string& ref) {
     std::vector<unsigned> number;
     std::istringstream in{ref};

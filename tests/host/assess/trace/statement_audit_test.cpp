@@ -1,4 +1,4 @@
-// The audit of statements: a small manual, items that are shown or not, and what is told of each statement.
+// The audit of statements: a small manual, items that are shown or not, and what is reported of each statement.
 #include "host/assess/trace/statement_audit.hpp"
 
 #include <gmock/gmock.h>
