@@ -116,7 +116,7 @@ void set_default(Entry& entry, const toml::node& node) {
             entry.node_id = true;
             return;
         } catch (const std::exception&) {
-            // falls through: the check of the default's type tells it
+            // The check of the default's type reports it.
         }
     }
     entry.value = value;
