@@ -175,8 +175,7 @@ ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
     return nullptr;
 }
 
-/// Starts the transmission of the next frame. Waiting frames start as soon as the bus is idle, even between two
-/// microseconds. Returns false when no frame can start.
+/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false without a frame.
 bool ArbitratedBus::start(Nanoseconds now) {
     if (running_) {
         return false;
@@ -294,8 +293,7 @@ void ArbitratedBus::deliver(const Transmission& done) {
     }
 }
 
-/// Updates the error counters of each station after a frame, whether it reads the frame or not. Without any earlier
-/// error there is nothing to update.
+/// Updates the error counters of each station after a frame, whether it reads the frame or not.
 void ArbitratedBus::count_reception(const Port& sender, const Port* loser, Instant now) {
     if (!troubled_ && loser == nullptr) {
         return;
