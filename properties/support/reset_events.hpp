@@ -137,6 +137,9 @@ class Happening {
 
     /// The same for what the application does not notice: no parameter of an RPDO, no other node to wait for.
     static void happen_to_communication(Unit& unit, const Event& event) {
+        if (would_start_supervision(unit, event.kind)) {
+            return;
+        }
         if (event.kind != EventKind::communication) {
             return happen(unit, event);
         }
@@ -182,6 +185,17 @@ class Happening {
         return bytes;
     }
 
+    /// Whether an event of this kind may begin to watch another node, whose silence would then be an error of the device:
+    /// its heartbeat while 1016h (consumer heartbeat time) names a node, a remote frame while guarding is on.
+    static bool would_start_supervision(const Unit& unit, EventKind kind) {
+        const unsigned watched = unit.value(0x1016, 0);
+        bool names_a_node = false;
+        for (unsigned sub = 1; sub <= watched; ++sub) {
+            names_a_node = names_a_node || unit.value(0x1016, sub) != 0;
+        }
+        const bool guards = unit.value(0x100C, 0) != 0 && unit.value(0x100D, 0) != 0;
+        return (kind == EventKind::heartbeat && names_a_node) || (kind == EventKind::remote && guards);
+    }
     static void put(Unit& unit, const Setting& setting, const Event& event) {
         const unsigned sub = setting.subs == 0 ? 0 : 1 + event.sub % setting.subs;
         unit.write(setting.index, sub, setting.bytes, pick(setting.values, event.value));
