@@ -247,4 +247,21 @@ TEST_F(Ax130751Output, ANewTypeBeginsOff) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
+// The control is source 6, the target of the output itself: what it was under the old type is gone before it is read.
+TEST_F(Ax130751Output, AnOutputThatFollowsItselfStartsFromOffAfterATypeChange) {
+    verifies<req::AOR_OUT_023>();
+    set8(0x5550, 0, 0);
+    make(10);
+    command(1, 5000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    set8(0x2341, 1, 1);
+    set8(0x2340, 1, 6);
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F) << "it keeps its own target";
+    set16(0x6310, 1, 20);
+    pass(1);
+    EXPECT_EQ(get16(0x7330, 1), 0) << "5.000 V is no current";
+    EXPECT_FLOAT_EQ(milliamperes(1), 0.0F);
+}
+
 }  // namespace canproof::test

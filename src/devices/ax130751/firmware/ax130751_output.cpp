@@ -54,18 +54,22 @@ void UniversalOutput::reset() noexcept {
 }
 
 static_assert(implements<req::AOR_OUT_023>);
-void UniversalOutput::follow_type() noexcept {
-    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} != type_) {
-        reset();
+bool UniversalOutput::follow_type() noexcept {
+    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} == type_) {
+        return false;
     }
+    reset();
+    constexpr std::int16_t off = 0;
+    return show(off, off);  // before the inputs are read: one of them may be the value of this output
 }
 
 bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
-    follow_type();
+    const bool was_cleared = follow_type();
     const InputSignals signals = read_inputs();
     clear(outputs);
-    return is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
-                                         : advance_analogue(signals, cycle, inputs, outputs);
+    const bool changes = is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
+                                                       : advance_analogue(signals, cycle, inputs, outputs);
+    return changes || was_cleared;
 }
 
 UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {

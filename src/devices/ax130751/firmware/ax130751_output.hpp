@@ -47,7 +47,8 @@ class UniversalOutput {
         BlockSignal override_input{};
     };
 
-    void follow_type() noexcept;
+    /// Starts from OFF when 6310h (AO output type) has changed. True when 7330h or 2370h changed with it.
+    bool follow_type() noexcept;
     InputSignals read_inputs() noexcept;
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
     FaultAction fault_action(bool digital) const noexcept;
