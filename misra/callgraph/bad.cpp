@@ -1,4 +1,4 @@
-// What the check of the call graph must flag: recursion, an indirect call outside the list, a deep stack.
+// Faults that the check of the call graph must report: recursion, an unlisted indirect call, a deep stack.
 struct Memory {
     virtual int read(int at) = 0;
 

@@ -1,4 +1,4 @@
-// What the check of functions must say: which of these serve an item, and which do not.
+// Functions for the test of the check in checks/served.py. The marked ones serve no item; all others do.
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"
 

@@ -1,9 +1,9 @@
-"""MISRA C++:2023 over the firmware and the generated headers, by checkers that are themselves tested.
+"""Checks the firmware and the generated headers against MISRA C++:2023, with checkers that are themselves tested.
 
 misra/run [--root PROJECT] BUILD_FOLDER [OUTPUT_FOLDER]
 misra/run [--root PROJECT] review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
 
-Exit status 0: no open finding and no fault in checkers or records; 1: there are; 2: wrong use or a missing tool.
+Exit status 0: no open finding and no fault in checkers or records; 1: a finding or a fault; 2: wrong use or a missing tool.
 """
 import argparse
 import datetime
@@ -27,7 +27,7 @@ from .tools import TOOLS, compile_each, find
 
 
 def scope(generated):
-    """The project's units of firmware, and every header with the generated ones."""
+    """Returns the project's translation units of firmware, and its headers with the generated ones."""
     units = [named(path) for path in firmware_files(ROOT / "src", "*.cpp")]
     headers = [named(path) for path in firmware_files(ROOT / "src", "*.hpp")]
     headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))
@@ -35,7 +35,7 @@ def scope(generated):
 
 
 class Progress:
-    """One line a step, so that a wait has a reason."""
+    """Prints one line per step, with the time so far."""
 
     def __init__(self):
         self.start = time.monotonic()
@@ -45,7 +45,7 @@ class Progress:
 
 
 def version_of(home):
-    """The version that CMake gives the program, which is that of its checkers."""
+    """Returns the version of canproof in its CMakeLists, which is also the version of its checkers."""
     found = re.search(r"project\(canproof VERSION ([0-9.]+)", (home / "CMakeLists.txt").read_text())
     return found.group(1) if found else "0.0.0"
 
@@ -64,7 +64,7 @@ def check(build, output):
     with tempfile.TemporaryDirectory() as graphs:
         found = find(rules, units, headers, generated, graphs, faults)
         progress.step("call graph, stack, symbols, layers")
-        if ROOT != HOME:  # a device's stack is that of what it calls as well
+        if ROOT != HOME:  # the stack of a device includes that of the shared firmware
             shared = sorted((HOME / "src" / "firmware").rglob("*.cpp"))
             compile_each([named(path) for path in shared], generated, graphs, faults)
         figures = check_call_graph(graphs, generated, faults)

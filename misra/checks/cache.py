@@ -1,9 +1,9 @@
-"""What a tool said of files before, for as long as nothing that it reads has changed.
+"""Caches the outputs of the tools as long as none of their inputs changes.
 
-Kept is the tool's output and no judgement: findings, proofs of the checkers and records are worked out anew in each run. The key
-of an output is a hash of the tool's version, its command line, its script, and the contents of the files with all of ours that
-they include; headers of the system count by the versions of their packages. In ~/.cache/canproof/misra, or where
-CANPROOF_MISRA_CACHE says; `CANPROOF_MISRA_CACHE=off` runs every tool."""
+The cache contains only outputs: each run evaluates findings, tests of the checkers and records again. The key of an output is a
+hash of the tool's version, its command line, its script, and the contents of the files with all files of this project that they
+include; system headers count by the versions of their packages. The cache is in ~/.cache/canproof/misra, or in the folder
+CANPROOF_MISRA_CACHE; `CANPROOF_MISRA_CACHE=off` runs every tool."""
 import functools
 import hashlib
 import json
@@ -19,12 +19,12 @@ from .rules import HOME, ROOT, run_tool
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
 NAME = re.compile(r'(?:"([^"]+)"|<([^>]+)>)')
-KEPT_SECONDS = 30 * 24 * 3600  # since an entry was last used
+KEPT_SECONDS = 30 * 24 * 3600  # after the last use of an entry
 PACKAGES = ["libc6-dev", "libstdc++-*-dev", "gcc-*", "g++-*", "libclang-common-19-dev", "clang-tidy-19", "clang-tools-19", "cppcheck"]
 
 
 def folder():
-    """Where outputs are kept, or None."""
+    """Returns the folder of the cache; None when it is switched off."""
     named = os.environ.get("CANPROOF_MISRA_CACHE", "")
     if named == "off":
         return None
@@ -34,7 +34,7 @@ def folder():
 
 @functools.lru_cache(maxsize=None)
 def version(tool):
-    """The tool itself, and what brings the headers of the system."""
+    """Returns the version of a tool, and the versions of the packages with the system headers."""
     path = os.path.realpath(shutil.which(tool))
     _, said = run_tool([tool, "--version"])
     packages = ""
@@ -46,7 +46,7 @@ def version(tool):
 
 @functools.lru_cache(maxsize=None)
 def content(path):
-    """A file's text and what it includes, as it is spelled; None where there is no such file."""
+    """Returns a file's text and its includes as spelled; None when the file does not exist."""
     try:
         text = pathlib.Path(path).read_text()
     except (OSError, UnicodeDecodeError):
@@ -55,8 +55,8 @@ def content(path):
 
 
 def read_with_includes(files, folders):
-    """By path, the text of the files and of all that they include from their own folders or from `folders`. None when an include
-    does not name its file: what it means, only the preprocessor knows."""
+    """Returns by path the text of the files and of all files that they include from their own folders or from `folders`. Returns
+    None when an include does not name its file, so that only the preprocessor can resolve it."""
     texts, waiting = {}, [str(path) for path in files]
     while waiting:
         path = waiting.pop()
@@ -80,7 +80,7 @@ def read_with_includes(files, folders):
 
 
 class Places:
-    """Folders whose place does not matter, by a name for each: a checkout elsewhere finds the same outputs."""
+    """Replaces the paths of folders by names, so that a checkout in another place finds the same outputs."""
 
     def __init__(self, **folders):
         self.named = sorted(((os.path.realpath(path), f"@{name}@") for name, path in folders.items()), key=lambda one: -len(one[0]))
@@ -105,8 +105,8 @@ def key_of(command, script, texts, places):
 
 
 def run_cached(command, files, generated, script="", scratch=None, leaves=None):
-    """(exit status, output) of `command`, which reads `files` and nothing else of ours. A `@script@` in it becomes a file that holds
-    `script`; `leaves` is a file that it writes, kept with its output; `scratch` is a folder of this run only."""
+    """Returns (exit status, output) of `command`, which reads only `files` of this project. `@script@` in it is replaced by a file
+    with the content `script`. `leaves` is a file that it writes, cached with its output. `scratch` is a folder of this run."""
     generated = os.path.realpath(generated)
     others = {"project": str(ROOT)} if ROOT != HOME else {}
     places = Places(root=str(HOME), generated=generated, **others, **({"scratch": scratch} if scratch else {}))
@@ -121,12 +121,12 @@ def run_cached(command, files, generated, script="", scratch=None, leaves=None):
             os.utime(entry)
             return known["status"], places.within(known["output"])
         except (OSError, ValueError, KeyError, TypeError):
-            pass  # not there, or not whole: the tool says it again
+            pass  # missing or incomplete: the tool runs again
     with tempfile.NamedTemporaryFile("w", suffix=".script") as file:
         file.write(script)
         file.flush()
         status, output = run_tool([file.name if word == "@script@" else word for word in command])
-    # Another status is no judgement: a tool that was killed, or that found no memory, may do better next time.
+    # Another status is no result: a tool that was killed or ran out of memory may succeed next time.
     if entry is None or status not in (0, 1) or (leaves and not os.path.exists(leaves)):
         return status, output
     known = {"status": status, "output": places.without(output)}
@@ -135,7 +135,7 @@ def run_cached(command, files, generated, script="", scratch=None, leaves=None):
     try:
         keep(entry, known)
     except OSError:
-        pass  # a cache that cannot be written costs time, and nothing else
+        pass  # without a writable cache the checks only take longer
     return status, output
 
 
@@ -147,7 +147,7 @@ def keep(entry, known):
 
 
 def drop_unused():
-    """Removes what no run has asked for in a month."""
+    """Removes entries that no run has used for 30 days."""
     store = folder()
     if store is None or not store.is_dir():
         return

@@ -1,7 +1,7 @@
-"""The call graph that g++ leaves beside each object: no recursion, no indirect call but the listed ones, bounded stack.
+"""Checks the call graph that g++ writes for each object file: no recursion, no unlisted indirect call, bounded stack.
 
-callgraph.toml lists the indirect calls by the object they go through, with what they can reach. The stack that a public call
-of a device may use is "host_stack" in its target/budgets.toml. A call through a reference adds an edge to all that its interface names."""
+callgraph.toml lists the indirect calls by the reference that they use, with the classes that they can reach. "host_stack" in a
+device's target/budgets.toml limits the stack of its public calls. A call through a reference adds edges to all listed classes."""
 import pathlib
 import re
 import tempfile
@@ -17,7 +17,7 @@ INDIRECT = "__indirect_call"
 
 
 def called_through(place):
-    """`memory_` and `read` for the call at file:line:column, which is that of the opening parenthesis or the name's end."""
+    """Returns `memory_` and `read` for the call at file:line:column, the place of the opening parenthesis or of the name's end."""
     path, line, column = place.rsplit(":", 2)
     text = (HOME / path).read_text().splitlines()[int(line) - 1]
     before = re.match(r"[\s\S]*", text[: int(column) - 1]).group()
@@ -44,7 +44,7 @@ class CallGraph:
                     self.calls.setdefault(caller, set()).add(callee)
 
     def resolve(self, listed, faults):
-        """Edges for the indirect calls; a call that the list does not hold is a fault, as is an entry that nothing uses."""
+        """Adds edges for the indirect calls. An unlisted call is a fault, and so is an unused entry."""
         used = set()
         for caller, place in sorted(set(self.indirect)):
             through, method = called_through(place)
@@ -61,7 +61,7 @@ class CallGraph:
                 faults.add(f"callgraph.toml lists calls through {entry['interface']}, and there are none")
 
     def deepest(self, title, path=(), known=None):
-        """Bytes from here down, and whether the way leads back to itself."""
+        """Returns the greatest stack use in bytes from this function on, and the cycle of a recursion or None."""
         known = {} if known is None else known
         if title in path:
             return 0, path[path.index(title) :]
@@ -77,7 +77,7 @@ class CallGraph:
 
 
 def check(graph, listed, bounds, faults):
-    """What the graph holds, in figures for the report."""
+    """Checks the graph. Returns figures for the report."""
     graph.resolve(listed, faults)
     known = {}
     for title in sorted(graph.stack):
@@ -97,14 +97,14 @@ def check(graph, listed, bounds, faults):
 
 
 def device_bounds():
-    """The stack that any public call of each device may use."""
+    """Returns the stack that any public call of each device may use."""
     for path in sorted((ROOT / "src" / "devices").glob("*/target/budgets.toml")):
         name = path.parent.parent.name.replace("-", "_")
         yield {"name": name, "entry": rf"\bcanproof::{name}::Device::\w+\(", "bytes": tomllib.loads(path.read_text())["host_stack"]}
 
 
 def check_call_graph(graphs, generated, faults):
-    """Proves the check on callgraph/bad.cpp, then runs it on the firmware's graphs."""
+    """Tests the check on callgraph/bad.cpp, then runs it on the firmware's graphs."""
     seeded = []
     with tempfile.TemporaryDirectory() as scratch:
         class Collected(list):

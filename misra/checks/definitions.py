@@ -1,7 +1,7 @@
-"""What the compiler sees only one translation unit at a time: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias),
-6.4.2 (hidden functions) and the part of 13.3.3 for overrides.
+"""Checks rules over several translation units: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias), 6.4.2 (hidden
+functions) and the part of 13.3.3 for overrides.
 
-A scanner of declarations by their braces, for code as clang-format leaves it."""
+The scanner finds declarations by their braces, in code that clang-format has formatted."""
 import re
 from typing import NamedTuple
 
@@ -17,13 +17,13 @@ VARIABLE = re.compile(r"\b(?P<name>\w+)\s*(?:=.*)?$", re.DOTALL)
 class Item(NamedTuple):
     """A declaration or definition with linkage."""
     name: str
-    parameters: tuple  # spelled types; None for what is no function
+    parameters: tuple  # types as spelled; None for an item that is no function
     result: str
     defined: bool
     path: str
     line: int
     text: str
-    names: tuple = ()  # of the parameters; None for one without
+    names: tuple = ()  # names of the parameters; None for an unnamed one
 
 
 def closing(code, at):
@@ -46,7 +46,7 @@ def split_at_commas(text):
 
 
 def spelled_type(parameter):
-    """The type as it is written: without the name, a default, const of the copy, and enclosing scopes."""
+    """Returns the type as spelled, without the name, a default, the const of a copy, and enclosing scopes."""
     text = re.sub(r"\s*=.*$", "", parameter, flags=re.DOTALL)
     if re.search(r"[\w>&*]\s+\w+$|[&*]\w+$", text) and not re.fullmatch(r"(?:const\s+)?[\w:]+", text):
         text = re.sub(r"\w+$", "", text)
@@ -57,7 +57,7 @@ def spelled_type(parameter):
 
 
 def name_of(parameter):
-    """The parameter's own name, or None."""
+    """Returns the parameter's name, or None."""
     text = re.sub(r"\s*=.*$|\[\[\w+\]\]", "", parameter, flags=re.DOTALL).strip()
     match = re.search(r"(?:[\w>&*]\s+|[&*])(\w+)$", text)
     return match[1] if match and not re.fullmatch(r"(?:const\s+)?[\w:]+", text) else None
@@ -126,7 +126,7 @@ class Scanner:
                 self.items.append(Item(scope + match["name"], None, "", True, self.path, self.line(begin), head))
 
     def block(self, begin, at, end, scope, in_class):
-        """Whether the brace at `at` ended a declaration; an initialiser's does not."""
+        """Returns whether the block at `at` ends a declaration; the braces of an initialiser do not."""
         head = ALIGNED.sub("", self.code[begin:at])
         namespace = NAMESPACE.search(head)
         if namespace:
@@ -139,7 +139,7 @@ class Scanner:
             self.items.append(Item(scope + declared["name"], None, "", True, self.path, self.line(begin), text))
             if "enum" not in head:
                 self.scan(at + 1, end, f"{scope}{declared['name']}::", True)
-            return False  # up to its semicolon, which declares nothing more
+            return False  # the declaration ends at its semicolon
         if "(" in head.split("=")[0] or "operator" in head:
             listed = re.search(r"\)\s*(?:noexcept\s*)?:(?!:)", head)
             if listed and re.search(r"[\w>]\s*$", head) and not re.search(r"\b(?:noexcept|const|override)\s*$", head):
@@ -155,7 +155,7 @@ def declarations(texts):
 
 
 def one_definition(texts):
-    """Every place but the first where something is defined again: 6.2.3, and 6.2.1 too where the definitions differ."""
+    """Returns every repeated definition: a finding of 6.2.3, and also of 6.2.1 if the definitions differ."""
     places = {}
     for item in declarations(texts):
         if item.defined:
@@ -169,7 +169,7 @@ def one_definition(texts):
 
 
 def same_aliases(texts):
-    """Definitions whose types no declaration of theirs spells the same way: 6.9.1. Overloads pair off by their spelling."""
+    """Returns definitions whose types none of their declarations spells in the same way: 6.9.1. The spelling assigns overloads."""
     declared, defined = {}, {}
     for item in declarations(texts):
         if item.parameters is not None:
@@ -187,7 +187,7 @@ BASES = re.compile(r"\b(?:class|struct)\s+(?P<name>\w+)\s*(?:final\b\s*)?:(?!:)(
 
 
 def bases_of(code):
-    """By class, the simple names of its bases and the names that its `using` declarations take over from them."""
+    """Returns each class with the simple names of its bases and the names that its `using` declarations import from them."""
     for match in BASES.finditer(code):
         bases = [re.sub(r"<.*|\b(?:public|private|protected|virtual)\b|\s", "", part, flags=re.DOTALL).split("::")[-1]
                  for part in split_at_commas(match["bases"])]
@@ -200,7 +200,7 @@ def overriding(item):
 
 
 def hidden_and_renamed(texts):
-    """Members that hide a function of a base (6.4.2), and overrides that name a parameter otherwise than the base (13.3.3)."""
+    """Returns members that hide a function of a base (6.4.2), and overrides with another parameter name than the base (13.3.3)."""
     methods, bases, used = {}, {}, {}
     for path, text in sorted(texts.items()):
         scanner = Scanner(path, text)
@@ -226,7 +226,7 @@ def hidden_and_renamed(texts):
 
 
 def inherited_by(scope, named, methods, bases, seen=()):
-    """Names and declarations of the functions of the bases: those of the nearest scope with such a class."""
+    """Returns names and declarations of the functions of the bases. For each base, the nearest scope with such a class counts."""
     for base in named - set(seen):
         around = scope.split("::")[:-1]
         places = [place for place in methods if place.split("::")[-1] == base]

@@ -1,4 +1,4 @@
-"""Proof of the checkers on each rule's examples."""
+"""Tests the checkers on each rule's examples."""
 import tempfile
 
 from .rules import HOME, named
@@ -6,7 +6,7 @@ from .tools import find
 
 
 def prove_rules(rules, generated, faults):
-    """Every rule's checkers flag the marked lines of its bad examples, and nothing else there or in its good ones."""
+    """Checks that each rule's checkers flag the marked lines of its bad examples, and no other lines of its examples."""
     with tempfile.TemporaryDirectory() as graphs:
         found = find(rules, [named(path) for path in rules.examples()], [], generated, graphs, faults)
     for rule, folder in rules.folders.items():

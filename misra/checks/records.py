@@ -1,4 +1,4 @@
-"""The plan, the deviations and the reviews: what people wrote down, matched with what the tools found."""
+"""Compares the records of people (plan, deviations and reviews) with the findings of the tools."""
 import csv
 import datetime
 import fnmatch
@@ -15,7 +15,7 @@ WEAKER = {"mandatory": [], "required": ["mandatory"], "advisory": ["mandatory", 
 
 
 def read_plan(rules, faults):
-    """plan.csv: the 179 guidelines, each once; what is `enforced` has tested checkers, what is under `review` a tested scope."""
+    """Reads plan.csv: each of the 179 guidelines once. An `enforced` one has tested checkers, one under `review` a tested scope."""
     with open(HERE / "plan.csv", newline="", encoding="utf-8") as file:
         plan = list(csv.DictReader(file))
     numbers = [row["guideline"] for row in plan]
@@ -47,7 +47,7 @@ def source_line(finding, generated):
 
 
 def read_deviations():
-    """The project's own. Another project has those of canproof that name no file as well, and need not use them."""
+    """Returns the project's deviations. Another project also gets those of canproof that name no file; they may be unused."""
     records = []
     for path in records_of("deviations.toml"):
         borrowed = path.parent.parent != ROOT
@@ -57,7 +57,7 @@ def read_deviations():
 
 
 def apply_deviations(findings, generated, today, records, faults):
-    """The findings that no record covers, and those that one does."""
+    """Returns the findings without a deviation, and those with one."""
     open_findings, deviated, used = [], [], set()
     for at, record in enumerate(records):
         missing = {"rule", "place", "line", "reason", "risk", "expiry"} - record.keys()
@@ -81,7 +81,7 @@ def apply_deviations(findings, generated, today, records, faults):
 
 
 def fingerprint(text):
-    """Of what a file says to the compiler: comments and spacing may change without a new review."""
+    """Returns a hash of a file without comments and spacing, whose change needs no new review."""
     bare = without_comments_and_literals(text)
     return hashlib.sha256(" ".join(bare.split()).encode()).hexdigest()[:16]
 
@@ -91,7 +91,7 @@ def read_reviews():
 
 
 def apply_reviews(scoped, generated, reviews, faults):
-    """Places that a person must judge and has not judged as the file now stands: one finding a file and rule."""
+    """Returns one finding for each file and rule that a person must judge and has not judged in its present form."""
     first = {}
     for finding in sorted(scoped):
         first.setdefault((finding.rule, finding.path), finding)
@@ -110,7 +110,7 @@ def apply_reviews(scoped, generated, reviews, faults):
 
 
 def replace_file(path, text):
-    """The old text or the new, whatever ends this on the way."""
+    """Replaces the file atomically: after an interruption it has the old or the new text."""
     beside = path.with_name(f".{path.name}.{os.getpid()}.new")
     try:
         with open(beside, "w") as file:
@@ -123,7 +123,7 @@ def replace_file(path, text):
 
 
 def add_review(arguments, generated):
-    """`review FILE RULE --by NAME --judgement TEXT`: writes or renews the project's record for the file as it stands."""
+    """Handles `review FILE RULE --by NAME --judgement TEXT`: writes or renews the record for the file's present form."""
     file, rule = arguments.file, arguments.rule
     if not file_of(file, generated).exists():
         raise SystemExit(f"misra review: there is no {file}; name it from the project's folder, as the finding does")

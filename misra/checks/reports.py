@@ -1,4 +1,4 @@
-"""What a run leaves: misra.sarif, and for people compliance.md and misra.html in the form of MISRA Compliance:2020."""
+"""Writes the reports of a run: misra.sarif, and compliance.md and misra.html in the form of MISRA Compliance:2020."""
 import html
 import json
 
@@ -10,7 +10,7 @@ code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}sm
 
 
 class Outcome:
-    """All that the reports tell."""
+    """The content of the reports."""
 
     def __init__(self, version, plan, open_findings, deviated, reviews, figures, faults, records):
         self.version = version
@@ -19,7 +19,7 @@ class Outcome:
         self.counts = {how: sum(row["enforcement"] == how for row in plan) for how in ("enforced", "review", "not applicable")}
 
     def level(self, row):
-        """A guideline's level as MISRA Compliance:2020 has it."""
+        """Returns a guideline's level according to MISRA Compliance:2020."""
         if row["recategorised"] == "disapplied":
             return "disapplied"
         if any(finding.rule == row["guideline"] for finding in self.open):
@@ -59,7 +59,7 @@ def write_sarif(folder, outcome):
 
 
 def sarif_faults(path):
-    """What section 3 of SARIF 2.1.0 demands of the properties written here, and is not so in the file."""
+    """Returns the violations of SARIF 2.1.0, section 3, by the properties that write_sarif() writes."""
     log = json.loads(path.read_text())
     if log.get("version") != "2.1.0" or len(log.get("runs", [])) != 1:
         yield "misra.sarif: version must be 2.1.0, with one run"
@@ -82,7 +82,7 @@ def sarif_faults(path):
 
 
 def tables(outcome):
-    """(title, introduction, columns, rows) of each section; both reports show the same."""
+    """Returns (title, introduction, columns, rows) of each section; both reports have the same content."""
     plan = outcome.plan
     summary = [[row["guideline"], row["category"], row["recategorised"] or row["category"], outcome.level(row)] for row in plan]
     yield "Guideline compliance summary", "The level of each guideline in this build.", ["guideline", "category", "recategorised", "compliance"], summary
@@ -142,7 +142,7 @@ def write_html(folder, outcome):
 
 
 def write_exhibit(folder, outcome):
-    """What the evidence pack shows of this run (src/host/assess/evidence/exhibit.hpp)."""
+    """Writes the exhibit of this run for the evidence pack (src/host/assess/evidence/exhibit.hpp)."""
     state = "open" if outcome.open or outcome.faults else "holds"
     exhibit = {"title": "MISRA", "state": state, "says": lead(outcome), "page": "misra.html", "data": ["misra.sarif"]}
     (folder / "exhibit.json").write_text(json.dumps(exhibit, indent=1) + "\n")

@@ -1,4 +1,4 @@
-"""The rules' checkers as misra/rules/ holds them, and what a checker finds."""
+"""Reads the rules' checkers in misra/rules/, and defines their findings."""
 import fnmatch
 import os
 import pathlib
@@ -7,25 +7,25 @@ import subprocess
 from typing import NamedTuple
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
-HOME = HERE.parent  # canproof: the checkers, and the firmware that all devices share; tools run here
+HOME = HERE.parent  # canproof with the checkers and the shared firmware; the tools run in this folder
 ROOT = pathlib.Path(os.environ.get("CANPROOF_ROOT") or HOME).resolve()  # the project that is checked
-NO_GCC = "_without_gcc"  # ends the name of a copy with seeds that g++ refuses without exceptions and run-time types
+NO_GCC = "_without_gcc"  # suffix of a copy whose seeds g++ refuses without exceptions and run-time types
 
 
 def records_of(name):
-    """Where people's records of this name stand: canproof's, and beside them those of another project."""
+    """Returns the paths of the record files with this name: that of canproof, and that of the checked project."""
     return [path for path in dict.fromkeys((HERE / name, ROOT / "misra" / name)) if path.exists()]
 
 
 def firmware_files(sources, pattern):
-    """The firmware's files of that name in the folder of sources: firmware/**, devices/NAME/firmware/** and the drivers of
-    the microcontroller, target/stm32f405/**."""
+    """Returns the firmware's files that match `pattern` below `sources`: in firmware/**, devices/NAME/firmware/** and
+    target/stm32f405/**, the drivers of the microcontroller."""
     folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware")), sources / "target" / "stm32f405"]
     return [path for folder in folders for path in sorted(folder.rglob(pattern))]
 
 
 def named(path):
-    """As the tools are told of a file: from where they run, or whole when it is another project's."""
+    """Returns a path for the tools: relative to their working folder, or absolute for a file of another project."""
     path = pathlib.Path(path)
     return str(path.relative_to(HOME) if path.is_relative_to(HOME) else path)
 
@@ -41,10 +41,10 @@ class Rules:
 
     def __init__(self):
         self.folders = {folder.name: folder for folder in sorted((HERE / "rules").iterdir()) if folder.is_dir()}
-        self.checks = {}  # pattern of a check's name → rules, each with the text that a finding must hold
+        self.checks = {}  # pattern of a check's name → rules, each with the text that a finding must contain
         self.patterns = []  # (rule, compiled, whether comments and literals count)
         self.matchers = ["set output diag", "set bind-root false"]
-        self.scopes = set()  # rules whose matcher says what a person must review
+        self.scopes = set()  # rules whose matcher finds the places for a review
         for rule, folder in self.folders.items():
             for line in self._lines(folder / "rule.checks"):
                 check, _, text = line.partition(" ")
@@ -62,12 +62,12 @@ class Rules:
         return [line for line in path.read_text().splitlines() if line] if path.exists() else []
 
     def of_check(self, name, text):
-        """The rules that a check reports for what it said."""
+        """Returns the rules that a check with this text reports."""
         return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern)
                 for rule, part in rules.items() if part in text}
 
     def concerns(self, tool, path):
-        """Whether checks of this tool look at a file: at an example only those of its own rule, for others may break it."""
+        """Returns whether the tool checks a file. An example is checked only for its own rule, because it may violate others."""
         if tool == "gcc-" and pathlib.Path(path).stem.endswith(NO_GCC):
             return False
         folder = (HOME / path).parent
@@ -80,7 +80,7 @@ class Rules:
 
 
 class Faults(list):
-    """What is wrong with the checkers, the plan or the records: any of them fails the run."""
+    """The faults of checkers, plan and records; any fault fails the run."""
 
     def add(self, text):
         if text not in self:
@@ -94,12 +94,12 @@ TOKENS = re.compile(
 
 
 def without_comments_and_literals(text):
-    """Same length and lines, with comments and the insides of literals blank."""
+    """Returns the text with blanks in place of comments and literals; length and lines stay the same."""
     return TOKENS.sub(lambda token: token.group() if token["number"] else re.sub(r"[^\n]", " ", token.group()), text)
 
 
 def short_path(path, generated):
-    """As records and reports name a file: from the root of the sources, or generated/…"""
+    """Returns a path for records and reports: relative to the root of the sources, or generated/…"""
     path = os.path.realpath(path)
     for base in (os.path.realpath(generated), str(ROOT), str(HOME)):
         if path.startswith(base + os.sep):

@@ -1,11 +1,11 @@
-"""What the text of one file shows and no tool looks for: code in comments (5.7.2), types that nothing names (0.2.3), the
-structure of switch statements (9.4.2) and includes below code (19.0.3). For code as clang-format leaves it."""
+"""Checks in the text of single files for which there is no tool: code in comments (5.7.2), unused types (0.2.3), the structure of
+switch statements (9.4.2) and includes below code (19.0.3). They expect code that clang-format has formatted."""
 import re
 
 from .definitions import closing
 from .rules import TOKENS, Finding, without_comments_and_literals
 
-PLACE = r"[\w.:<>\[\]*&]+(?:->[\w.\[\]]+)*"  # what stands left of an assignment
+PLACE = r"[\w.:<>\[\]*&]+(?:->[\w.\[\]]+)*"  # left side of an assignment
 TYPE = (r"(?:(?:const|constexpr|static|inline|virtual|explicit|mutable|volatile|extern)\s+)*"
         r"(?:(?:auto|bool|char|double|float|int|long|short|unsigned|void|\w+_t|(?:\w+::)+\w+)\b(?:<[^;]*>)?)[&*]*")
 DISABLED = [re.compile(pattern) for pattern in (
@@ -14,7 +14,7 @@ DISABLED = [re.compile(pattern) for pattern in (
     rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=(?!=)[^;]*;$",         # an assignment
     rf"(?:\+\+|--){PLACE};$", rf"{PLACE}(?:\+\+|--);$",
     r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;]*\)(?:\.\w+\([^;]*\))*;$",  # a call
-    r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;)]*[,(]$",                     # … whose arguments go on in the next line
+    r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;)]*[,(]$",                     # a call whose arguments continue in the next line
     rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=$", rf"{TYPE}\s+\w+ =$",
     rf"{TYPE}\s+\w+(?:\s*=[^;]*|\{{[^;]*\}}|\([^;]*\)[^;]*|\[[^;]*\])?;$",  # a declaration
     r"(?:const|constexpr|static) [^;]*[\w)}\]];$",
@@ -42,7 +42,7 @@ def is_disabled_code(line):
 
 
 def disabled_code(text):
-    """Lines of comments that are code."""
+    """Returns the lines of comments that are code."""
     for token in TOKENS.finditer(text):
         if token.lastgroup != "comment":
             continue
@@ -55,7 +55,7 @@ def disabled_code(text):
 
 
 def unused_types(code):
-    """Types whose name stands nowhere outside their own definition."""
+    """Returns types whose name occurs only in their own definition."""
     for match in DECLARED.finditer(code):
         name = match["type"] or match["alias"] or match["old"]
         end = match.end()
@@ -67,7 +67,7 @@ def unused_types(code):
 
 
 def labels_of(code, start, stop):
-    """Places of the labels of one switch, whose body starts and stops there: those that no inner brace holds."""
+    """Returns the places of the labels of one switch with its body in [start, stop); labels in inner braces do not count."""
     depth, at, begin = 0, start, True
     while at < stop:
         sign = code[at]
@@ -83,7 +83,7 @@ def labels_of(code, start, stop):
 
 
 def ends_with_jump(statements):
-    """Whether what stands below a label ends with a jump, or is a block that does."""
+    """Returns whether the statements below a label end with a jump, or are a block that does."""
     text = statements.strip()
     while text.startswith("{") and closing(text, 0) == len(text) - 1:
         text = text[1:-1].strip()
@@ -91,7 +91,7 @@ def ends_with_jump(statements):
 
 
 def switch_faults(code):
-    """A default between two branches, fewer than two branches, statements above the first, and a last branch without a jump."""
+    """Returns faults: a default between two branches, fewer than two branches, statements above the first, no jump at the end."""
     for match in re.finditer(r"\bswitch\s*\(", code):
         depth, at = 1, match.end()
         while at < len(code) and depth:
@@ -99,7 +99,7 @@ def switch_faults(code):
             at += 1
         rest = re.compile(r"\s*\{").match(code, at)
         if rest is None:
-            continue  # a body without braces is what the matchers see
+            continue  # the matchers report a body without braces
         start = rest.end()
         stop = closing(code, start - 1)
         labels = list(labels_of(code, start, stop))
@@ -109,7 +109,7 @@ def switch_faults(code):
         if code[start : labels[0][0]].strip():
             yield line_of(code, match.start())
         ends = [begin for begin, _ in labels[1:]] + [stop]
-        branches = [[]]  # labels of each branch: those with statements below the last of them
+        branches = [[]]  # labels of each branch; statements follow the last of them
         for (begin, end), next_begin in zip(labels, ends):
             branches[-1].append((begin, end, next_begin))
             if code[end:next_begin].strip():
@@ -125,7 +125,7 @@ def switch_faults(code):
 
 
 def late_includes(code):
-    """Each include below the first line that is no directive."""
+    """Returns each include below the first line that is no directive."""
     after = False
     continued = False
     for at, line in enumerate(code.split("\n"), 1):
@@ -137,7 +137,7 @@ def late_includes(code):
 
 
 def scan(path, text):
-    """Findings of all scans in one file."""
+    """Returns the findings of all scans in one file."""
     code = without_comments_and_literals(text)
     yield from (Finding("5.7.2", path, line) for line in disabled_code(text))
     yield from (Finding("19.0.3", path, line) for line in late_includes(code))

@@ -1,8 +1,8 @@
-"""Proof of the checkers on seeds: violations in the shape of firmware code, put into copies of firmware files.
+"""Tests the checkers on seeds: violations in the style of the firmware, inserted into copies of firmware files.
 
-misra/seeds/*.toml holds them. A seed is a marked line of some code; the other lines of that code comply with its rule. All code
-for one firmware file stands in one copy of it, each piece in a namespace of its own: `bare` pieces in none, `header` pieces in a header that the copy
-includes, `text` pieces where only patterns look, for what no compiler takes."""
+misra/seeds/*.toml contains them. A seed is a marked line of a piece of code; the other lines of the piece comply with its rule.
+All pieces for one firmware file are in one copy of it, each in its own namespace. `bare` pieces have no namespace, `header` pieces
+are in a header that the copy includes, and `text` pieces, which no compiler accepts, are in a file that only patterns check."""
 import pathlib
 import re
 import tempfile
@@ -13,13 +13,13 @@ from .rules import HERE, HOME, NO_GCC
 from .tools import find
 
 MARK = "// flagged"
-UNSEEN = "// unseen"  # a violation that no checker sees; the plan says so
-OTHER = "// its other line"  # where a tool may tell of the same violation too
+UNSEEN = "// unseen"  # a violation that no checker detects; the plan contains it
+OTHER = "// its other line"  # a line where a tool may report the same violation
 KEYS = {"rule", "code", "bare", "header", "text"}
 
 
 class Piece(NamedTuple):
-    """Code of one rule, with the lines that must be flagged, counted from 0."""
+    """Code for one rule. The numbers of its marked lines count from 0."""
     rule: str
     lines: list
     marked: list
@@ -31,7 +31,7 @@ class Piece(NamedTuple):
 
 
 def read_pieces(faults):
-    """By firmware file and ending of the copy's name, what is put into its copy: lines for its start, and the pieces."""
+    """Returns by firmware file and suffix of its copy the content of the copy: lines for its start, and the pieces."""
     hosts = {}
     for path in sorted((HERE / "seeds").glob("*.toml")):
         table = tomllib.loads(path.read_text())
@@ -52,8 +52,8 @@ def namespace_of(piece, number):
 
 
 def write_copies(hosts, folder):
-    """Copies of the firmware files with their pieces, and a header beside each for the pieces that belong in one.
-    Returns the units, the headers and, for each piece, its file and the line before its first."""
+    """Writes copies of the firmware files with their pieces, and a header beside each for the pieces that need one.
+    Returns the units, the headers and, for each piece, its file and the line before its first line."""
     units, headers, places = [], [], []
     for (file, ending), (starts, pieces) in sorted(hosts.items()):
         unit = folder / file.replace("/", "_").replace(".cpp", f"{ending}.cpp")
@@ -77,7 +77,7 @@ def write_copies(hosts, folder):
 
 
 def judge(places, found, faults):
-    """Each mark flagged under its rule, and no other line of its code. Returns the numbers of seeds and of those unseen."""
+    """Checks that exactly the marked lines are flagged under their rule. Returns the numbers of seeds and of undetected ones."""
     lines_of = {}
     for finding in found:
         lines_of.setdefault((finding.rule, finding.path), set()).add(finding.line)
@@ -93,7 +93,7 @@ def judge(places, found, faults):
 
 
 def prove_on_firmware(rules, generated, faults):
-    """Puts the seeds into the copies and runs all checkers over them. Returns the numbers of seeds and of those unseen."""
+    """Runs all checkers over copies with seeds. Returns the numbers of seeds and of undetected ones."""
     hosts = read_pieces(faults)
     with tempfile.TemporaryDirectory() as scratch:
         units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())

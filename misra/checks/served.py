@@ -1,9 +1,9 @@
-"""Functions of the firmware that serve no item of the register.
+"""Finds functions of the firmware that serve no item of the requirements register.
 
-A function serves an item when a link (`static_assert(implements<req::…>)`) stands in it or directly above it or its declaration, when a
-function that serves one calls it, or when it constructs a class of which a function serves one. The functions that every device has
-(src/devices/README.md, step 2) pass on what comes and need no item of their own. reports/functions.toml holds the others, each with
-a reason; a record that names no such function is a fault. The compiler's call graph says who calls whom."""
+A function serves an item in three cases: a link (`static_assert(implements<req::…>)`) is in it or directly above it or its
+declaration; a serving function calls it; or it constructs a class with a serving function. The functions that every device has
+(src/devices/README.md, step 2) only forward calls and need no item. reports/functions.toml contains the other functions, each with a
+reason; a record that names no such function is a fault. The compiler's call graph contains the calls."""
 import collections
 import pathlib
 import re
@@ -14,7 +14,7 @@ from .callgraph import CallGraph
 from .rules import HOME, ROOT, Faults, firmware_files, named, records_of, without_comments_and_literals
 from .tools import compile_each
 
-# Nothing is inlined, so that every function is in the call graph.
+# Without inlining, every function is in the call graph.
 UNOPTIMISED = ["-O0", "-fcallgraph-info=su,da"]
 LINK = re.compile(r"\bimplements<req::")
 INTERFACE = re.compile(r"::Device::(?:power_on|receive|set_inputs|advance|next_deadline|outputs|node_id|bit_rate|state|objects)$")
@@ -23,14 +23,14 @@ NAME = re.compile(r"((?:[\w{}~]+(?:<.*?>)?::)*~?[\w=<>!+*/&|^-]+)(?:\(|$)")
 
 
 class Source:
-    """One file: the lines of its links, and the functions or classes that stand directly below them."""
+    """One file: the lines of its links, and the functions or classes directly below them."""
 
     def __init__(self, path):
         self.lines = without_comments_and_literals(path.read_text()).splitlines()
         self.links = [at for at, line in enumerate(self.lines) if LINK.search(line)]
 
     def below(self, link):
-        """The first line of what follows the link's statement and those beside it, and its text up to its body."""
+        """Returns the first line after the statement of the link and of adjacent links, and the text from there to the body."""
         at = link
         while at < len(self.lines) and ";" not in self.lines[at]:
             at += 1
@@ -40,7 +40,7 @@ class Source:
         return at, re.split(r"[{;]", " ".join(self.lines[at : at + 6]), maxsplit=1)[0]
 
     def end(self, first):
-        """The last line of the function that begins at `first`."""
+        """Returns the last line of the function that begins at `first`."""
         depth, opened = 0, False
         for at in range(first, len(self.lines)):
             depth += self.lines[at].count("{") - self.lines[at].count("}")
@@ -51,7 +51,7 @@ class Source:
 
 
 def plain(name):
-    """`canproof::Node::advance` for a label of the graph, without types, arguments and template arguments."""
+    """Returns `canproof::Node::advance` for a label of the graph: its name without types, arguments and template arguments."""
     name = re.sub(r" \[with .*", "", name)
     depth, out = 0, ""
     for char in name:
@@ -78,9 +78,9 @@ class Served:
         self.plain = {title: plain(graph.names[title]) for title in self.places}
 
     def linked(self):
-        """The functions with a link of their own."""
+        """Returns the functions with their own link."""
         found = set()
-        named = collections.defaultdict(set)  # folder and stem → last names of functions and classes that are linked where they are declared
+        named = collections.defaultdict(set)  # path without extension → names with a link at their declaration
         for path, source in self.sources.items():
             for link in source.links:
                 first, text = source.below(link)
@@ -96,7 +96,7 @@ class Served:
         return found
 
     def beginning(self, path, first):
-        """The functions of the first line that begins one, at `first` or up to three lines of attributes and types below it."""
+        """Returns the functions of the first line that begins one, `first` or one of the three lines after it."""
         near = [(line, title) for line, title in self.functions[path] if first <= line <= first + 3]
         return [title for line, title in near if line == min(near)[0]]
 
@@ -122,7 +122,7 @@ class Served:
 
 
 def unserved(graph, files):
-    """Place and name of each function that serves nothing, one a name; how many functions there are, by place."""
+    """Returns the place of each function without an item by its name, and the number of all functions by name."""
     all_of = Served(graph, files)
     served = {all_of.plain[title] for title in all_of.served()}
     rest = {}
@@ -133,7 +133,7 @@ def unserved(graph, files):
 
 
 def prove(generated, faults):
-    """What misra/callgraph/served.cpp says of its functions must be what is found."""
+    """Tests the check on misra/callgraph/served.cpp, whose comments contain the expected functions."""
     path = HOME / "misra" / "callgraph" / "served.cpp"
     with tempfile.TemporaryDirectory() as scratch:
         compile_each(["misra/callgraph/served.cpp"], generated, scratch, faults, UNOPTIMISED)
@@ -153,13 +153,13 @@ def graph_of_firmware(generated, faults):
 
 
 def check_served(generated, faults):
-    """Faults for functions without an item and a reason, and for reasons that nothing needs. Gives figures for the report."""
+    """Reports functions without an item and a reason, and unused reasons. Returns figures for the report."""
     prove(generated, faults)
     graph = graph_of_firmware(generated, faults)
     files = {str(path.relative_to(root)): path for root in dict.fromkeys((HOME, ROOT)) for pattern in ("*.hpp", "*.cpp")
              for path in firmware_files(root / "src", pattern)}
     rest, count = unserved(graph, files)
-    if ROOT != HOME:  # the shared firmware is judged in its own project
+    if ROOT != HOME:  # canproof itself checks the shared firmware
         own = {str(path.relative_to(ROOT)) for pattern in ("*.hpp", "*.cpp") for path in firmware_files(ROOT / "src", pattern)}
         rest = {name: place for name, place in rest.items() if place.rsplit(":", 1)[0] in own}
     reasons = {}

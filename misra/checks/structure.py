@@ -1,4 +1,4 @@
-"""What no single file shows: the arrows between the layers, and the symbols that the firmware library needs."""
+"""Checks properties of the whole firmware: the includes between layers, and the symbols that its libraries need."""
 import os
 import pathlib
 import re
@@ -15,11 +15,11 @@ LAYERS = {
 
 
 def may_include(path, name):
-    """Whether a firmware file may include a header; both are named from the folder of sources.
+    """Returns whether a firmware file may include a header; both paths are relative to the folder of sources.
 
-    The arrows: base <- canopen, blocks <- the devices; base, canopen <- the drivers. A device knows no other device and
-    nothing outside the firmware. Blocks know no object dictionary and no device. In a device's folder the files that carry the device's name
-    are the device; every other file there is a block of it."""
+    `canopen` and `blocks` may include `base`; devices may include all three; drivers may include `base` and `canopen`. A device
+    includes no other device and nothing outside the firmware. Blocks include no object dictionary and no device. In a device's
+    folder, the files with the device's name are the device, and every other file is a block of it."""
     parts = path.split("/")
     dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
     if parts[0] == "firmware":
@@ -35,7 +35,7 @@ def may_include(path, name):
 
 
 def against_the_layers(folder):
-    """Includes against the arrows in folder/firmware, folder/devices/*/firmware and folder/target/stm32f405."""
+    """Returns includes against the layers in folder/firmware, folder/devices/*/firmware and folder/target/stm32f405."""
     for path in firmware_files(folder, "*.?pp"):
         for at, text in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*"([^"]+)"', text)
@@ -57,17 +57,17 @@ def check_layers(faults):
         faults.add(f"{os.path.relpath(path, ROOT)}:{at}: an include against the layers")
 
 
-# Allocation, exceptions, run-time type information, ending the program, and the floating-point environment (no trap is
-# enabled, no rounding mode changed): what the firmware must not pull in.
+# Symbols that the firmware must not need: allocation, exceptions, run-time type information, termination of the program, and the
+# floating-point environment, because it enables no trap and changes no rounding mode.
 FORBIDDEN = re.compile(
     r"^(?:malloc|calloc|realloc|free|aligned_alloc|_Zn[wa]\w*|_Zd[la]\w*|__cxa_(?!pure_virtual|guard_)\w*|__gxx_personality\w*|"
     r"_Unwind_\w*|__dynamic_cast|_ZSt\d+__throw_\w*|_ZSt9terminatev|abort|exit|printf|puts|fe[a-z]\w*)$")
 
 
 def archives(build):
-    """The libraries of the firmware: that of all devices, one a device, and that of the drivers."""
+    """Returns the libraries of the firmware: the shared one, one per device, and that of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
-    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # as canproof_project() has it
+    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # folder in canproof_project()
     drivers = [source / "target" / "stm32f405" / "libcanproof_stm32f405.a"] if ROOT == HOME else []
     return [source / "firmware" / "libcanproof_firmware.a", *drivers,
             *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]

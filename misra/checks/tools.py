@@ -1,4 +1,4 @@
-"""Runs the tools and reads what they say: clang-query, clang-tidy (with clang's warnings and analyzer), cppcheck, g++."""
+"""Runs the tools and parses their outputs: clang-query, clang-tidy (with clang's warnings and analyzer), cppcheck, g++."""
 import concurrent.futures
 import os
 import pathlib
@@ -11,16 +11,16 @@ from .scans import scan
 
 LANGUAGE = ["-std=c++17", "-Isrc"]
 CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic"]
-# Without the analyzer's check of uninitialised values: that of g++ 12 does not follow C++ constructors; clang's does.
+# The analyzer's check of uninitialised values is off: that of g++ 12 does not follow C++ constructors, and clang's does.
 GCC = ["-O1", "-fno-exceptions", "-fno-rtti", "-fanalyzer", "-Wno-analyzer-use-of-uninitialized-value", "-Wno-analyzer-too-complex",
        "-fdiagnostics-plain-output", "-fdiagnostics-path-format=none", "-Wall", "-Wextra", "-Wnull-dereference", "-Wduplicated-cond",
        "-Wduplicated-branches", "-Wlogical-op", "-Wfloat-equal", "-Wdouble-promotion", "-fcallgraph-info=su"]
-CHUNK = 6  # files a run of a tool: clang-query keeps all their syntax trees
+CHUNK = 6  # files per run of a tool; clang-query keeps all their syntax trees in memory
 TOOLS = ["clang-query-19", "clang-tidy-19", "cppcheck", "g++", "nm", "c++filt"]
 
 
 def language(files):
-    """How these files are compiled. A project elsewhere has headers of its own, and names its files whole."""
+    """Returns the compiler flags for these files. A project outside canproof has its own headers and absolute paths."""
     elsewhere = ROOT != HOME and any(pathlib.Path(path).is_absolute() for path in files)
     return [*LANGUAGE, *([f"-I{ROOT}/src"] if elsewhere else [])]
 
@@ -38,7 +38,7 @@ def query(rules, files, generated, scratch, faults):
 
 
 def named_findings(rules, output, prefix, generated, faults):
-    """Lines `file:line:column: severity: text [name]` of any tool, as findings of the rules that name the check."""
+    """Parses lines `file:line:column: severity: text [name]` of any tool. Returns findings of the rules that name the check."""
     pattern = r"^([^\s:]+):(\d+):\d+: (?:fatal )?(warning|error|style|performance|portability): (.*) \[([^\]]+)\]$"
     for path, line, _, text, names in re.findall(pattern, output, re.MULTILINE):
         if "clang-diagnostic-error" in names:
@@ -67,7 +67,7 @@ def cppcheck(rules, files, generated, scratch, faults):
 
 
 def compile_with_gcc(rules, files, generated, graphs, faults, flags=GCC):
-    """g++'s warnings and analyzer; what it leaves in the folder `graphs` is the call graph with stack use."""
+    """Runs g++ with warnings and analyzer. It also writes the call graph with stack use to the folder `graphs`."""
     for path in files:
         target = pathlib.Path(graphs) / (str(path).replace("/", "_") + ".o")
         status, output = run_cached(["g++", *language([path]), *flags, f"-I{generated}", "-c", str(path), "-o", str(target)],
@@ -79,7 +79,7 @@ def compile_with_gcc(rules, files, generated, graphs, faults, flags=GCC):
 
 
 def compile_each(units, generated, graphs, faults, flags=GCC):
-    """Leaves the call graphs of units whose findings nobody asks for."""
+    """Writes the call graphs of units and ignores their findings."""
     class NoRules:
         @staticmethod
         def of_check(name):
@@ -103,7 +103,7 @@ def search(rules, files, generated):
 
 
 def find(rules, units, headers, generated, graphs, faults, progress=lambda done, of: None):
-    """All findings in the units, in what they include, and (by text) in the headers."""
+    """Returns all findings in the units, in their included files, and (by text) in the headers."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
     texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}

@@ -1,4 +1,4 @@
-// Needs what the firmware library must not: the heap, exceptions, run-time type information, floating-point traps.
+// Needs symbols that the firmware must not need: the heap, exceptions, run-time type information, floating-point traps.
 #include <cfenv>
 
 struct Base {

@@ -1,5 +1,5 @@
-// The conformance slave in a stateful property: what went over the bus is kept as a candump log and shown when the
-// property fails, for `canproof replay` to play again.
+// The conformance slave in a stateful property. It keeps a candump log of the bus, shown when the property fails, which
+// `canproof replay` can play.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace canproof::test {
 
-/// `ID#DATA` or `ID#R`.
+/// Returns `ID#DATA` or `ID#R`.
 inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data, bool remote = false) {
     std::string text = fmt::format("{:03X}#{}", id, remote ? "R" : "");
     for (const std::uint8_t byte : data) {
@@ -20,7 +20,7 @@ inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data
 
 class LoggedSlave : public SlaveBench {
   public:
-    /// Gives the slave a frame. What it sends is in `heard`, with the time in ms.
+    /// Sends the slave a frame. Its frames are added to `heard`, with the time in ms.
     void play(const std::string& frame) {
         note(frame);
         for (const auto& answer : send(frame)) {
@@ -42,7 +42,7 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails with the log.
+    /// Fails and shows the log when `holds` is false.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;
@@ -59,7 +59,7 @@ class LoggedSlave : public SlaveBench {
     std::string log_;
 };
 
-/// Numbers to `limit`, mostly those at which something begins or ends.
+/// Generates numbers up to `limit`, mostly boundary values.
 inline rc::Gen<unsigned> number_up_to(unsigned limit) {
     return rc::gen::map(rc::gen::weightedOneOf<unsigned>(
                             {{4, rc::gen::inRange(0U, limit + 1)},

@@ -1,6 +1,6 @@
-// Errors of the conformance slave (node 5) as CiA 301 tells them (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17): the
-// error register, the list of the last four, and emergency messages with their inhibit time, on a clock of
-// milliseconds. Knows nothing of the firmware.
+// Naive model of the errors of the conformance slave (node 5) after CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16,
+// 7.5.2.17): the error register, the list of the last four errors, and emergency messages with their inhibit time, on a
+// clock of milliseconds. It shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class State { pre_operational, operational, stopped };
 
 class Node {
   public:
-    /// A command to this node or all.
+    /// Handles an NMT command to this node or to all nodes.
     void command(unsigned specifier) {
         if (can_ == Can::off) {
             return;
@@ -52,7 +52,7 @@ class Node {
         }
         set(Error::passive, state >= Can::passive);
         if (state == Can::off && state_ == State::operational) {
-            enter(State::pre_operational);  // 1029h:1 = 0
+            enter(State::pre_operational);  // value 0 of 1029h:1 error behaviour, communication error
         }
     }
     void overrun(bool lost) {
@@ -60,13 +60,13 @@ class Node {
         set(Error::overrun, lost);
     }
     void internal_fault(bool present) { set(Error::internal, present); }
-    /// Without a counter a SYNC has no data.
+    /// Handles a SYNC. Without a counter it has no data.
     void sync(unsigned length) {
         if (hears() && state_ != State::stopped) {
             set(Error::sync_length, length != 0);
         }
     }
-    /// RPDO 1 maps two bytes.
+    /// Handles RPDO 1, which maps two bytes.
     void rpdo(unsigned length) {
         if (hears() && state_ == State::operational) {
             set(Error::rpdo_length, length < 2);
@@ -77,7 +77,7 @@ class Node {
             list_.clear();
         }
     }
-    /// 1014h: messages that wait when they are switched off are never sent.
+    /// Handles a write of 1014h COB-ID EMCY: messages that wait when it switches them off are never sent.
     void write_valid(bool valid) {
         if (has_sdo()) {
             valid_ = valid;
@@ -105,20 +105,20 @@ class Node {
         }
         return bits;
     }
-    /// Codes, the latest first.
+    /// Returns the error codes, the latest first.
     const std::deque<unsigned>& list() const { return list_; }
     State state() const { return state_; }
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// The rest of the message is that of the moment when it is sent.
+    /// A waiting message. Its other fields get their values when it is sent.
     struct Waiting {
         Error error;
         bool cured;
     };
     static constexpr std::size_t list_capacity = 4;
 
-    // CiA 301, 7.2.7.1, Table 26; bits of 1001h: 0 generic, 4 communication.
+    // CiA 301, 7.2.7.1, Table 26; bits of 1001h error register: 0 generic, 4 communication.
     static unsigned code_of(Error error) {
         constexpr std::array<unsigned, 6> codes{0x8110, 0x8120, 0x8240, 0x8210, 0x6100, 0x8140};
         return codes[static_cast<std::size_t>(error)];
@@ -167,7 +167,7 @@ class Node {
         }
         announce({error, !present});
     }
-    /// Over when it is noticed.
+    /// Reports an error that is already over when it is detected.
     void report(Error error) {
         enlist(error);
         announce({error, false});
@@ -178,8 +178,8 @@ class Node {
             list_.pop_back();
         }
     }
-    /// At most two messages of an error wait: what it was first, and what it is now. One that takes the last back
-    /// leaves the other, which says the same.
+    /// Adds a message. At most two messages of an error wait: its first state and its present one. A message that
+    /// cancels the second one leaves the first, which has the same content.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -191,7 +191,7 @@ class Node {
             }
         }
         if (!same.empty() && waiting_[same.back()].cured == told.cured) {
-            return;  // it waits already
+            return;  // the same message already waits
         }
         if (same.size() == 2) {
             waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));
@@ -225,7 +225,7 @@ class Node {
     Sent sent_;
 };
 
-/// One step of a conversation, of numbers that a generator or a fuzzer may choose as it likes.
+/// One step of a conversation, with numbers that a generator or a fuzzer chooses freely.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -237,7 +237,7 @@ inline unsigned command_of(const Event& event) {
     return commands[event.a % commands.size()];
 }
 
-/// The frame that goes with an event: identifier and bytes. None when it is the controller's, the device's or time's.
+/// The frame of an event: identifier and bytes. An event of the controller, the device or the time has none.
 struct EventFrame {
     bool is_one{false};
     unsigned id{0};

@@ -1,5 +1,5 @@
-// PDOs as CiA 301 draws them (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant of the first byte first, cut
-// where the mapping says. Knows nothing of the firmware; slow and obvious.
+// Naive model of PDOs after CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, beginning with the least significant
+// bit of the first byte, divided according to the mapping. It shares no code with the firmware.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,7 @@ inline Bytes bytes_of(const Bits& bits) {
     return bytes;
 }
 
-/// What a TPDO carries. `values` are Values, or what is used as they are.
+/// Returns the data of a TPDO. `values` are of type Values or usable like it.
 template <typename AnyValues>
 Bytes packed(const Mapping& mapping, AnyValues values) {
     Bits bits;
@@ -67,8 +67,8 @@ Bytes packed(const Mapping& mapping, AnyValues values) {
     return bytes_of(bits);
 }
 
-/// The values after an RPDO: all that are mapped, or none when the frame is too short or `fits(line, value)` denies
-/// one.
+/// Returns the values after an RPDO: all mapped values change, or none if the frame is too short or `fits(line, value)`
+/// returns false for one.
 template <typename AnyValues, typename Fits>
 AnyValues received(const AnyValues& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
     if (frame.size() < total_bytes(mapping)) {

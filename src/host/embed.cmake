@@ -1,7 +1,7 @@
-# Files as a C++ source, for scripts that cmake -P runs.
+# Writes files as a C++ source, for scripts that cmake -P runs.
 
-# canproof_embed(OUT NAMESPACE FUNCTION HEADER ORIGIN NAME FILE [NAME FILE]…): writes NAMESPACE::FUNCTION(), which HEADER
-# declares and which returns the bytes of each FILE by its NAME. ORIGIN says in the written file where it comes from.
+# canproof_embed(OUT NAMESPACE FUNCTION HEADER ORIGIN NAME FILE [NAME FILE]…): writes NAMESPACE::FUNCTION(), which HEADER declares
+# and which returns the bytes of each FILE by its NAME. ORIGIN names the generator in the written file.
 function(canproof_embed out namespace function header origin)
   set(text "// Written by ${origin}. Do not edit.\n#include \"${header}\"\n\n")
   string(APPEND text "namespace ${namespace} {\n\nnamespace {\n\n")

@@ -1,5 +1,5 @@
-# cmake -DFOLDER=… -DPATTERN=… -DNAMESPACE=… -DFUNCTION=… -DHEADER=… -DOUT=… -P embed_folder.cmake: writes the files of FOLDER
-# that fit PATTERN, by their path below FOLDER, into a C++ source.
+# cmake -DFOLDER=… -DPATTERN=… -DNAMESPACE=… -DFUNCTION=… -DHEADER=… -DOUT=… -P embed_folder.cmake: writes a C++ source with the
+# files of FOLDER that match PATTERN, by their relative paths.
 include(${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
 file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${FOLDER} ${FOLDER}/${PATTERN})
 list(SORT files)

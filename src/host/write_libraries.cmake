@@ -1,12 +1,12 @@
-# canproof_write_libraries(FILE): each library of ours on a line, for tests/layers_check. Between tabs: its name, the
-# folder of its CMakeLists, its sources, what it links, what who links it links as well.
+# canproof_write_libraries(FILE): writes each library of this project on a line, for tests/layers_check. The line has fields with
+# tabs between them: its name, the folder of its CMakeLists, its sources, its links, and the links that its users inherit.
 function(canproof_write_libraries file)
   set(text "")
   canproof_append_libraries(${CMAKE_SOURCE_DIR} text)
   file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
 endfunction()
 
-# Appends the libraries of a folder and of those below it to the variable.
+# Appends the libraries of a folder and of its subfolders to the variable.
 function(canproof_append_libraries folder variable)
   set(text "${${variable}}")
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)

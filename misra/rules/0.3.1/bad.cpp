@@ -1,4 +1,4 @@
-// Each marked line must be put to a person.
+// Each marked line must be reported for a review.
 float mean(const float one, const float other) {
     return (one + other) / 2.0F;  // flagged
 }

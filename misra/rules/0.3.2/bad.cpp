@@ -1,4 +1,4 @@
-// Each marked line must be put to a person.
+// Each marked line must be reported for a review.
 #include <cmath>
 #include <optional>
 double root(const double value) {

@@ -1,4 +1,4 @@
-// Nothing here needs a person: these functions take every value.
+// No line needs a review: these functions accept every value.
 #include <cmath>
 #include <optional>
 double size(const double value) { return std::fabs(value); }

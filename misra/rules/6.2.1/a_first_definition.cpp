@@ -1,6 +1,6 @@
-// The first definition stands here; the other file defines the same otherwise.
+// Contains the first definition; the other file has a different definition of the same name.
 namespace odr {
-struct Point {  // the one kept
+struct Point {  // first definition
     int across;
 };
 }  // namespace odr

@@ -1,4 +1,4 @@
-// Defines what another file defines, otherwise.
+// Contains a different definition of a name that another file defines.
 namespace odr {
 struct Point {  // flagged
     long across;

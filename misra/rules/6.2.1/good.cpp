@@ -1,4 +1,4 @@
-// Nothing here may be flagged: each name is defined once, and what is local to a file is its own.
+// Nothing here may be flagged: each name is defined once, and names local to a file do not conflict.
 namespace odr {
 struct Place {
     int across;

@@ -1,4 +1,4 @@
-// The place of implementation; the other file repeats it.
+// Contains the first definition; the other file repeats it.
 namespace places {
 inline int twice(const int value) { return 2 * value; }
 }  // namespace places

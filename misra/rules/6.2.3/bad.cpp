@@ -1,4 +1,4 @@
-// Repeats, word for word, what another file implements.
+// Repeats the definition of another file word for word.
 namespace places {
 inline int twice(const int value) { return 2 * value; }  // flagged
 }  // namespace places

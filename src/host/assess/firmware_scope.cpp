@@ -17,7 +17,7 @@ const std::string host_replay = "src/host/sim/replay/";
 const std::string device_tests = "tests/devices/";
 const std::string simulation = "/simulation/";
 
-/// Whether a path from the project's folder names a file of the firmware.
+/// Returns whether a path relative to the project's folder names a file of the firmware.
 bool is_firmware(const std::string& path) {
     for (const std::string& folder : {shared, drivers}) {
         if (path.rfind(folder, 0) == 0) {
@@ -29,7 +29,7 @@ bool is_firmware(const std::string& path) {
            path.compare(name_end, part.size(), part) == 0 && path.size() > name_end + part.size();
 }
 
-/// Whether a path from the project's folder names a file of the host that is judged as the firmware is.
+/// Returns whether a path relative to the project's folder names a file of the host that is judged like the firmware.
 bool is_judged_host(const std::string& path) {
     const auto below = [&path](const std::string& folder) {
         return path.rfind(folder, 0) == 0 && path.size() > folder.size();
@@ -37,7 +37,8 @@ bool is_judged_host(const std::string& path) {
     return below(host_replay) || (below(host_bus) && path.rfind(host_bus + "linux_can_system.", 0) != 0);
 }
 
-/// The last part of `file` from a `src/` on that fits: the project's own folder may lie below another `src/`.
+/// Returns the last part of `file` that starts with `src/` and fits; empty when none does. The project's own folder may
+/// lie below another folder `src/`.
 std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {

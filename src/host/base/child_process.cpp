@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// What posix_spawn wants: pointers, the last of them null.
+/// Returns the argument list for posix_spawn: pointers, of which the last is null.
 std::vector<char*> pointers(const std::vector<std::string>& words) {
     std::vector<char*> all;
     for (const auto& word : words) {

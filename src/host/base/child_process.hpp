@@ -1,4 +1,4 @@
-// Other programs, started without a shell.
+// Starts other programs without a shell.
 #pragma once
 
 #include <sys/types.h>
@@ -11,25 +11,26 @@
 
 namespace canproof::host {
 
-/// Descriptors that become standard input and output of a program; -1: /dev/null, with its error output as well.
+/// Descriptors for standard input and output of a program. -1 selects /dev/null; for `out`, standard error goes there
+/// as well.
 struct Streams {
     int in{-1};
     int out{-1};
 };
 
-/// `words`: a path, or a name to be found in PATH, and the arguments. `more_environment`: `NAME=value`, before ours.
-/// Throws InputError when there is no such program.
+/// Starts a program. `words` holds a path, or a name to find in PATH, and the arguments. `more_environment` holds
+/// `NAME=value`, which precedes the environment of this program. Throws InputError when there is no such program.
 pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
                     Streams streams);
-/// The exit status; 128 and more when a signal ended it.
+/// Waits for the end of a process. Returns its exit status; 128 plus the signal's number when a signal ended it.
 int wait_for_process(pid_t process);
 
-/// Both ends, closed in every program that is started. Throws InputError.
+/// Returns both ends of a pipe, which started programs do not inherit. Throws InputError.
 std::array<int, 2> make_pipe();
-/// The next line without its end; false at the end of the stream.
+/// Reads the next line without its line break. Returns false at the end of the stream.
 bool read_line(std::FILE* from, std::string& line);
 
-/// What a program prints; nothing when its exit status is not 0.
+/// Returns the standard output of a program; nothing when its exit status is not 0.
 std::optional<std::string> output_of(const std::vector<std::string>& words);
 
 }  // namespace canproof::host

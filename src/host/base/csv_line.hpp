@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// RFC 4180: a field is in quotes where a comma, a quote or a break stands in it.
+/// Returns the fields as a line of RFC 4180: a field with a comma, a quote or a line break is in quotes.
 std::string csv_line(const std::vector<std::string>& fields);
 
 }  // namespace canproof::host

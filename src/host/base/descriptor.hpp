@@ -1,4 +1,4 @@
-// An open file, closed by whoever holds it last.
+// An open file descriptor, which its last owner closes.
 #pragma once
 
 #include <unistd.h>

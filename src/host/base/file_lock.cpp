@@ -31,8 +31,8 @@ bool try_lock(int descriptor) {
     return false;
 }
 
-/// A line of /proc/locks: `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0 EOF`, the last number of the place is the
-/// inode.
+/// Searches /proc/locks. In a line such as `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0 EOF`, the last number of
+/// `fe:00:131073` is the inode.
 std::string lock_holder(int descriptor) {
     struct stat file {};
     const std::string ending = fstat(descriptor, &file) == 0 ? ":" + std::to_string(file.st_ino) : ":?";

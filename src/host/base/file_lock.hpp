@@ -1,13 +1,15 @@
-// A file that one process at a time may use.
+// Locks a file, so that one process at a time uses it.
 #pragma once
 
 #include <string>
 
 namespace canproof::host {
 
-/// False when somebody else has locked it. Throws std::system_error when the file system has no locks.
+/// Locks the file. Returns false when another process has locked it. Throws std::system_error when the file system has
+/// no locks.
 bool try_lock(int descriptor);
-/// Who has locked that file, by flock: `process 4711 (canproof)`; `another process` when the system does not tell.
+/// Returns the owner of the file's flock lock: `process 4711 (canproof)`; `another process` when the system does not
+/// report it.
 std::string lock_holder(int descriptor);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Files that the commands read and write. Each throws InputError with the path and the remedy.
+// Opens and writes files of the commands. Each function throws InputError with the path and the remedy.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 std::ifstream open_input(const std::string& path);
-/// Replaces the whole file, or leaves it as it was; folders on the way are made.
+/// Replaces the whole file, or leaves it unchanged on an error. Creates missing folders.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace canproof::host

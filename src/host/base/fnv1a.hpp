@@ -1,4 +1,4 @@
-// FNV-1a (32 bit) of text: the fingerprint of layouts and of reviewed requirements.
+// FNV-1a (32 bit) of text, for the fingerprints of layouts and of reviewed requirements.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// `start`: the hash of what stands before the text.
+/// Returns the hash of the text; `start` is the hash of the preceding text.
 std::uint32_t fnv1a(const std::string& text, std::uint32_t start = 0x811C9DC5U);
 
 }  // namespace canproof::host

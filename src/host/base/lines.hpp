@@ -1,4 +1,4 @@
-// Texts and files as lists of lines.
+// Splits texts and files into lines.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace canproof::host {
 
-/// The lines of a text without their ends; a last line without an end counts.
+/// Returns the lines of a text without their line breaks; a last line without a line break counts as well.
 std::vector<std::string> split_lines(const std::string& text);
 
-/// The lines of a file. Throws InputError as read_file() does.
+/// Returns the lines of a file. Throws InputError as read_file() does.
 std::vector<std::string> read_lines(const std::filesystem::path& path);
 
 }  // namespace canproof::host

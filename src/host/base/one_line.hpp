@@ -1,14 +1,15 @@
-// Text that goes into one line.
+// Converts text to a single line.
 #pragma once
 
 #include <string>
 
 namespace canproof::host {
 
-/// On one line: each run of spaces, tabs and line ends is one space, none at either end.
+/// Returns the text on one line: each run of spaces, tabs and line breaks becomes one space, and none is left at either
+/// end.
 std::string one_line(const std::string& text);
 
-/// The text, or its first words, about 90 characters, and `…`.
+/// Returns a text of up to about 90 characters; of a longer text its first words and `…`.
 std::string brief(const std::string& text);
 
 }  // namespace canproof::host

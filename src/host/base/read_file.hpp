@@ -1,4 +1,4 @@
-// Whole files, in bounded memory.
+// Reads whole files in bounded memory.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace canproof::host {
 
-/// A text file of the register, or a record beside it, is never longer.
+/// Greatest length in bytes of a text file of the requirements register, and of the records beside it.
 constexpr std::size_t longest_toml_file = std::size_t{16} << 20U;
 
-/// More than any other file has that is read as a whole.
+/// Greatest length in bytes of any other file that is read as a whole.
 constexpr std::size_t longest_file = std::size_t{256} << 20U;
 
-/// Everything that `path` holds, at most `most` bytes. Throws InputError with the path and the remedy: for a folder,
-/// for a pipe that nobody writes to (it does not wait for a writer), for what cannot be read to its end, and for what
-/// is longer, of which it reads no more than `most` and a byte.
+/// Returns the content of `path`, at most `most` bytes. Throws InputError with the path and the remedy: for a folder,
+/// for a pipe without a writer (it does not wait for one), for a read error, and for a longer file. It never reads more
+/// than `most` + 1 bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most = longest_file);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Streams read so that a read error is never taken for the end, and no line beyond a bound.
+// Reads streams with limits: a read error is not mistaken for the end, and the length of a line is bounded.
 #pragma once
 
 #include <array>
@@ -11,22 +11,23 @@
 
 namespace canproof::host {
 
-/// Throws InputError when the stream ended by an error and not by the end of what it reads.
+/// Throws InputError when an error, instead of the end of the input, ended the stream.
 void check_read(const std::istream& in, const std::string& name);
 
-/// Lines one after another, with file and line for messages. A byte order mark before the first and a carriage return
-/// at an end are left out.
+/// Reads lines one after another and provides file and line for messages. It removes a byte order mark before the first
+/// line and a carriage return at the end of a line.
 class LineReader {
   public:
     static constexpr std::size_t longest_line = 4096;
 
     LineReader(std::istream& in, std::string name) : in_{in}, name_{std::move(name)} {}
 
-    /// False at the end. Throws InputError for a read error and for a line longer than longest_line.
+    /// Reads the next line. Returns false at the end. Throws InputError for a read error and for a line longer than
+    /// longest_line.
     bool next();
     const std::string& line() const { return line_; }
     std::size_t number() const { return number_; }
-    /// `bus.log:7`
+    /// Returns file and line: `bus.log:7`.
     std::string where() const;
 
   private:

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* ending = ".new";
-constexpr mode_t everybody = 0666;  // less the umask
+constexpr mode_t everybody = 0666;  // reduced by the umask
 constexpr mode_t permissions = 07777;
 
 fs::path folder_of(const fs::path& path) {
@@ -37,7 +37,7 @@ bool write_all(int file, std::string_view bytes) {
     return true;
 }
 
-/// A regular file is replaced; a device or a FIFO has no content to keep.
+/// Writes to a device or a FIFO, which has no content to keep. A regular file is replaced instead.
 void write_into(const fs::path& path, std::string_view bytes) {
     const Descriptor file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.is_open() || !write_all(file.number(), bytes)) {
@@ -92,7 +92,7 @@ void FileBeside::write(std::string_view bytes) {
 
 void FileBeside::sync_folder() const {
     const Descriptor folder{open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    // EINVAL: a file system that knows no such thing
+    // EINVAL: the file system does not support it.
     if (!folder.is_open() || (fsync(folder.number()) != 0 && errno != EINVAL)) {
         fail();
     }
@@ -108,11 +108,11 @@ void FileBeside::replace() {
 
 bool FileBeside::create() {
     const bool linked = link(beside_.c_str(), target_.c_str()) == 0;
-    // EPERM: a file system without links
+    // EPERM: the file system has no hard links.
     const bool moved = !linked && errno == EPERM &&
                        renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
     if (!linked && !moved) {
-        if (errno == EEXIST || errno == ENOENT) {  // somebody else was first, and has removed what lay beside
+        if (errno == EEXIST || errno == ENOENT) {  // another process was first and has removed the temporary file
             return false;
         }
         fail();
@@ -124,7 +124,7 @@ bool FileBeside::create() {
 
 void remove_leftovers(const fs::path& target) {
     const std::string begins = beginning(target);
-    std::error_code ignored;  // a leftover that stays does no harm
+    std::error_code ignored;  // a remaining file does no harm
     for (const auto& entry : fs::directory_iterator{folder_of(target), ignored}) {
         const std::string name = entry.path().filename().string();
         const bool is_ours = name.size() > begins.size() + std::string_view{ending}.size() &&

@@ -1,5 +1,5 @@
-// Files that are written as a whole: at every moment, whatever ends the program or the machine, a path has its whole
-// old content or its whole new one.
+// Replaces files as a whole: at every moment, even if the program or the machine stops, a path has its complete old or
+// its complete new content.
 #pragma once
 
 #include <filesystem>
@@ -10,27 +10,28 @@
 
 namespace canproof::host {
 
-/// Throws std::filesystem::filesystem_error: that `path` cannot be written, and why by errno.
+/// Throws std::filesystem::filesystem_error: `path` cannot be written, with the reason from errno.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& path);
 
-/// A new file beside another one, to take its place. It is locked (flock) from its first byte on, and removed unless it
-/// took the place. Every function throws std::system_error, with the target's path, when the disk refuses.
+/// A temporary file beside a target, which it replaces. It is locked (flock) before the first byte is written. The
+/// destructor removes it unless it has replaced the target. Every function throws std::system_error with the target's
+/// path on a write error.
 class FileBeside {
   public:
-    /// A link must have been followed: `target` gets the place of the link otherwise.
+    /// `target` must be the resolved path: a symbolic link would be replaced itself.
     explicit FileBeside(std::filesystem::path target);
     ~FileBeside();
     FileBeside(const FileBeside&) = delete;
     FileBeside& operator=(const FileBeside&) = delete;
 
-    /// On disk when it returns.
+    /// Writes the bytes; they are on disk when it returns.
     void write(std::string_view bytes);
-    /// Takes the place of `target`, which keeps its permissions. On disk when it returns; when it throws, the old
-    /// content or the new one stands.
+    /// Replaces `target` and keeps its permissions. The file is on disk when it returns. After an exception, the path
+    /// has the old or the new content.
     void replace();
-    /// Takes the place when there is no `target` yet, else returns false.
+    /// Takes the place of `target` if that does not exist; otherwise returns false.
     bool create();
-    /// The locked file.
+    /// Returns the locked file.
     Descriptor take() { return std::move(file_); }
 
   private:
@@ -43,11 +44,12 @@ class FileBeside {
     bool placed_{false};
 };
 
-/// What a program that was killed left beside `target`. Only for targets that one process at a time writes.
+/// Removes temporary files that a killed program left beside `target`. Only for targets that one process at a time
+/// writes.
 void remove_leftovers(const std::filesystem::path& target);
 
-/// The new content of `path`, on disk when it returns. A link is followed; a device or a FIFO is written to. Throws
-/// std::system_error.
+/// Replaces the content of `path`; it is on disk when it returns. Follows a link, and writes directly to a device or a
+/// FIFO. Throws std::system_error.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace canproof::host

@@ -34,7 +34,7 @@ void sync_all(const fs::path& folder) {
     }
 }
 
-/// The two change places in one step; where the file system cannot do that, in two.
+/// Exchanges the two folders in one step; in several steps if the file system does not support that.
 void exchange(const fs::path& fresh, const fs::path& folder) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
         return;

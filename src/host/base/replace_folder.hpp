@@ -1,4 +1,4 @@
-// Folders that are written as a whole.
+// Replaces folders as a whole.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// `folder` holds these files, by relative path, and nothing else, on disk when it returns. Whatever ends the program
-/// on the way, its old files or its new ones are there. Throws std::system_error when the disk refuses.
+/// Replaces `folder` by one that contains exactly these files by relative path; it is on disk when it returns. If the
+/// program stops meanwhile, the old or the new files exist. Throws std::system_error on a write error.
 void replace_folder(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
 }  // namespace canproof::host

@@ -11,16 +11,16 @@ struct evp_md_ctx_st;
 
 namespace canproof::host {
 
-/// 64 small hexadecimal digits.
+/// Returns the hash as 64 hexadecimal digits in lower case.
 std::string sha256(const std::string& bytes);
 
-/// Hashes many short texts one after another: it sets the algorithm up once.
+/// Hashes many short texts one after another; it sets up the algorithm only once.
 class Sha256 {
   public:
-    /// Throws std::bad_alloc without memory.
+    /// Throws std::bad_alloc when memory is exhausted.
     Sha256();
 
-    /// The first `count` bytes of the hash, 1 to 8, as a number of which the first byte is the highest.
+    /// Returns the first `count` bytes of the hash, 1 to 8, as a big-endian number.
     std::uint64_t first_bytes(std::string_view bytes, std::size_t count);
 
   private:

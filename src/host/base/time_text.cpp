@@ -12,7 +12,7 @@ constexpr std::uint64_t micros = 1000000;
 constexpr std::size_t most_whole_digits = 12;
 constexpr std::size_t most_decimals = 6;
 
-/// At most eighteen digits.
+/// Parses a decimal number of at most eighteen digits.
 std::optional<std::uint64_t> decimal(std::string_view digits) {
     std::uint64_t value = 0;
     for (const char c : digits) {
@@ -56,7 +56,8 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
 void append_seconds(std::string& text, Instant time) {
     text += fmt::format_int{time.us / micros}.str();
     text += '.';
-    const std::string decimals = fmt::format_int{micros + time.us % micros}.str();  // a digit more: zeros stay
+    const std::string decimals = fmt::format_int{micros + time.us % micros}.str();  // the leading 1 keeps the zeros
+                                                                                    // after it
     text.append(decimals, 1, most_decimals);
 }
 

@@ -1,4 +1,4 @@
-// Times as logs and stimuli write them: seconds with up to six decimals.
+// Times as text in logs and stimuli: seconds with up to six decimals.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,14 @@
 
 namespace canproof::host {
 
-/// `12.345678` (seconds) as a time, at most twelve digits before the point; nothing when it is none.
+/// Parses a time such as `12.345678` in seconds, with at most twelve digits before the point. Returns nothing for any
+/// other text.
 std::optional<Instant> seconds_of(std::string_view text);
-/// As seconds_of(). Throws InputError, which names `where` ("file:line").
+/// Parses a time as seconds_of() does. Throws InputError with `where` ("file:line").
 Instant parse_seconds(const std::string& text, const std::string& where);
-/// `12.345678`, always with six decimals.
+/// Returns the time in seconds with exactly six decimals: `12.345678`.
 std::string format_seconds(Instant time);
-/// The same, behind what stands in `text`.
+/// Appends the same text to `text`.
 void append_seconds(std::string& text, Instant time);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Text without blanks at its ends.
+// Removes blanks at both ends of a text.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace canproof::host {
 
-/// Returns the part of the text between the characters of `blanks` at its two ends. It refers to `text`.
+/// Returns the text without the characters of `blanks` at its two ends. The result refers to `text`.
 std::string_view trimmed_view(std::string_view text, std::string_view blanks = " \t");
 
-/// Returns the same part as a text of its own.
+/// Returns the same part as a new string.
 std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
-// The cells that the register's compiler wrote, and how `canproof mutate` alters each of them. Exists only in test
-// programs built with changeable cells (preset `mutation`).
+// The generated cells, and how `canproof mutate` alters each of them. Exists only in test programs that are built with
+// changeable cells (preset `mutation`).
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// One change of one cell: `size` (1…8) bytes at `address` become the low bytes of `bits`.
+/// One change of one cell: the low `size` bytes (1 to 8) of `bits` replace the bytes at `address`.
 struct Alteration {
     const char* item;    ///< id of the requirement, object, table or constant
     const char* cell;    ///< `sub 1 default`, `row 3 action` …
@@ -25,7 +25,7 @@ struct Alterations {
     const Alteration* end() const { return first + count; }
 };
 
-/// All of them in the register's order. Written by the compiler.
+/// Returns all alterations in the register's order. The register's compiler generates this function.
 Alterations generated_alterations();
 
 }  // namespace canproof::host

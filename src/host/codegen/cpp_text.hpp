@@ -1,4 +1,4 @@
-// How C++ spells the register's types, values and notes.
+// The C++ spelling of the register's types, values and comments.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace canproof::host {
 
-/// Whether the written cells can be altered in a running program: only test programs of `canproof mutate` are built so.
+/// Whether a running program can alter the generated cells; only the test programs of `canproof mutate` can.
 enum class Cells { constant, changeable };
-/// `inline constexpr`, or `inline` where cells are to be changeable.
+/// Returns `inline constexpr`; `inline` for changeable cells.
 const char* storage_words(Cells cells);
 
-/// What opens a generated file: the files of the register that it was written from.
+/// Returns the first lines of a generated file, with the source files in the register.
 std::string heading(const Part& part);
-/// `12U`, `-3`; `4.096F`: a value as a literal of a type that cpp_type() names; `0x1FFU` where it is unsigned and
-/// hexadecimal is asked for.
+/// Returns a value as a literal of a type that cpp_type() returns: `12U`, `-3`, `4.096F`. With `hexadecimal`, an
+/// unsigned value is `0x1FFU`.
 std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal = false);
-/// Narrowest standard integer type that holds both.
+/// Returns the narrowest standard integer type that represents both values.
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
-/// What stands above an item in generated code: text, id, sources, unit.
+/// Returns the comment above an item in generated code: text, id, sources, unit.
 std::string item_comment(const Item& item, const std::string& unit);
-/// `std::uint16_t` for UNSIGNED16 …
+/// Returns the C++ type of a CiA type: `std::uint16_t` for UNSIGNED16 …
 std::string cpp_type(const std::string& cia_type);
 
 }  // namespace canproof::host

@@ -41,7 +41,7 @@ std::uint32_t limit_bits(const std::string& type, const Value& value) {
     if (const auto* truth = std::get_if<bool>(&value)) {
         return *truth ? 1U : 0U;
     }
-    // As wide as the type: -1 of an INTEGER16 is FFFFh.
+    // The mask limits the value to the width of the type: -1 of an INTEGER16 becomes FFFFh.
     const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
     const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
     return static_cast<std::uint32_t>(bits & mask);
@@ -58,7 +58,7 @@ canproof::Limit limit_of(const Entry& entry, const Limit& one) {
     return {LimitKind::none, 0U, 0};
 }
 
-/// Position of the entry's allowed values in the shared list, `first << 16 | count`.
+/// Returns the position of the entry's allowed values in the shared list, as `first << 16 | count`.
 std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, Limits limits) {
     std::vector<std::uint32_t> bits;
     for (const auto& value : entry.range.values) {
@@ -73,12 +73,12 @@ std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, 
     return static_cast<std::uint32_t>((first << 16U) | bits.size());
 }
 
-/// The rows of limits as they are written, each row once however often it is used.
+/// Collects the rows of limits; entries with equal limits can share a row.
 class LimitRows {
   public:
     LimitRows(DictionaryRows& rows, Limits limits) : rows_{rows}, limits_{limits} {}
 
-    /// Number of the limit row of an entry.
+    /// Returns the number of the limit row of an entry.
     std::uint16_t row_for(const Entry& entry) {
         if (entry.range.empty()) {
             return no_limit;
@@ -115,7 +115,7 @@ Service service_of(const Entry& entry) {
     return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
 }
 
-/// The objects in slots by this factor, and the length of the longest search.
+/// Returns the hash slots of the objects for this factor, and the length of the longest search.
 std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<ObjectRow>& objects, std::size_t count,
                                                               std::uint32_t factor) {
     std::vector<std::uint16_t> slots(count, no_object);
@@ -133,15 +133,15 @@ std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<
     return {slots, longest};
 }
 
-/// How many factors are tried: a few hundred, and for more than a thousand objects as many as take the same work.
+/// Returns the number of factors to try: at most 300, and fewer for more than a thousand objects.
 std::size_t attempts_for(std::size_t objects) {
     constexpr std::size_t most = 300;
     constexpr std::size_t least = 4;
-    constexpr std::size_t work = 300000;  // objects put into a slot
+    constexpr std::size_t work = 300000;  // objects to put into a slot, over all attempts
     return std::clamp(work / std::max<std::size_t>(objects, 1), least, most);
 }
 
-/// Slots for at least twice as many objects, by the factor of those tried whose longest search is the shortest.
+/// Fills at least twice as many slots as there are objects, with the factor that gives the shortest longest search.
 void find_slots(DictionaryRows& rows) {
     std::size_t count = 2;
     while (count < 2 * rows.objects.size()) {

@@ -1,5 +1,5 @@
-// The rows of an object dictionary as values: what the compiler prints as C++, and what the host runs a dictionary on
-// that was read at run time.
+// The rows of an object dictionary as values. The register's compiler prints them as C++, and the host runs a
+// dictionary on them that was read at run time.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// A dictionary as the firmware sees it. Objects and entries stand in the order of Part::objects; limits and lists of
-/// allowed values are shared by the entries that have the same.
+/// A dictionary in the form of the firmware. Objects and entries are in the order of Part::objects; entries can share
+/// limits and lists of allowed values.
 struct DictionaryRows {
     std::vector<ObjectRow> objects;
     std::vector<EntryRow> entries;
@@ -22,7 +22,7 @@ struct DictionaryRows {
     std::uint32_t slot_factor{0};
     Layout layout;
 
-    /// A view that lives as long as these rows do.
+    /// Returns a view of the rows, valid as long as the rows.
     DictionaryTables tables() const;
 };
 
@@ -30,7 +30,7 @@ struct DictionaryRows {
 enum class Limits { shared, one_an_entry };
 DictionaryRows make_rows(const Part& part, Limits limits = Limits::shared);
 
-/// `UNSIGNED16` as the firmware's data type.
+/// Returns the firmware's data type for a CiA type such as `UNSIGNED16`.
 DataType data_type(const std::string& cia_type);
 
 }  // namespace canproof::host

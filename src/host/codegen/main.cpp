@@ -1,4 +1,5 @@
-// speccompiler --spec DIR --out DIR: checks the register and writes the C++ tables. Run by the build.
+// The register's compiler: speccompiler --spec DIR --out DIR checks the register and writes the C++ tables. The build
+// runs it.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

@@ -1,4 +1,4 @@
-// A decision table as C++: the types of its columns, and its rows with alternatives written out.
+// A decision table as C++: the types of its columns, and its rows with expanded alternatives.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ struct RowField {
     std::string name;
     const Column* column{nullptr};
     Value value;
-    bool hexadecimal{false};      ///< as spec/ writes it
-    std::size_t register_row{0};  ///< of the table in spec/, from 0
+    bool hexadecimal{false};      ///< the value is hexadecimal in spec/
+    std::size_t register_row{0};  ///< row of the table in spec/, counted from 0
 };
 using FieldRow = std::vector<RowField>;
 
-/// Whether every node can notice the error of this name: `ErrorId` has it.
+/// Returns whether this error exists on every node, that is, in `ErrorId`.
 bool is_node_error(const std::string& word);
-/// Errors that only this device has, in the order of its tables.
+/// Returns the errors of this device alone, in the order of its tables.
 std::vector<std::string> own_errors(const Part& part);
 
 class TableCode {
@@ -28,17 +28,18 @@ class TableCode {
     TableCode(const Register& content, const Part& part, const Table& table)
         : content_{content}, part_{part}, table_{table} {}
 
-    /// Whether an input holds ranges: it becomes two members, first and last.
+    /// Returns whether an input contains ranges; it then becomes two members, first and last.
     bool is_ranged(const Column& column) const;
     std::string type_of(const Column& column) const;
     std::string enumeration_of(const Column& column) const;
-    /// `hexadecimal`: an unsigned number is to be written so.
+    /// Returns the C++ literal of a value; with `hexadecimal`, an unsigned number is hexadecimal.
     std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
-    /// Whether the words of a column are errors of the node.
+    /// Returns whether the words of a column are errors of the node.
     bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
-    /// Inputs, then outputs; "*" and alternatives become one row each, an integer range a pair of members.
+    /// Returns the rows with inputs before outputs. "*" and each alternative become a row of their own, an integer
+    /// range a pair of members.
     std::vector<FieldRow> rows() const;
-    /// `enable_response`
+    /// Returns the namespace of the table, such as `enable_response`.
     const std::string& space() const { return table_.name; }
 
   private:

@@ -21,7 +21,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A file that keeps its text keeps its time stamp: nothing is compiled again for nothing.
+/// Writes a file only if its text has changed: an unchanged time stamp avoids needless compilation.
 void write_if_changed(const std::filesystem::path& path, const std::string& text) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream old;

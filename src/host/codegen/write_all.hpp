@@ -1,4 +1,4 @@
-// Everything that the compiler of the register writes.
+// Writes all output of the register's compiler.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// All of it as files below `out`; files whose text stays the same are left alone.
+/// Writes all files below `out`; a file whose text is unchanged stays as it is.
 void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out,
                Cells cells = Cells::constant);
 

@@ -1,4 +1,4 @@
-// Every cell that the compiler writes with what it becomes when it is altered: the source of `canproof mutate`.
+// Lists every generated cell with its altered value, for `canproof mutate`.
 #include "host/codegen/write_alterations.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// `target` is an lvalue of the generated code, `bits` an expression.
+/// Returns one row. `target` is an lvalue of the generated code, `bits` an expression.
 std::string line(const std::string& id, const std::string& cell, const std::string& change, const std::string& target,
                  const std::string& size, const std::string& bits) {
     return fmt::format("    {{{}, {}, {}, &{}, {}, {}}},\n", quoted(id), quoted(cell), quoted(change), target, size,
@@ -48,7 +48,7 @@ std::string constants_of(const Part& part) {
     return out;
 }
 
-/// CiA's word for the C++ type of a column of numbers.
+/// Returns the CiA name of a numeric column's C++ type.
 std::string number_type(const TableCode& code, const Column& column) {
     const std::string type = code.type_of(column);
     for (const char* word : {"BOOLEAN", "INTEGER8", "INTEGER16", "INTEGER32", "INTEGER64", "UNSIGNED8", "UNSIGNED16",
@@ -154,7 +154,7 @@ class ObjectAlterations {
         }
     }
 
-    /// The type of the same length that differs in its sign, or in how the bytes are read.
+    /// Adds the alteration to a type of the same length with another sign or another interpretation of the bytes.
     void add_type(const EntryRow& entry) {
         static const std::pair<DataType, DataType> pairs[] = {
             {DataType::boolean, DataType::unsigned8},    {DataType::unsigned8, DataType::integer8},
@@ -198,7 +198,7 @@ class ObjectAlterations {
             {rights::read, "readable"},     {rights::write, "writable"}, {rights::rpdo, "RPDO mapping"},
             {rights::tpdo, "TPDO mapping"}, {rights::stored, "stored"},  {rights::node_id, "node-ID added"}};
         for (const auto& [right, name] : all) {
-            // What lies in flash has neither a place in a stored set nor one that a PDO could write.
+            // A constant entry is not in the stored image, and no PDO can write it.
             const bool possible = !place.constant || right == rights::read || right == rights::write;
             if (possible) {
                 add(sub(name), (entry.rights & right) != 0U ? "yes -> no" : "no -> yes", row("rights"),

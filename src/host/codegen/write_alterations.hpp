@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// One row an alteration: requirement, cell, address, and the bytes that replace it. Fits what is written changeable.
+/// Returns one row per alteration: requirement, cell, address, and the replacing bytes. It matches code generated with
+/// changeable cells.
 std::string write_alterations(const Register& content);
 
 }  // namespace canproof::host

@@ -11,10 +11,10 @@ namespace canproof::host {
 
 namespace {
 
-/// Compilers limit the length of a string literal; the pieces are joined at run time.
+/// Greatest length of one string literal; compilers limit it, so the pieces are joined at run time.
 constexpr std::size_t longest_piece = 8000;
 
-/// End of the piece that begins at `at`: after a line end, so that no character is cut in two.
+/// Returns the end of the piece that begins at `at`. It follows a line break or the end of a UTF-8 character.
 std::size_t piece_end(const std::string& body, std::size_t at) {
     if (body.size() - at <= longest_piece) {
         return body.size();
@@ -30,8 +30,8 @@ std::size_t piece_end(const std::string& body, std::size_t at) {
     return end;
 }
 
-/// Returns whether a file says only what a manual asks for, why something was decided, what can be wrong, and who read
-/// it: the audit and its pages take that from spec/ itself, and it is more than half the register.
+/// Returns whether a file contains only statements, decisions, hazards and reviews. The audit and its pages read them
+/// from spec/ itself; they are more than half of the register.
 bool is_background(const std::string& path, const std::string& body) {
     const toml::table root = toml::parse(body, path);
     return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {

@@ -1,4 +1,4 @@
-// The register's files as C++, for the program to carry.
+// The register's files as C++, embedded in the program.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// The index of each object of a device, or of each standard object of the shared part, as a constant.
+/// Returns the index of each object of a device, or of each standard object of the shared part, as a constant.
 std::string write_indices(const Part& part);
 
 }  // namespace canproof::host

@@ -43,7 +43,7 @@ std::string member(const Signal& signal) {
                        fmt::join(values, ", "), note);
 }
 
-/// A function that calls visit(name, value) for each single signal: how the host reaches them by name.
+/// Returns a function that calls visit(name, value) for each single signal; the host uses it for access by name.
 std::string visitor(const Part& part, bool input) {
     const std::string group = input ? "input" : "output";
     std::string calls;
@@ -70,7 +70,8 @@ std::string visitor(const Part& part, bool input) {
         group, calls);
 }
 
-/// A constant narrower than int would change its sign where it meets another narrow operand (MISRA C++:2023 7.0.5).
+/// Returns the type of a constant, at least 32 bits. A narrow operand would be promoted to int and change its sign
+/// (MISRA C++:2023 7.0.5).
 std::string constant_type(const std::string& type) {
     const std::string exact = cpp_type(type);
     return exact == "std::uint8_t" || exact == "std::uint16_t" ? "std::uint32_t" : exact;
@@ -81,7 +82,7 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        // Braces take a constant that fits, not a variable of a wider type.
+        // Braces accept a constant that fits into a narrower type, but no variable of a wider type.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

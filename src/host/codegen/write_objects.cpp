@@ -44,7 +44,7 @@ std::string entry_words(const EntryRow& row, const Entry& entry) {
                        data_type_word(entry.type), rights_words(row.rights), entry.service);
 }
 
-/// One pool of values, a row an entry.
+/// Returns a pool of values with one line per entry.
 std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant, Cells cells) {
     const auto& pool = constant ? layout.constants : layout.image;
     std::string text =
@@ -75,7 +75,7 @@ std::string string_rows(const std::string& type, const std::string& name, const 
     return text + "}};\n\n";
 }
 
-/// Sixteen slots a line.
+/// Returns the slots, sixteen per line.
 std::string slot_table(const DictionaryRows& rows) {
     std::string text =
         fmt::format("inline constexpr std::array<std::uint16_t, {}U> object_slots{{{{", rows.slots.size());
@@ -121,7 +121,7 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
     return text;
 }
 
-/// The rows of each table, a string a row.
+/// The text of the rows of each table, one string per row.
 struct RowTexts {
     const std::vector<std::string>& objects;
     const std::vector<std::string>& entries;
@@ -129,7 +129,7 @@ struct RowTexts {
     const std::vector<std::string>& allowed;
 };
 
-/// The tables of a dictionary, and the one that holds them all.
+/// Returns the tables of a dictionary, and the structure that refers to them all.
 std::string table_texts(const Part& part, const DictionaryRows& rows, const RowTexts& texts, Cells cells) {
     std::string text = string_rows("ObjectRow", "object_rows", texts.objects, cells);
     text += "// {offset, size, limit row, sub-index, type, rights, service}\n";
@@ -183,7 +183,7 @@ std::string write_objects(const Part& part, Cells cells) {
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
     const RowTexts texts{objects, entries, limits, allowed};
     const std::string own = table_texts(part, rows, texts, cells);
-    // What is sized while the device is compiled asks tables that are constant in any build.
+    // Sizes that the compiler computes use tables that are constant in every build.
     text += cells == Cells::constant
                 ? fmt::format("{}namespace compiled {{\nusing generated::{}::tables;\n}}  // namespace compiled\n\n",
                               own, part.cpp_name())

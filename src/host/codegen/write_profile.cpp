@@ -1,4 +1,4 @@
-// device.toml as the firmware's NodeProfile.
+// Generates the firmware's NodeProfile from device.toml.
 #include "host/codegen/write_profile.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// What the profile says of LSS, and the bit rates that it refers to.
+/// The LSS part of the profile, and the bit rates to which it refers.
 struct LssWords {
     std::string rates;
     std::string profile;

@@ -1,4 +1,4 @@
-// device.toml as the firmware's NodeProfile.
+// Generates the firmware's NodeProfile from device.toml.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// What device.toml says of the node, as a NodeProfile.
+/// Returns the node's data in device.toml as a NodeProfile.
 std::string write_profile(const Part& part, Cells cells = Cells::constant);
 
 }  // namespace canproof::host

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Each id of the part as a type that code and tests name.
+/// Returns each id of the part as a type that code and tests name.
 std::string write_requirements(const Register& content, const Part& part);
 
 }  // namespace canproof::host

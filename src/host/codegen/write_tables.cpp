@@ -50,13 +50,14 @@ std::string rows_of(const TableCode& code, const Table& table, Cells cells) {
     return fmt::format("{} std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", storage_words(cells), rows.size(), lines);
 }
 
-/// Two narrow operands would both become int, and change their sign (MISRA C++:2023 7.0.5).
+/// Returns the type of a column, at least 32 bits. Two narrow operands would be promoted to int and change their sign
+/// (MISRA C++:2023 7.0.5).
 std::string wide_type_of(const TableCode& code, const Column& column) {
     const std::string type = code.type_of(column);
     return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
 }
 
-/// What the compiler of the tables checks where they stand: each row is found by its own inputs.
+/// Returns a static_assert in the generated code: the lookup finds each row by its own inputs.
 std::string row_check(const TableCode& code, const Table& table) {
     std::vector<std::string> firsts;
     std::vector<std::string> lasts;
@@ -110,7 +111,7 @@ std::string table_text(const Register& content, const Part& part, const Table& t
     return out + fmt::format("}}  // namespace {}\n\n", code.space());
 }
 
-/// The errors of the device behind those of every node, a constant each.
+/// Returns a constant for each error of the device; their numbers follow those of the errors of every node.
 std::string error_names(const Part& part) {
     const auto words = own_errors(part);
     if (words.empty()) {

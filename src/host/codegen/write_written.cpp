@@ -1,4 +1,5 @@
-// What a write to an entry has changed, as an enumeration that a device can switch over without forgetting one.
+// Generates an enumeration of the objects that a write can change, so that a compiler can check a switch for
+// completeness.
 #include "host/codegen/write_written.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Families that lie beside each other: `count` stretches of `step` indices from `first` on, alike but for the number.
+/// Several families at consecutive indices: `count` blocks of `step` indices from `first` on, which differ only in the
+/// member's number.
 struct Stretch {
     unsigned first;
     unsigned step;
@@ -24,7 +26,7 @@ struct Stretch {
     unsigned end() const { return first + step * count; }
 };
 
-/// Whether the device hears of a write to one of the entries.
+/// Returns whether a write to one of the object's entries is reported to the device.
 bool is_heard(const Object& object) {
     return std::any_of(object.entries.begin(), object.entries.end(), [&](const Entry& entry) {
         const bool writable = entry.access == "rw" || entry.access == "wo";
@@ -32,7 +34,7 @@ bool is_heard(const Object& object) {
     });
 }
 
-/// The members of each family in the order of their numbers.
+/// Returns the members of each family in the order of their numbers.
 std::map<std::string, std::vector<const Object*>> families_of(const Part& part) {
     std::map<std::string, std::vector<const Object*>> families;
     for (const Object& object : part.objects) {
@@ -43,7 +45,7 @@ std::map<std::string, std::vector<const Object*>> families_of(const Part& part) 
     return families;
 }
 
-/// Whether each object within belongs to a family that goes through it in the same steps.
+/// Returns whether each object in the stretch belongs to a family with the same steps.
 bool is_pure(const Part& part, const std::map<std::string, std::vector<const Object*>>& families,
              const Stretch& stretch) {
     return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {
@@ -86,7 +88,7 @@ const Stretch* stretch_at(const std::vector<Stretch>& stretches, unsigned index)
     return found == stretches.end() ? nullptr : &*found;
 }
 
-/// `Binary function {n} source` → `binary_function_source`.
+/// Returns `binary_function_source` for `Binary function {n} source`.
 std::string family_word(std::string name) {
     if (const auto at = name.find("{n}"); at != std::string::npos) {
         name.erase(at, 3);

@@ -1,4 +1,4 @@
-// What a write to an entry has changed, as C++.
+// Generates C++ that identifies the object of a write.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// The objects of which a device hears when they are written, as an enumeration and a function that finds it.
+/// Returns an enumeration of the objects whose writes are reported to the device, and a function that finds the
+/// enumerator.
 std::string write_written(const Part& part);
 
 }  // namespace canproof::host

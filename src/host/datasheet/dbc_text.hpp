@@ -1,5 +1,5 @@
-// A DBC file, the database of CAN messages that tools such as SavvyCAN, cantools and canmatrix read: its model and its
-// text. All signals are little endian with factor 1 and offset 0.
+// Model and text of a DBC file, the database of CAN messages for tools such as SavvyCAN, cantools and canmatrix. All
+// signals are little endian with factor 1 and offset 0.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Value and its word.
+/// Values with their words.
 using DbcWords = std::vector<std::pair<std::uint64_t, std::string>>;
 
 struct DbcSignal {
@@ -19,20 +19,20 @@ struct DbcSignal {
     enum class Number { natural, integer, single_real, double_real };
 
     std::string name;
-    unsigned start{0};   ///< bit, from 0
+    unsigned start{0};   ///< first bit, counted from 0
     unsigned length{0};  ///< bits, 1 to 64
     Number number{Number::natural};
     Multiplex multiplex{Multiplex::none};
-    std::uint64_t switched_by{0};  ///< value of the switch with which the signal is there
+    std::uint64_t switched_by{0};  ///< value of the multiplexor at which the signal exists
     double minimum{0.0};
-    double maximum{0.0};  ///< both 0: no limits
+    double maximum{0.0};  ///< 0 in both: no limits
     std::string unit;
     std::string comment;
     DbcWords words;
 };
 
 struct DbcMessage {
-    std::uint32_t id{0};  ///< of 11 bits, or of 29 bits with is_extended
+    std::uint32_t id{0};  ///< of 11 bits; of 29 bits with is_extended
     bool is_extended{false};
     std::string name;
     unsigned length{0};  ///< bytes
@@ -48,17 +48,17 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// Names of one scope: each a valid identifier of at most 32 characters, none twice.
+/// Unique names of one scope: each is a valid identifier of at most 32 characters.
 class DbcNames {
   public:
-    /// The text as such a name: other characters become underscores; _2, _3 … make it unique.
+    /// Returns the text as a unique name: other characters become underscores, and _2, _3 … make it unique.
     std::string take(const std::string& text);
 
   private:
     std::set<std::string> taken_;
 };
 
-/// The file, with LF line ends and ASCII characters only.
+/// Returns the file with LF line breaks and ASCII characters only.
 std::string dbc_text(const DbcFile& file);
 
 }  // namespace canproof::host

@@ -16,14 +16,15 @@ struct CobId {
     bool node_id;
 };
 
-/// The four PDOs of one direction that have a place in the pre-defined connection set, by their first object.
+/// Returns the COB-ID of one of the first four PDOs of a direction in the pre-defined connection set; `first` is the
+/// index of the first PDO. A later PDO does not exist.
 CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
     constexpr unsigned predefined = 4;
     const unsigned number = index - first;
     return number < predefined ? CobId{base + std::int64_t{0x100} * number, true} : CobId{does_not_exist, false};
 }
 
-/// CiA 301, 7.3.5 and 7.5.2
+/// Returns the usual COB-ID of an entry (CiA 301, 7.3.5 and 7.5.2); nothing for an entry without one.
 std::optional<CobId> usual(unsigned index, unsigned subindex) {
     if (index == 0x1005 && subindex == 0) {
         return CobId{0x80, false};

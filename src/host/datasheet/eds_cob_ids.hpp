@@ -1,4 +1,4 @@
-// COB-IDs that a data sheet leaves at 0, which is the identifier of NMT commands.
+// Handles COB-IDs that a data sheet leaves at 0, which is the identifier of NMT commands.
 #pragma once
 
 #include "host/datasheet/ini.hpp"
@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Puts those of CiA 301's pre-defined connection set there, each with a note; PDOs beyond it do not exist.
+/// Replaces them by the COB-IDs of CiA 301's pre-defined connection set, each with a note. PDOs beyond this set get
+/// switched off.
 void mend_cob_ids(Part& part, const EdsTelling& tell);
 
 }  // namespace canproof::host

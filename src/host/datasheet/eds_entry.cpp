@@ -12,17 +12,17 @@ namespace canproof::host {
 
 namespace {
 
-/// Room of a string that can be written, when its default is shorter.
+/// Length in bytes that a writable string has at least; its default may be shorter.
 constexpr std::size_t string_room = 64;
 constexpr std::size_t longest_string = 4096;
 
 struct TypeRow {
     unsigned number;
     const char* word;
-    std::size_t octets;  ///< of a type that is carried as octets; 0: it has a word of its own
+    std::size_t octets;  ///< length of a type that is represented as octets; 0: the type has its own word
 };
 
-/// CiA 301, Table 44. Types that no service calculates with are carried as what they are on the bus: octets.
+/// CiA 301, Table 44. Types with which no service computes are represented as octets, as on the bus.
 constexpr std::array<TypeRow, 25> type_rows{{{0x01, "BOOLEAN", 0},
                                              {0x02, "INTEGER8", 0},
                                              {0x03, "INTEGER16", 0},
@@ -59,7 +59,7 @@ Place place_of(const EdsTelling& tell, unsigned line) {
     return {tell.file, line};
 }
 
-/// Of an entry without a number of a type: its word, or what its sub-index and its value say.
+/// Returns the type of an entry whose DataType is no number: its word, or a type that fits its sub-index and value.
 std::string assumed_type(const IniSection& section, const std::string& word, bool is_counter) {
     const auto named =
         std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
@@ -104,12 +104,13 @@ void read_type(Entry& entry, const IniSection& section, bool is_counter, const E
     }
 }
 
-/// CiA 306: rwr and rww are read and written by SDO, and carried by a transmit or receive PDO only.
+/// Reads the access type. CiA 306: SDO reads and writes rwr and rww; only a transmit or a receive PDO, respectively,
+/// may carry them.
 void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell) {
     const IniValue* given = section.filled("AccessType");
     const std::string word = given == nullptr ? "" : lower_case(given->text);
     if (word.empty() && entry.type == "DOMAIN") {
-        entry.access = "rw";  // CiA 306 lets a DOMAIN go without
+        entry.access = "rw";  // CiA 306 allows a DOMAIN without AccessType
         return;
     }
     for (const char* known : {"ro", "wo", "rw", "rwr", "rww", "const"}) {

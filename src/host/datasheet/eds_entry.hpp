@@ -1,4 +1,4 @@
-// One entry of an EDS: data type, access, default, limits.
+// Reads one entry of an EDS: data type, access, default, limits.
 #pragma once
 
 #include "host/datasheet/ini.hpp"
@@ -6,11 +6,11 @@
 
 namespace canproof::host {
 
-/// What the keys of `section` say of one entry; what they do not say, or say wrongly, is assumed and noted. A counter
-/// is the sub-index 0 of an ARRAY or RECORD. Services are the caller's.
+/// Returns the entry that the keys of `section` describe. Missing or invalid keys get an assumed value and a note.
+/// `is_counter` marks sub-index 0 of an ARRAY or RECORD. The caller assigns the service.
 Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, bool is_counter, const EdsTelling& tell);
 
-/// Puts a value (DefaultValue, ParameterValue) into an entry whose type is known.
+/// Stores a value (DefaultValue, ParameterValue) in an entry whose type is known.
 void set_eds_value(Entry& entry, const IniValue& value, const EdsTelling& tell);
 
 }  // namespace canproof::host

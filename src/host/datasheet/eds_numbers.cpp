@@ -35,7 +35,7 @@ bool is_hexadecimal(std::string_view text) {
     return text.size() >= 2 && text[0] == '0' && lower_case(text[1]) == 'x';
 }
 
-/// 10u, 0x10UL: how C spells the type of a number says nothing here. A text of nothing else is not a number.
+/// Removes the suffixes of C, as in 10u and 0x10UL, which do not matter here. A text of suffixes alone is no number.
 std::string_view without_suffix(std::string_view text) {
     while (!text.empty() && (lower_case(text.back()) == 'u' || lower_case(text.back()) == 'l')) {
         text.remove_suffix(1);
@@ -76,7 +76,7 @@ std::optional<Value> integer_value(const std::string& text, const std::string& t
     if (!magnitude) {
         return std::nullopt;
     }
-    if (type == "UNSIGNED64") {  // the register keeps its bits in a signed number
+    if (type == "UNSIGNED64") {  // the register stores its bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
     const auto limits = integer_limits(type);

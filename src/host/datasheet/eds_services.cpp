@@ -53,7 +53,8 @@ void assign_services(Part& part) {
             entry.live = is_live(object.index);
             entry.stored = entry.access == "rw" && !is_command && entry.type != "DOMAIN";
             if (object.index == 0x1003 && object.kind != Object::Kind::var && entry.subindex == 0) {
-                // CiA 301, 7.5.2.4: 0 empties the list; a data sheet gives the counts that may be read.
+                // CiA 301, 7.5.2.4: writing 0 empties the list. A data sheet gives the range of the counts that can be
+                // read instead.
                 entry.range = Range{};
                 entry.range.values = {std::int64_t{0}};
             }

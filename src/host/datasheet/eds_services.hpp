@@ -1,11 +1,11 @@
-// Which service of the protocol layer guards which object: CiA 301 says so by index.
+// Assigns the services of the protocol layer to objects by index, as CiA 301 does.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Sets service, `stored` and `live` of every entry. Objects outside the communication area are plain values.
+/// Sets service, `stored` and `live` of every entry. Objects outside the communication area have no service.
 void assign_services(Part& part);
 
 }  // namespace canproof::host

@@ -47,7 +47,7 @@ std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bo
         return std::nullopt;
     }
     if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
-        return "0";  // a data sheet cannot say that the values next to it are refused
+        return "0";  // a data sheet cannot express gaps between the allowed values
     }
     if (limit.kind == Limit::Kind::number) {
         return value_text(limit.number, entry.type, reals);

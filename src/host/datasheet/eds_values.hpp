@@ -1,4 +1,4 @@
-// Values of a dictionary as an electronic data sheet spells them (CiA 306, CiA 311).
+// Values of a dictionary in the spelling of an electronic data sheet (CiA 306, CiA 311).
 #pragma once
 
 #include <optional>
@@ -8,34 +8,37 @@
 
 namespace canproof::host {
 
-/// CiA 301 index of a data type: 7 for UNSIGNED32.
+/// Returns the CiA 301 index of a data type: 7 for UNSIGNED32.
 unsigned data_type_number(const std::string& type);
-/// CiA 301 object code: VAR 7, ARRAY 8, RECORD 9; a VAR of type DOMAIN is 2.
+/// Returns the CiA 301 object code: VAR 7, ARRAY 8, RECORD 9, and 2 for a VAR of type DOMAIN.
 unsigned object_code(const Object& object);
-/// The object as a data sheet shows it. A data sheet gives the values that an entry may have, where the register gives
-/// those that may be written: 1003h sub-index 0 (number of errors) takes a write of 0 only and counts up to its
-/// entries.
+/// Returns the object in the form of a data sheet. A data sheet contains the values that an entry can have, the
+/// register those that can be written: 1003h sub-index 0 (number of errors) accepts only a write of 0, but counts up to
+/// the number of its entries.
 Object as_in_sheet(const Object& object);
-/// How a data sheet spells REAL32 and REAL64.
+/// The spelling of REAL32 and REAL64 in a data sheet.
 enum class Reals {
     decimal,         ///< defaults and limits as decimal numbers
-    without_limits,  ///< defaults as decimal numbers, no limits: tools that take reals as bits refuse decimal limits
-    bits             ///< defaults and limits as the bits of IEEE 754, `0x…`, as the tools of Lely read them
+    without_limits,  ///< defaults as decimal numbers, no limits: tools that expect the bits of reals refuse decimal
+                     ///< limits
+    bits             ///< defaults and limits as the bits of IEEE 754, `0x…`, as the tools of Lely expect them
 };
-/// Decimal, `0x…` for unsigned 32-bit values, `$NODEID+0x…`, a text as it is, octets in hexadecimal. Empty: no default.
+/// Returns a decimal number, `0x…` for unsigned 32-bit values, `$NODEID+0x…`, an unchanged text, or octets in
+/// hexadecimal. Empty when there is no default.
 std::string eds_default(const Entry& entry, Reals reals = Reals::decimal);
-/// Lowest and highest value by numbers; nothing where the type or another object limits.
+/// Return the lowest and the highest value if they are numbers; nothing when only the type or another object limits the
+/// value.
 std::optional<std::string> eds_low_limit(const Entry& entry, Reals reals);
 std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals);
-/// ro, wo, rw, const; rwr and rww for what only a TPDO or only an RPDO may carry.
+/// Returns ro, wo, rw or const; rwr and rww for an entry that only a TPDO or only an RPDO may carry.
 std::string eds_access(const Entry& entry);
-/// How many objects lie in [first, last].
+/// Returns the number of objects with an index in [first, last].
 std::size_t count_objects(const Part& device, unsigned first, unsigned last);
-/// Bits of the smallest object that a PDO can carry; 0 when mapping cannot be changed.
+/// Returns the bits of the smallest object that a PDO can carry; 0 when the mapping cannot be changed.
 std::size_t granularity(const Part& device);
-/// Default of an entry that holds a whole number; 0 where there is none.
+/// Returns the default of an entry that holds a whole number; 0 when there is none.
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex);
-/// The manual's date, year, month and day; all zero where it is not of the form 2014-11-24.
+/// The manual's date: year, month and day; all zero when it does not have the form 2014-11-24.
 struct Date {
     int year{0};
     int month{0};

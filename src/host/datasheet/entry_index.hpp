@@ -1,4 +1,4 @@
-// The entries of a dictionary by index and sub-index.
+// An index of a dictionary's entries by index and sub-index.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,21 @@ struct NamedEntry {
     const Entry* entry{nullptr};
 };
 
-/// Object and entry in one name; the entry alone where it repeats the object's name.
+/// Returns the names of object and entry; only the entry's when it begins with the object's, only the object's for a
+/// VAR.
 std::string full_name(const NamedEntry& named);
 
 class EntryIndex {
   public:
-    /// `part` must outlive it.
+    /// `part` must outlive the index.
     explicit EntryIndex(const Part& part);
 
     static unsigned key(unsigned index, unsigned sub) { return (index << 8U) | sub; }
-    /// nullptr without such an entry.
+    /// Returns the entry; nullptr when there is none.
     const NamedEntry* named(unsigned index, unsigned sub) const;
-    /// Default of an entry at this node-ID; nothing without the entry or a whole number.
+    /// Returns the default of an entry at this node-ID; nothing when there is no entry or no whole number.
     std::optional<std::uint32_t> number(unsigned index, unsigned sub, unsigned node_id) const;
-    /// By key.
+    /// Returns all entries by key().
     const std::map<unsigned, NamedEntry>& all() const { return entries_; }
 
   private:

@@ -1,4 +1,4 @@
-// An entry of a dictionary in words: its limits, its range.
+// Describes an entry of a dictionary in words: its limits and its range.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace canproof::host {
 
-/// `4020h:1 - 100` for a limit that another object gives.
+/// Returns `4020h:1 - 100` for a limit that depends on another object.
 std::string limit_name(const Entry& entry, const Limit& limit);
-/// `0 … 10`, `2, 8` or `0, 10 … 65535`; empty where only the type limits the value.
+/// Returns `0 … 10`, `2, 8` or `0, 10 … 65535`; empty when only the type limits the value.
 std::string range_words(const Entry& entry);
-/// `VAR`, `ARRAY` or `RECORD`.
+/// Returns `VAR`, `ARRAY` or `RECORD`.
 const char* kind_name(const Object& object);
-/// `6411h:02`, or `1001h` of a VAR.
+/// Returns `6411h:02`; for a VAR `1001h`.
 std::string place_words(const Object& object, const Entry& entry);
-/// Bits of a value in a PDO; 0 for a length that varies.
+/// Returns the bits of a value in a PDO; 0 for a variable length.
 unsigned mapped_bits(const Entry& entry);
 
 }  // namespace canproof::host

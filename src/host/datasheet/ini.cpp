@@ -78,7 +78,7 @@ class IniReader {
         const auto equals = text.find('=');
         const std::string_view key = trimmed_view(text.substr(0, equals), ini_blanks);
         if (skips_) {
-            return;  // told with the section
+            return;  // the section itself has been reported
         }
         if (equals == std::string_view::npos || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
@@ -97,7 +97,7 @@ class IniReader {
     const EdsTelling& tell_;
     IniFile file_;
     IniSection* section_{nullptr};
-    bool skips_{false};  ///< below what is no section
+    bool skips_{false};  ///< inside an invalid section
     std::size_t strange_{0};
     unsigned line_{0};
 };

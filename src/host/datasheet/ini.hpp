@@ -1,4 +1,4 @@
-// The INI form of CiA 306: sections of `key=value` lines. Every line knows its number; names are compared without
+// Parses the INI form of CiA 306: sections of `key=value` lines. Every line has its number; names are compared without
 // regard to case.
 #pragma once
 
@@ -23,9 +23,9 @@ struct IniSection {
     unsigned line{0};
     std::map<std::string, IniValue, std::less<>> values;  ///< by key in lower case
 
-    /// nullptr when the key is absent.
+    /// Returns the value; nullptr when the key is absent.
     const IniValue* find(std::string_view key) const;
-    /// Text of a key that is present and not empty; nullptr otherwise.
+    /// Returns the value of a key that is present and not empty; otherwise nullptr.
     const IniValue* filled(std::string_view key) const;
 };
 
@@ -35,35 +35,35 @@ struct IniFile {
     const IniSection* find(std::string_view name) const;
 };
 
-/// What CiA 306 allows around names and values, and what real files have there.
+/// Blanks around names and values that CiA 306 allows or that occur in existing files.
 constexpr std::string_view ini_blanks = " \t\r\v\f";
 
-/// Longer lines are none of CiA 306's.
+/// Greatest length of a line in bytes; CiA 306 allows less.
 constexpr std::size_t longest_ini_line = 8192;
 
-/// A file with more lines that are none of CiA 306's is something else.
+/// Greatest number of lines that do not follow CiA 306; a file with more is no data sheet.
 constexpr std::size_t most_strange_lines = 1000;
 
-/// Where faults and notes of a file go.
+/// Receives the faults and notes of a file.
 struct EdsTelling {
     const std::string& file;
     Faults& faults;
     Faults& notes;
 
-    /// The file cannot be given a meaning.
+    /// Adds a fault: the file cannot be used.
     void fault(unsigned line, std::string what, std::string mend) const {
         faults.emplace_back(Place{file, line}, std::move(what), std::move(mend));
     }
-    /// What is wrong, and what is assumed instead.
+    /// Adds a note: a defect, and the value that is assumed instead.
     void note(unsigned line, std::string what, std::string assumed) const {
         notes.emplace_back(Place{file, line}, std::move(what), std::move(assumed));
     }
 };
 
-/// Lines that say nothing are notes, and passed over; what cannot be a data sheet at all is a fault.
+/// Parses the text. Lines without meaning are ignored, with a note. A text that cannot be a data sheet is a fault.
 IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
-/// `A` to `Z` as `a` to `z`; every other byte as it is.
+/// Returns `a` to `z` for `A` to `Z`, and every other byte unchanged.
 constexpr char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

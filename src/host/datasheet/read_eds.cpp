@@ -18,9 +18,9 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::uint16_t first_object = 0x1000;  // below lie data types, which are no objects of a device
+constexpr std::uint16_t first_object = 0x1000;  // lower indices are data types, which are no objects of a device
 constexpr unsigned highest_subindex = 0xFE;
-/// What the rows of a dictionary can count: 16 bits for entries and for bytes of values.
+/// Limits of the dictionary's rows: 16 bits for the number of entries and for the bytes of the values.
 constexpr std::size_t most_entries = 0xFFFF;
 constexpr std::size_t most_bytes = 0xFFFF;
 
@@ -106,7 +106,7 @@ class EdsReader {
         info.bit_rate = info.bit_rates.empty() || offers_usual ? usual : info.bit_rates.front();
     }
 
-    /// A DCF says which node it configures; CiA 306 spells the section with one m.
+    /// Reads node-ID and bit rate of a DCF. CiA 306 spells the section with one m.
     void read_commissioning() {
         for (const char* name : {"DeviceComissioning", "DeviceCommissioning"}) {
             const IniSection* section = ini_.find(name);
@@ -137,7 +137,7 @@ class EdsReader {
         return *number;
     }
 
-    /// [1018sub1] and the like, by index and sub-index.
+    /// Collects [1018sub1] and similar sections by index and sub-index.
     void find_sub_sections() {
         for (const auto& [name, section] : ini_.sections) {
             const auto sub = name.find("sub");
@@ -197,7 +197,7 @@ class EdsReader {
             return;
         }
         if (entries_ > most_entries) {
-            return;  // told in check_whole()
+            return;  // check_whole() reports it
         }
         if (!seen_.emplace(index, listed_in).second) {
             tell_.note(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
@@ -221,7 +221,7 @@ class EdsReader {
         }
     }
 
-    /// What the lists forget exists all the same.
+    /// Reads objects that are described but in none of the lists.
     void read_unlisted() {
         for (const auto& [name, section] : ini_.sections) {
             const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
@@ -233,7 +233,7 @@ class EdsReader {
         }
     }
 
-    /// CiA 306 takes an object without ObjectType for a VAR.
+    /// Returns the object type. In CiA 306, an object without ObjectType is a VAR.
     std::uint64_t object_type(const Object& object, const IniSection& section, bool has_subs) const {
         const IniValue* given = section.filled("ObjectType");
         const auto code = given == nullptr ? std::optional<std::uint64_t>{7} : eds_unsigned(given->text);
@@ -279,8 +279,8 @@ class EdsReader {
         }
     }
 
-    /// CompactSubObj: entries 1 to N are as the object itself says; names and values may stand in sections of their
-    /// own.
+    /// Adds entries 1 to N of CompactSubObj. The object itself describes them; further sections can contain their names
+    /// and values.
     void add_compact(Object& object, const IniSection& section, unsigned count) {
         const IniSection* names = ini_.find(index_text(object.index) + "Name");
         const IniSection* values = ini_.find(index_text(object.index) + "Value");
@@ -310,7 +310,7 @@ class EdsReader {
             if (same == end) {
                 object.entries.push_back(std::move(entry));
             } else {
-                *same = std::move(entry);  // described on its own: more exact than CompactSubObj
+                *same = std::move(entry);  // its own description has priority over CompactSubObj
             }
         }
     }

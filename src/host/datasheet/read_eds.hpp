@@ -1,5 +1,5 @@
-// CiA 306: an electronic data sheet, or a device configuration file, as a device that can be run; CiA 311: the same in
-// XML.
+// Reads an electronic data sheet or a device configuration file (CiA 306), or its XML form (CiA 311), as a device that
+// can run.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace canproof::host {
 
 struct EdsResult {
     Part part;
-    Faults faults;  ///< the file cannot be given a meaning: the part is not to be used
-    Faults notes;   ///< what is wrong, and what is assumed instead; the device runs
+    Faults faults;  ///< reasons why the file is unusable: `part` must not be used
+    Faults notes;   ///< defects, each with the value that is assumed instead; the device can run
 };
 
-/// Longer files are no data sheets.
+/// Greatest length of a data sheet in bytes.
 constexpr std::size_t longest_eds_file = std::size_t{16} << 20U;
 
-/// Reads everything and tells everything that is wrong, by line. Refused is what is no data sheet, or describes more
-/// than a device can hold; whatever else is wrong is a note. `name` is the file's: the device is called by it, without
-/// folder and extension. The services of the communication area are assigned by index, as CiA 301 does; every writable
-/// entry is stored. Modules, tools and object links are passed over.
+/// Reads the whole text and reports all defects by line. A text that is no data sheet, or describes more than a device
+/// can hold, has faults; any other defect is a note. `name` is the name of the file; the device gets it without folder
+/// and extension. The services of the communication area are assigned by index, as in CiA 301. Every writable entry is
+/// stored. Modules, tools and object links are ignored.
 EdsResult read_eds(const std::string& text, const std::string& name);
 
 }  // namespace canproof::host

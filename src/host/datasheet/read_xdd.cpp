@@ -16,7 +16,7 @@ namespace {
 
 const std::string byte_order_mark = "\xEF\xBB\xBF";
 
-/// As a value of an EDS stands: on one line, without blanks at its ends.
+/// Returns the text on one line without blanks at its ends, as the value of an EDS.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, ' ');
@@ -24,7 +24,7 @@ std::string one_line(std::string text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// CiA 311 has indices in hexadecimal without 0x; some write it all the same.
+/// Parses an index. CiA 311 has hexadecimal digits without 0x; some files contain 0x all the same.
 std::optional<std::uint64_t> hexadecimal(const std::string& text) {
     return eds_unsigned(lower_case(text).rfind("0x", 0) == 0 ? text : "0x" + text);
 }
@@ -107,7 +107,7 @@ class XddReader {
             rate ? configured : rates);
     }
 
-    /// `250 Kbps` → 250; a rate that the device finds by itself is none.
+    /// Returns `250` for `250 Kbps`; empty for a rate that the device detects itself.
     static std::string kilobits(const std::string& text) {
         const std::string number = text.substr(0, text.find_first_not_of("0123456789"));
         return number;
@@ -151,7 +151,7 @@ class XddReader {
         }
     }
 
-    /// Attributes of the element count before what the parameter says to which it refers.
+    /// Adds the values of an element. Its attributes have priority over those of the parameter to which it refers.
     void add_values(IniSection& into, const pugi::xml_node& node, const XddParameters& parameters) const {
         const XddParameter parameter = parameters.find(node.attribute("uniqueIDRef").value());
         const auto both = [&](const char* key, const char* attribute, const std::string& otherwise) {

@@ -1,4 +1,4 @@
-// CiA 311: a device description in XML, 1.0 and 1.1, as the sections and keys that CiA 306 has for the same.
+// Reads a device description in XML (CiA 311, 1.0 and 1.1) as the corresponding sections and keys of CiA 306.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace canproof::host {
 
-/// XML begins with `<`; no line of an EDS does.
+/// Returns whether the text is XML, which begins with `<`; no line of an EDS does.
 bool is_xml(const std::string& text);
 
-/// What is wrong with its elements is told by whoever reads the sections; what is no description at all is a fault.
+/// Returns the sections. A text that is no device description is a fault; the reader of the sections reports defects of
+/// single elements.
 IniFile read_xdd(const std::string& text, const EdsTelling& tell);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The frames of a device as a DBC file: NMT, SYNC, EMCY, PDOs as mapped by default, SDO, heartbeat.
+// Writes the frames of a device as a DBC file: NMT, SYNC, EMCY, PDOs with their default mapping, SDO, heartbeat.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace canproof::host {
 
-/// The device at `node_id`, 1 to 127. PDOs that are switched off by default, and identifiers that another message has
-/// already, are left out and named in the comment of the file. EMCY without 1014h (COB-ID EMCY) is at 80h + node-ID.
-/// SDO: the signal Object is the multiplexor, index and sub-index as they stand in the frame, index + 65536 x
-/// sub-index; each entry of up to 4 bytes is a signal there, in the request where it can be written, in the response
-/// where it can be read. With Command 80h the data are an abort code. Longer entries, LSS and node guarding requests
-/// have no signals.
+/// Returns the DBC of the device at `node_id`, 1 to 127. It leaves out PDOs that are switched off by default, and
+/// messages whose identifier is already used; the comment of the file names them. EMCY without 1014h (COB-ID EMCY) has
+/// the identifier 80h + node-ID. In SDO frames, the signal Object is the multiplexor: index and sub-index as in the
+/// frame, index + 65536 x sub-index. Each entry of up to 4 bytes is a signal: in the request if it can be written, in
+/// the response if it can be read. With Command 80h the data are an abort code. Longer entries, LSS and node guarding
+/// requests have no signals.
 std::string write_dbc(const Part& part, unsigned node_id);
 
 }  // namespace canproof::host

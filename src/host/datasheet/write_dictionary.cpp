@@ -49,7 +49,7 @@ Json entry_json(const Entry& entry) {
     return json;
 }
 
-/// A cell of a Markdown table: no bars, no line ends.
+/// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
 std::string cell(const std::string& text) {
     std::string out;
     for (const char c : one_line(text)) {

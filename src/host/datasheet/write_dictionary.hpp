@@ -7,9 +7,9 @@
 
 namespace canproof::host {
 
-/// One object an element.
+/// Returns a JSON array with one element per object.
 std::string write_object_json(const Part& part);
-/// A table, an entry a row.
+/// Returns a Markdown table with one row per entry.
 std::string write_object_markdown(const Part& part);
 
 }  // namespace canproof::host

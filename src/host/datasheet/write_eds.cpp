@@ -1,6 +1,6 @@
-// CiA 306: electronic data sheet of a device. The tools read reals in two ways: python-canopen and CANopenEditor take
-// decimal numbers, Lely's take the bits of IEEE 754 and refuse a decimal limit. Hence `Reals`: the usual sheet has
-// decimal defaults and no limits of reals, and all three take it; the other sheet has everything, for Lely.
+// Writes an electronic data sheet (CiA 306). Tools read reals in two ways: python-canopen and CANopenEditor expect
+// decimal numbers; Lely's tools expect the bits of IEEE 754 and refuse a decimal limit. Therefore the usual sheet has
+// decimal defaults and no limits of reals, which all three accept. The other sheet contains everything, for Lely.
 #include "host/datasheet/write_eds.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ class EdsWriter {
     }
 
     void dummy_usage() {
-        // A gap in a receive PDO is mapped as a data type 1 to 7; without changeable mapping nobody can.
+        // A gap in a receive PDO is a mapped data type 1 to 7; it needs a changeable mapping.
         const int usable = granularity(device_) == 0 ? 0 : 1;
         section("DummyUsage");
         for (unsigned type = 1; type <= 7; ++type) {
@@ -141,7 +141,7 @@ class EdsWriter {
         line("DataType", fmt::format("0x{:04X}", data_type_number(entry.type)));
         line("AccessType", eds_access(entry));
         if (entry.type == "DOMAIN") {
-            return;  // CiA 306 has neither default nor mapping of a DOMAIN
+            return;  // CiA 306 has neither default nor mapping for a DOMAIN
         }
         line("DefaultValue", eds_default(entry, reals_));
         if (const auto low = eds_low_limit(entry, reals_)) {

@@ -1,4 +1,4 @@
-// CiA 306: an electronic data sheet out of the register.
+// Writes an electronic data sheet (CiA 306) from the requirements register.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// CRLF line ends.
+/// Returns the sheet with CRLF line breaks.
 std::string write_eds(const Register& content, const Part& part, Reals reals = Reals::without_limits);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The objects of a data sheet, as a file of the register.
+// Writes the objects of a data sheet as a file of the requirements register.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// [[object]] after [[object]], each with `source`: every entry as the part has it.
+/// Returns one [[object]] after the other with all entries of the part; each object has this `source`.
 std::string write_objects_toml(const Part& part, const std::string& source);
 
 }  // namespace canproof::host

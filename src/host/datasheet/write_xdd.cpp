@@ -1,4 +1,4 @@
-// CiA 311: the device description as ISO 15745 profile containers.
+// Writes the device description of CiA 311 as ISO 15745 profile containers.
 #include "host/datasheet/write_xdd.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ void add_header(pugi::xml_node& profile, const char* name, const char* revision,
     add_text(iso, "ProfileTechnology", reference);
 }
 
-/// Body of either kind of profile, with what CiA 311 wants to know of the file.
+/// Adds the body of either kind of profile, with the file data that CiA 311 requires.
 pugi::xml_node add_body(pugi::xml_node& root, const Register& content, const Part& device, const std::string& kind) {
     const Date date = manual_date(content, device);
     auto profile = root.append_child("ISO15745Profile");
@@ -61,7 +61,7 @@ void add_identity(pugi::xml_node& body, const Part& device) {
     }
 }
 
-/// CiA 311 wants one characteristic at least: the manual that the description follows.
+/// Adds the device function. CiA 311 requires at least one characteristic: here the manual of the device.
 void add_function(pugi::xml_node& body, const Register& content, const Part& device) {
     const Manual* manual = content.manual(device.info.manual);
     auto characteristic = body.append_child("DeviceFunction")
@@ -79,7 +79,7 @@ void add_function(pugi::xml_node& body, const Register& content, const Part& dev
     said.text().set(text.c_str());
 }
 
-/// What an object of one value and a sub-object have in common.
+/// Adds the attributes that are common to an object of one value and a sub-object.
 void add_entry(pugi::xml_node& node, const Entry& entry) {
     add(node, "dataType", fmt::format("{:04X}", data_type_number(entry.type)));
     add(node, "accessType", entry.access);

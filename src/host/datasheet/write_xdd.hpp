@@ -1,4 +1,4 @@
-// CiA 311: an XML device description out of the register.
+// Writes an XML device description (CiA 311) from the requirements register.
 #pragma once
 
 #include <string>

@@ -6,7 +6,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Types of IEC 61131-3 as numbers of CiA 301, Table 44.
+/// Returns the number in CiA 301, Table 44 of an IEC 61131-3 type; nullptr when there is none.
 const char* type_number(const std::string& word) {
     static const std::map<std::string, const char*> numbers{
         {"BOOL", "0x0001"},  {"SINT", "0x0002"}, {"INT", "0x0003"},    {"DINT", "0x0004"},      {"USINT", "0x0005"},
@@ -17,7 +17,7 @@ const char* type_number(const std::string& word) {
     return found == numbers.end() ? nullptr : found->second;
 }
 
-/// Input and output are seen from the process: a TPDO carries an input.
+/// Returns the access type. Input and output are seen from the process: a TPDO carries an input.
 std::string access_word(const std::string& word) {
     static const std::map<std::string, const char*> words{{"const", "const"},        {"read", "ro"},
                                                           {"write", "wo"},           {"readWrite", "rw"},
@@ -58,9 +58,10 @@ pugi::xml_node XddParameters::node_of(const std::string& id) const {
     return found == nodes_.end() ? pugi::xml_node{} : found->second;
 }
 
-/// A type stands below a parameter by its name, or by reference to an array, an enumeration or a derived type of it.
+/// Returns the type of a parameter, which has it as a child element or refers to an array, an enumeration or a derived
+/// type.
 std::string XddParameters::type_of(const pugi::xml_node& parameter) const {
-    constexpr int most_references = 8;  // one may refer to itself
+    constexpr int most_references = 8;  // a type can refer to itself
     pugi::xml_node node = parameter;
     for (int i = 0; node && i < most_references; ++i) {
         pugi::xml_node next;
@@ -99,7 +100,7 @@ XddParameter XddParameters::find(const std::string& id) const {
     const pugi::xml_node allowed = own ? own : child_named(pattern, "allowedValues");
     const pugi::xml_node range = child_named(allowed, "range");
     const bool single = range && !child_named(allowed, "value") && std::distance(allowed.begin(), allowed.end()) == 1;
-    if (single) {  // a data sheet knows one range
+    if (single) {  // a data sheet can contain only one range
         found.low_limit = child_named(range, "minValue").attribute("value").value();
         found.high_limit = child_named(range, "maxValue").attribute("value").value();
     }

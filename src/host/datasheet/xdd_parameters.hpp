@@ -1,4 +1,4 @@
-// CiA 311, 1.1: the parameters of an application process, to which its objects refer.
+// The parameters of an application process (CiA 311, 1.1), to which its objects refer.
 #pragma once
 
 #include <map>
@@ -7,12 +7,12 @@
 
 namespace canproof::host {
 
-/// `q1:parameter` is a parameter, whatever the prefix.
+/// Returns an element's name without prefix: `parameter` for `q1:parameter`.
 std::string local_name(const pugi::xml_node& node);
-/// The first child of this local name; empty when there is none.
+/// Returns the first child with this local name; an empty node when there is none.
 pugi::xml_node child_named(const pugi::xml_node& node, const char* name);
 
-/// What one parameter says, in the words of CiA 306; what it does not say is empty.
+/// The data of one parameter in the words of CiA 306; missing data are empty.
 struct XddParameter {
     std::string name;
     std::string data_type;
@@ -25,7 +25,7 @@ struct XddParameter {
 
 class XddParameters {
   public:
-    /// Takes every element of the document that has a uniqueID.
+    /// Collects every element of the document that has a uniqueID.
     explicit XddParameters(const pugi::xml_document& document);
 
     XddParameter find(const std::string& id) const;

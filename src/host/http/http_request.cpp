@@ -18,7 +18,7 @@ bool is_digit(char one) {
     return one >= '0' && one <= '9';
 }
 
-/// Of the name of a header (RFC 9110, 5.6.2).
+/// Returns whether a character may be part of a header's name (RFC 9110, 5.6.2).
 bool is_token(char one) {
     const bool letter = (one >= 'a' && one <= 'z') || (one >= 'A' && one <= 'Z');
     return letter || is_digit(one) || std::string_view{"!#$%&'*+-.^_`|~"}.find(one) != std::string_view::npos;
@@ -38,7 +38,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// `name=12` of a query; 0 where it is missing.
+/// Returns 12 for `name=12` in a query; 0 when the name is missing.
 std::uint64_t number_in(const std::string& query, const std::string& name) {
     std::uint64_t number = 0;
     for (std::size_t begin = 0; begin < query.size();) {

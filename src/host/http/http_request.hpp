@@ -1,4 +1,4 @@
-// One request of HTTP/1.1, read a piece at a time in bounded memory. What the panel does not ask for is dropped.
+// Parses one HTTP/1.1 request piece by piece in bounded memory. It discards everything that the panel does not use.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +11,22 @@
 
 namespace canproof::host {
 
-/// Host, Origin, Sec-Fetch-Site and Content-Type are kept, once each; other headers have no effect. A body has a length
-/// that is announced: Transfer-Encoding is refused, and so is Expect.
+/// The request keeps the headers Host, Origin, Sec-Fetch-Site and Content-Type, each of which may occur once; other
+/// headers have no effect. A body needs a Content-Length: Transfer-Encoding and Expect are refused.
 class HttpRequest {
   public:
     static constexpr std::size_t longest_request_line = 2048;
     static constexpr std::size_t longest_header_line = 8192;
     static constexpr std::size_t longest_head = 16384;
 
-    /// What follows the end of the request is passed over.
+    /// Parses further bytes; bytes after the end of the request are discarded.
     void take(std::string_view bytes);
-    /// The request is whole, or is refused: nothing more is read.
+    /// Returns whether the request is complete or refused; no more bytes are parsed then.
     bool is_done() const { return refusal_.has_value() || part_ == Part::done; }
-    /// What was read; whole when is_done() and there is no refusal.
+    /// Returns the parsed request; complete when is_done() and there is no refusal.
     const PanelRequest& request() const { return request_; }
     const std::optional<PanelResponse>& refusal() const { return refusal_; }
-    /// Bytes that are held.
+    /// Returns the number of buffered bytes.
     std::size_t held() const { return line_.size() + request_.body.size(); }
 
   private:
@@ -42,9 +42,9 @@ class HttpRequest {
 
     Part part_{Part::request_line};
     std::string line_;
-    std::size_t head_{0};  ///< bytes of request line and headers so far
+    std::size_t head_{0};  ///< bytes of the request line and headers so far
     std::size_t length_{0};
-    std::set<std::string> seen_;  ///< of the headers that may stand there once
+    std::set<std::string> seen_;  ///< headers that may occur only once and have occurred
     PanelRequest request_;
     std::optional<PanelResponse> refusal_;
 };

@@ -8,7 +8,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The name before the port: `[::1]:8404` → `[::1]`.
+/// Returns the name before the port: `[::1]` for `[::1]:8404`.
 std::string without_port(const std::string& host) {
     const auto colon = host.rfind(':');
     const bool in_brackets = host.find(']') != std::string::npos && host.find(']') > colon;
@@ -29,7 +29,7 @@ bool is_json(const std::string& type) {
 }  // namespace
 
 PanelResponse error_response(int status, const std::string& text) {
-    // Bytes that are no UTF-8 come from the request: they are shown as such, not thrown at.
+    // Invalid UTF-8 comes from the request: it is replaced instead of causing an exception.
     const nlohmann::json body{{"error", text}};
     return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }

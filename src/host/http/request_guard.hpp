@@ -1,5 +1,5 @@
-// Who may talk to the panel: its own page, and programs on this machine. A page of another site may not, even where its
-// name was made to point here (DNS rebinding).
+// Decides who may access the panel: its own page, and programs on this machine. A page of another site may not, even if
+// its name was made to resolve to this machine (DNS rebinding).
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace canproof::host {
 
-/// A request as far as the panel looks at it.
+/// The parts of a request that the panel uses.
 struct PanelRequest {
     std::string method{"GET"};
     std::string path{"/"};
     std::string host;          ///< header Host
-    std::string origin;        ///< header Origin; empty where there is none
+    std::string origin;        ///< header Origin; empty when absent
     std::string fetch_site;    ///< header Sec-Fetch-Site
     std::string content_type;  ///< header Content-Type
     std::string body;
@@ -27,15 +27,16 @@ struct PanelResponse {
     std::string body;
 };
 
-/// The most bytes that a request may carry.
+/// Greatest number of bytes in the body of a request.
 constexpr std::size_t longest_body = 4096;
 
-/// The refusal that a request gets for where it comes from or what it carries; nothing when it may be answered.
-/// Every request: a Host that is this machine by name or number. One that changes something: an Origin, where there is
-/// one, that is the host asked for; JSON, which a foreign page cannot send without being asked for leave; its length.
+/// Returns the refusal of a request because of its origin or content; nothing when it may be answered. Every request
+/// needs a Host that names this machine. A request that changes something also needs: an Origin, if present, equal to
+/// the requested host; the content type JSON, which a foreign page cannot send without permission; and a body that is
+/// not too long.
 std::optional<PanelResponse> refuse(const PanelRequest& request);
 
-/// `{"error": …}`
+/// Returns a response with the body `{"error": …}`.
 PanelResponse error_response(int status, const std::string& text);
 
 }  // namespace canproof::host

@@ -18,7 +18,7 @@ namespace {
 
 using Sources = std::vector<std::string>;
 
-/// What each item and decision has as its source, by id.
+/// Returns the sources of each item and decision by id.
 std::map<std::string, Sources> sources_by_id(const Register& content) {
     std::map<std::string, Sources> all;
     for (const Part& part : content.parts) {
@@ -32,7 +32,8 @@ std::map<std::string, Sources> sources_by_id(const Register& content) {
     return all;
 }
 
-/// The statement's place, and what is the same place by another name: an object and the sections that describe it.
+/// Returns the statement's place and its other names: the objects that a section describes, or the sections that
+/// describe an object.
 std::set<std::string> names_of_place(const Manual& manual, const std::string& place) {
     std::set<std::string> names{place};
     for (const auto& section : manual.sections) {
@@ -46,7 +47,7 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Whether one of the sources names one of the places, a section above it or one below it.
+/// Returns whether one of the sources names one of the places, a section above it or a section below it.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -87,13 +88,14 @@ void advise_on_statements(const Register& content, Faults& advice) {
     }
 }
 
-/// Words between spaces, with their punctuation.
+/// Returns the words between spaces, with their punctuation.
 std::vector<std::string> words_of(const std::string& text) {
     std::istringstream in{text};
     return {std::istream_iterator<std::string>{in}, std::istream_iterator<std::string>{}};
 }
 
-/// Whether a sentence ends with this word: its last character, before a closing quote or bracket, is a full stop.
+/// Returns whether a sentence ends with this word: its last character, before closing quotes or brackets, is a full
+/// stop, an exclamation mark or a question mark.
 bool ends_sentence(std::string word) {
     while (!word.empty() && (word.back() == '"' || word.back() == ')')) {
         word.pop_back();

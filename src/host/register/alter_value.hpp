@@ -1,4 +1,4 @@
-// What a cell becomes when `canproof mutate` alters it: the nearest wrong value.
+// The altered value of a cell for `canproof mutate`: the nearest wrong value.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace canproof::host {
 
-/// The next word of the domain, the first after the last; nothing when there is no other.
+/// Returns the next word of the domain, and the first word for the last one; nothing when there is no other word.
 std::optional<std::string> other_word(const std::string& word, const std::vector<std::string>& words);
-/// A boolean becomes its opposite, a whole number the next one of the type (the one before at its end), a real number
-/// a hundredth more (0: 0.01). `type` is CiA's word. Texts give nothing.
+/// Returns an altered value. A boolean becomes its opposite, a whole number the next one of the type (the one before at
+/// the upper limit), a real number grows by a hundredth (0 becomes 0.01). `type` is a CiA type. A text gives no value.
 Value other_value(const Value& value, const std::string& type);
-/// As other_value(), one step up or down; nothing where the type ends, or for what is no number.
+/// Returns a value one step above or below, with the steps of other_value(); nothing at a limit of the type, or for a
+/// value that is no number.
 std::optional<Value> neighbour(const Value& value, const std::string& type, int step);
-/// The bit pattern of a number or boolean in a C++ type: `float`, `double`, anything else as a whole number.
+/// Returns the bit pattern of a number or boolean in a C++ type: `float`, `double`; any other type is a whole number.
 std::uint64_t bit_pattern(const Value& value, const std::string& cpp_type_name);
 
 }  // namespace canproof::host

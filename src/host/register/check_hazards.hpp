@@ -1,11 +1,11 @@
-// Check of hazards: what they name exists, and they name every output.
+// Checks the hazards: the things that they name exist, and every output has a hazard.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Faults of all hazards. A device without any is left alone.
+/// Adds the faults of all hazards. A device without hazards has no faults.
 void check_hazards(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

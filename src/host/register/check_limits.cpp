@@ -12,11 +12,11 @@ namespace canproof::host {
 
 namespace {
 
-/// One end of a range as it stands when the device leaves the factory.
+/// One end of a range with the default values of the device.
 struct End {
     std::optional<double> value;
-    std::string words;  ///< for a message: "4020h:1 default 2500 - 100"
-    std::string mend;   ///< what else may give way: "4020h:1" or "the limit"
+    std::string words;  ///< description for a message: "4020h:1 default 2500 - 100"
+    std::string mend;   ///< the other value that can be changed: "4020h:1" or "the limit"
 };
 
 class LimitCheck {
@@ -84,10 +84,10 @@ class LimitCheck {
     void check_default(const Entry& entry, const End& low, const End& high) {
         auto given = number_of(entry.value);
         if (given && entry.node_id) {
-            *given += part_.info.node_id;  // as shipped
+            *given += part_.info.node_id;  // the default with the node-ID as shipped
         }
         if (!given || !fits_type(entry.value, entry.type)) {
-            return;  // told with the entry
+            return;  // the check of the entry reports it
         }
         const std::string text = (entry.node_id ? "$NODEID+" : "") + to_text(entry.value);
         if (high.value && *given > *high.value) {

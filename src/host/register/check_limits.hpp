@@ -1,11 +1,11 @@
-// Check of limits.
+// Checks the limits of entries.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// The limits of one part's entries: the objects they name, their order, and the defaults within.
+/// Adds the faults of the limits in one part: the objects to which they refer, their order, and the defaults.
 void check_limits(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -1,11 +1,11 @@
-// Check of constants, enumerations and signals.
+// Checks constants, enumerations and signals.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Types, names and values of constants, enumerations and signals.
+/// Adds the faults in types, names and values of constants, enumerations and signals.
 void check_literals(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Names of tables and objects in the generated C++, and what [services] says of tables.
+// Checks the names of tables and objects in the generated C++, and the tables to which [services] refers.
 #include "host/register/check_names.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
-// Check of names in the generated C++, and of what [services] says of tables.
+// Checks names in the generated C++, and the tables to which [services] refers.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Names that are written as C++, and what [services] says.
+/// Adds the faults in names of generated C++, and in [services].
 void check_names(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -38,7 +38,7 @@ void check_subindices(const Object& object, Faults& faults) {
     }
 }
 
-/// Objects of CiA 301, 7.5.2, whose object code the standard fixes.
+/// Objects of CiA 301, 7.5.2, with a fixed object code.
 struct FixedKind {
     unsigned first;
     unsigned last;

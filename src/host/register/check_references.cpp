@@ -13,7 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Two or more words of capitals and digits with a dash between: AO4-AOUT-002.
+/// Returns whether the text has the form of an id: at least two words of capitals and digits with dashes between them,
+/// such as AO4-AOUT-002.
 bool is_id(const std::string& text) {
     const auto known = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'; };
     return std::all_of(text.begin(), text.end(), known) && text.find('-') != std::string::npos && text.front() != '-' &&
@@ -95,10 +96,10 @@ class ReferenceCheck {
 
     void take_id(const Part& part, const std::string& id, const Place& place) {
         if (id.empty()) {
-            return;  // told by the reader
+            return;  // the reader reports it
         }
         if (part.prefix.empty() && id.front() == '-') {
-            return;  // an object of a device without prefix: told at device.toml
+            return;  // an object of a device without prefix: the check of device.toml reports it
         }
         if (!is_id(id)) {
             fault(place, fmt::format("id {} is malformed", id),
@@ -120,7 +121,7 @@ class ReferenceCheck {
         }
     }
 
-    /// An item of a device says what its manual says, or it is derived and gives the reason.
+    /// Checks the origin of a device's item: it cites the device's manual, or it is derived and has a reason.
     void check_origin(const Part& part, const Item& item) {
         const bool cites_manual = std::any_of(item.sources.begin(), item.sources.end(),
                                               [](const std::string& one) { return one.rfind("CiA", 0) != 0; });
@@ -143,7 +144,7 @@ class ReferenceCheck {
             return;
         }
         if (key.rfind("CiA", 0) == 0 || place.file.rfind(from_package, 0) == 0) {
-            return;  // the shared rules cite manuals that are canproof's
+            return;  // the shared rules cite manuals that only canproof itself has
         }
         const auto manual = refs_.find(key);
         if (manual == refs_.end()) {
@@ -159,7 +160,7 @@ class ReferenceCheck {
         }
     }
 
-    /// A device's requirement may be done by a shared one that is in force.
+    /// Checks that a device's requirement names a shared requirement in force in `by`.
     void check_by(const Part& part, const Requirement& requirement) {
         if (requirement.by.empty()) {
             return;

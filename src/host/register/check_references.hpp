@@ -1,11 +1,11 @@
-// Check of ids, sources, references and decisions.
+// Checks ids, sources, references and decisions.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Ids, sources, references and decisions of the whole register.
+/// Adds the faults in ids, sources, references and decisions of the whole register.
 void check_references(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// An id that may stand in `covered`.
+/// An item or decision whose id may be in `covered`.
 struct Known {
     const Part* part{nullptr};
     bool retired{false};

@@ -1,12 +1,12 @@
-// Check of the statements of the manuals.
+// Checks the statements of the manuals.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Each statement stands at a place of its manual, each mark once in a manual, and what covers a statement is an item
-/// in force: of a device with that manual, or shared.
+/// Adds the faults of the statements. Each statement belongs to a place of its manual, and each mark occurs once in a
+/// manual. The covering items are in force and belong to a device with that manual or to the shared part.
 void check_statements(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

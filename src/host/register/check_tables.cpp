@@ -12,12 +12,13 @@ namespace canproof::host {
 
 namespace {
 
-/// The checks go through the combinations of inputs, one level of calls for each input.
+/// Greatest number of inputs; the check visits their combinations with one nested call per input.
 constexpr std::size_t most_inputs = 32;
-/// No table of the register takes a tenth of it.
+/// Greatest number of steps of the check; no table of the register needs a tenth of it.
 constexpr std::size_t most_steps = 4000000;
 
-/// A decision table's inputs as small whole numbers: words and booleans by position, integers by themselves.
+/// Checks one decision table. It represents inputs by small whole numbers: words and booleans by their position,
+/// integers by their value.
 class TableCheck {
   public:
     TableCheck(const Register& content, const Part& part, Table& table, Faults& faults)
@@ -138,7 +139,7 @@ class TableCheck {
         const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
         bool fits = false;
         if (input && column.kind == Column::Kind::reals) {
-            return;  // told with the column
+            return;  // the check of the column reports it
         }
         if (!input && is_known_type(column.type)) {
             fits = fits_type(part.first, column.type);
@@ -162,7 +163,8 @@ class TableCheck {
         }
     }
 
-    /// Splits column `i` into pieces on which every row behaves alike, and asks for each which rows are left.
+    /// Splits column `i` into pieces on which every row has a constant result, and checks each piece with the remaining
+    /// rows.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
         if (i == table_.inputs.size()) {
             judge(rows, at);
@@ -171,7 +173,7 @@ class TableCheck {
         for (const auto& [words, first] : pieces_[i]) {
             steps_ += rows.size() + 1;
             if (told_ >= 5 || steps_ > most_steps) {
-                return;  // a table with a hole has many; five show where
+                return;  // a table with a gap usually has many; five suffice in the report
             }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {
@@ -246,7 +248,7 @@ class TableCheck {
     Faults& faults_;
     std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< of each input
     std::vector<std::set<std::string>> words_;                        ///< of each column
-    std::size_t steps_{0};                                            ///< rows that were compared
+    std::size_t steps_{0};                                            ///< number of compared rows
     int told_{0};
 };
 

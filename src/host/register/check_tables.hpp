@@ -1,11 +1,12 @@
-// Check of decision tables.
+// Checks decision tables.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Domains, gaps and overlaps of decision tables. Columns of an enumeration get its words.
+/// Adds the faults in domains, and the gaps and overlaps of decision tables. Sets the words of columns with an
+/// enumeration.
 void check_tables(const Register& content, Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -11,16 +11,16 @@ namespace canproof::host {
 
 namespace {
 
-/// An item that answers a topic.
+/// An item with an answer to a topic.
 struct Given {
     const Item* item;
     const Answer* answer;
 };
 
-/// How one folder, a device or the shared part, answers a topic.
+/// The answer of one folder, a device or the shared part, to a topic.
 struct Stand {
     const Part* part;
-    std::vector<Given> items;  ///< never empty
+    std::vector<Given> items;  ///< at least one
 
     const std::string& choice() const { return items.front().answer->choice; }
     const Item& first() const { return *items.front().item; }
@@ -43,13 +43,13 @@ bool same_maker(const Stand& one, const Stand& other) {
            one.part->info.vendor == other.part->info.vendor;
 }
 
-/// `CO-HB-002 (spec/canopen/error_control.toml:30) chooses first-message`
+/// Returns `CO-HB-002 (spec/canopen/error_control.toml:30) chooses first-message`.
 std::string choice_of(const Stand& stand) {
     const Place& place = stand.items.front().answer->place;
     return fmt::format("{} ({}:{}) chooses {}", stand.first().id, place.file, place.line, stand.choice());
 }
 
-/// What [services] of device.toml says under the name of a topic; nothing for a name that it does not have.
+/// Returns the value that [services] of device.toml has for a topic; nothing for another topic.
 std::optional<std::string> service_of(const DeviceInfo& info, const std::string& topic) {
     const std::map<std::string, std::string> services{{"services.lss", info.lss ? "true" : "false"},
                                                       {"services.block_sdo", info.block_sdo ? "true" : "false"},
@@ -101,7 +101,7 @@ class TopicCheck {
   private:
     void take(const Part& part, const Item& item, const Answer& answer) {
         if (answer.topic.empty() || answer.choice.empty()) {
-            return;  // no topic, or told by the reader
+            return;  // no topic, or the reader reports it
         }
         Stands& stands = topics_[answer.topic];
         if (stands.empty() || stands.back().part != &part) {
@@ -114,7 +114,7 @@ class TopicCheck {
         faults_.push_back({stand.items.front().answer->place, what, mend});
     }
 
-    /// One folder gives one answer: nothing explains two.
+    /// Checks that all items of one folder give the same answer; no reason excuses a difference within a folder.
     void check_within(const std::string& topic, const Stand& stand) {
         for (const Given& given : stand.items) {
             if (given.answer->choice != stand.choice()) {
@@ -150,7 +150,7 @@ class TopicCheck {
                 fmt::format("{} chooses {} for topic {}, but", stand.first().id, stand.choice(), topic);
             for (const Stand& other : stands) {
                 if (&other == &stand) {
-                    break;  // each pair once, at the later one
+                    break;  // each pair is reported once, at its later place
                 }
                 if (other.choice() == stand.choice()) {
                     continue;
@@ -166,7 +166,8 @@ class TopicCheck {
         }
     }
 
-    /// One of the two says why, or answers as the shared item, which the other overrides with a reason.
+    /// Returns whether a difference is explained: one of the two gives a reason, or one of them agrees with the shared
+    /// item, which the other overrides with a reason.
     static bool explained(const Stand& one, const Stand& other, const Stands& stands) {
         const Stand& shared = stands.front();
         const bool has_shared = !shared.part->is_device();
@@ -175,7 +176,7 @@ class TopicCheck {
                (has_shared && other.choice() == shared.choice() && one.overrides());
     }
 
-    /// A reason that outlived its difference.
+    /// Reports a reason without a difference.
     void check_needed(const Stand& stand, const Stands& stands) {
         const auto against = [&](const auto& matters) {
             return std::any_of(stands.begin(), stands.end(),
@@ -202,9 +203,11 @@ class TopicCheck {
 
     Faults& faults_;
     std::map<std::string, Stands> topics_;
-    /// The program has the register built in without the decisions of devices: what they answer is not missing there.
+    /// True when the register contains the decisions of devices. The register in the program does not contain them, so
+    /// missing answers are no faults there.
     bool whole_{false};
-    bool inherits_{false};  ///< the shared rules are canproof's: what they answer need not concern this project
+    bool inherits_{false};  ///< the shared rules come with an installed canproof: their answers need not concern this
+                            ///< project
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The register as it stood when the program was built, without decisions and reviews.
+// The register's files at build time, embedded in the program. Files with only statements, decisions, hazards or
+// reviews are left out.
 #pragma once
 
 #include "host/register/spec_files.hpp"

@@ -1,4 +1,4 @@
-// What is wrong in spec/, where, and how to fix it.
+// A fault in spec/ with its place and its remedy.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// A place in a file of the register. Paths start at spec/; lines count from 1.
+/// A place in a file of the register. The path begins with spec/; lines count from 1.
 struct Place {
     std::string file;
     unsigned line{0};
@@ -22,11 +22,12 @@ struct Fault {
     std::string what;
     std::string mend;
 
-    /// `file:line: what; fix`
+    /// Returns `file:line: what; fix`.
     std::string text() const;
 };
 
-/// The first 10,000 are kept: a file of millions of faults takes no more memory than that. The others are counted.
+/// A list of faults. It keeps the first 10,000 and counts the others, so that a file with millions of faults needs no
+/// more memory.
 class Faults {
   public:
     static constexpr std::size_t most = 10000;

@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Collects what counts, each field ended by a byte that no text holds.
+/// Computes a fingerprint over fields, each terminated by a byte that no text contains.
 class Print {
   public:
     Print& add(const std::string& text) {
@@ -17,14 +17,14 @@ class Print {
         return *this;
     }
     Print& add(const Value& value) {
-        // The alternative counts too: the text "1" is not the number 1.
+        // The index of the alternative distinguishes the text "1" from the number 1.
         return add(fmt::format("{}:{}", value.index(), to_text(value)));
     }
     Print& add(std::int64_t number) { return add(std::to_string(number)); }
     Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
-    /// A derived item has its reason in place of a section.
+    /// Adds the reason of a derived item, which replaces a section.
     Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
-    /// A review expires with the word of an answer: the check of topics compares by it.
+    /// Adds an answer: the check of topics compares answers, so a changed answer needs a new review.
     Print& add_answer(const Answer& answer) {
         return answer.topic.empty() ? *this
                                     : add(answer.topic).add(answer.choice).add(answer.differs).add(answer.overrides);

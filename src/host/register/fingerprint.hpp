@@ -1,4 +1,4 @@
-// A short mark of what an item demands: when it changes, its tests are suspect until someone has reviewed them.
+// Fingerprints of items. When a fingerprint changes, the item's tests are suspect until a new review.
 #pragma once
 
 #include <map>
@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Eight hexadecimal digits over what the item says; titles, sources, places and the spacing of its text do not count.
+/// Return eight hexadecimal digits over the content of an item. Titles, sources, places and the spacing of its text do
+/// not count.
 std::string fingerprint(const Requirement& requirement);
 std::string fingerprint(const Object& object);
 std::string fingerprint(const Table& table);
@@ -17,7 +18,7 @@ std::string fingerprint(const Constant& constant);
 std::string fingerprint(const Signal& signal);
 std::string fingerprint(const Decision& decision);
 
-/// Every id of the part with its fingerprint, as reviews.toml holds them.
+/// Returns every id of the part with its fingerprint, as in reviews.toml.
 std::map<std::string, std::string> fingerprints(const Part& part);
 
 }  // namespace canproof::host

@@ -32,7 +32,7 @@ std::uint64_t bits_of(const Entry& entry) {
     return whole == nullptr ? 0U : static_cast<std::uint64_t>(*whole);
 }
 
-/// Only what never changes may lie in flash.
+/// Returns whether the value never changes and therefore can be in flash.
 bool is_constant(const Entry& entry) {
     if (entry.factory || entry.node_id || entry.mapping != "none") {
         return false;

@@ -1,4 +1,4 @@
-// Where the values of a device lie: in its image in RAM or in its constants in flash.
+// The places of a device's values: in its image in RAM or in its constants in flash.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Where an entry's value lies: in the image (RAM) or in the constant pool (flash).
+/// The place of an entry's value: in the image (RAM) or in the constant pool (flash).
 struct Placement {
     bool constant{false};
     std::uint16_t offset{0};
@@ -19,16 +19,16 @@ struct Placement {
 /// The value image of a device: entries in dictionary order, without gaps.
 struct Layout {
     std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
-    std::vector<std::uint8_t> image;                 ///< defaults; node-ID terms not added
+    std::vector<std::uint8_t> image;                 ///< defaults, without the node-ID
     std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< of what is stored and where
+    std::uint32_t fingerprint{0};  ///< over the stored entries and their places
 };
 
 Layout make_layout(const Part& part);
-/// Bytes of its value image: how long make_layout(part).image is.
+/// Returns the size in bytes of the value image, that is, of make_layout(part).image.
 std::size_t image_size(const Part& part);
 
-/// The bytes of a default: little-endian, strings padded with zeros to `size`.
+/// Returns the bytes of a default: little-endian, strings padded with zeros to `size`.
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Values of the register measured against CiA types.
+// Compares values of the register with CiA types.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,19 @@
 
 namespace canproof::host {
 
-/// REAL32 or REAL64.
+/// Returns whether the type is REAL32 or REAL64.
 bool is_real_type(const std::string& type);
-/// A number or a boolean as double; nothing for words.
+/// Returns a number or a boolean as double; nothing for words.
 std::optional<double> number_of(const Value& value);
-/// Whether a number or boolean is a value of the type: whole for integers, within its limits, true/false/0/1 for
-/// BOOLEAN.
+/// Returns whether a number or boolean is a value of the type: a whole number within the limits of an integer type;
+/// true, false, 0 or 1 for BOOLEAN.
 bool fits_type(const Value& value, const std::string& type);
-/// "a whole number from 0 to 255": what `type` can hold, in words for a fix.
+/// Returns a description of the type's values for a remedy: "a whole number from 0 to 255".
 std::string type_words(const std::string& type);
-/// May stand as a name in the generated C++: letters, digits, underscores, no C++ keyword.
+/// Returns whether the text is usable as a name in the generated C++: letters, digits, underscores, no C++ keyword.
 bool is_cpp_name(const std::string& name);
-/// A word of the register as an enumerator: snake_case; a keyword gets a trailing underscore, a leading digit an `n`.
+/// Returns a word of the register as an enumerator in snake_case. A keyword gets a trailing underscore, a leading digit
+/// the prefix `n`.
 std::string cpp_word(const std::string& word);
 
 }  // namespace canproof::host

@@ -38,7 +38,7 @@ LoadResult load_register(const SpecFiles& files) {
         return std::tie(a.place.file, a.place.line, a.what, a.mend) <
                std::tie(b.place.file, b.place.line, b.what, b.mend);
     });
-    // The elements of an array share their place: what is wrong with one is told once.
+    // The elements of an array share their place: equal faults are reported once.
     const auto same = [](const Fault& a, const Fault& b) {
         return a.place.file == b.place.file && a.place.line == b.place.line && a.what == b.what;
     };

@@ -1,4 +1,4 @@
-// A register, read and checked.
+// Reads and checks a register.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,12 @@ struct LoadResult {
     Faults faults;  ///< ascending by file and line
 };
 
-/// Reads and checks. Everything that is wrong is told at once; a register with faults is not to be used.
+/// Reads and checks the files. It reports all faults at once; a register with faults must not be used.
 LoadResult load_register(const SpecFiles& files);
-/// The same for the files of a folder. Throws InputError when it has none.
+/// Reads and checks the files of a folder. Throws InputError when there are none.
 LoadResult load_register(const std::filesystem::path& spec);
-/// Reads files that were found sound before, or some of them: half the work. Nothing when an item needs another file.
+/// Reads all or some files of a register that was checked before, without checking them again. Returns nothing when an
+/// item needs another file.
 std::optional<Register> read_sound_register(const SpecFiles& files);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The mark of a passage: which words of a manual are meant, without the words themselves.
+// The mark of a passage: it identifies words of a manual without containing them.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// `132:3f9a0c1b2d4e`: how many ASCII letters and digits a passage has, and the first 12 hexadecimal digits of the
-/// SHA-256 of these, in lower case. Layout, punctuation and other characters do not count.
+/// `132:3f9a0c1b2d4e`: the number of ASCII letters and digits of a passage, and the first 12 hexadecimal digits of the
+/// SHA-256 over these characters in lower case. Layout, punctuation and other characters do not count.
 struct Mark {
     static constexpr std::size_t longest = 99999;
     static constexpr std::size_t hash_digits = 12;
@@ -23,13 +23,14 @@ struct Mark {
     bool operator==(const Mark& other) const { return length == other.length && hash == other.hash; }
 };
 
-/// The ASCII letters and digits of a passage in lower case.
+/// Returns the ASCII letters and digits of a passage in lower case.
 std::string reduced(const std::string& passage);
 
-/// The mark of a passage. Of one without letters and digits it has the length 0, and no reader takes it.
+/// Returns the mark of a passage. A passage without letters and digits has a mark of length 0, which read_mark()
+/// refuses.
 Mark mark_of(const std::string& passage);
 
-/// A mark as it is written; nothing when it is malformed.
+/// Parses a mark; returns nothing for a malformed text.
 std::optional<Mark> read_mark(const std::string& text);
 
 }  // namespace canproof::host

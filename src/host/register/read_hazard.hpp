@@ -1,4 +1,4 @@
-// Hazards as the register holds them.
+// Reads the hazards of the register.
 #pragma once
 
 #include "host/register/register.hpp"

@@ -1,4 +1,4 @@
-// What every item of the register has.
+// Reads the fields that every item of the register has.
 #pragma once
 
 #include "host/register/register.hpp"
@@ -6,9 +6,9 @@
 
 namespace canproof::host {
 
-/// The id, which must have the form of one.
+/// Reads the id and checks its form.
 void read_id(TomlItem& item, Item& into);
-/// text and source as every item has them; `text_required` for those that consist of a sentence.
+/// Reads the common fields text and source; with `text_required`, an item without text is a fault.
 void read_common(TomlItem& item, Item& into, bool text_required);
 
 }  // namespace canproof::host

@@ -46,7 +46,7 @@ Manual read_manual(TomlItem& item) {
     return manual;
 }
 
-/// `mark` is one mark or a list of them.
+/// Returns the marks in `mark`, which is one mark or a list of marks.
 std::vector<Mark> read_marks(TomlItem& item) {
     const toml::node* node = item.node("mark");
     const bool is_list = node != nullptr && node->is_array();
@@ -56,7 +56,7 @@ std::vector<Mark> read_marks(TomlItem& item) {
     for (const std::string& word : words) {
         if (const auto mark = read_mark(word)) {
             marks.push_back(*mark);
-        } else if (!word.empty()) {  // an empty one is told already
+        } else if (!word.empty()) {  // an empty word is already reported
             item.fault(item.place("mark"), fmt::format("mark {} is malformed", word),
                        "write LENGTH:HASH, the hash with 12 hexadecimal digits in lower case");
         }
@@ -83,7 +83,7 @@ Statement read_statement(TomlItem& item) {
     return statement;
 }
 
-/// The path without its ending: `spec/manuals/NAME.toml` → `spec/manuals/NAME`.
+/// Returns the path without extension: `spec/manuals/NAME` for `spec/manuals/NAME.toml`.
 std::string stem_of(const std::string& path) {
     return path.substr(0, path.rfind('.'));
 }

@@ -1,4 +1,4 @@
-// Manuals and their statements as spec/manuals holds them.
+// Reads the manuals and their statements in spec/manuals.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace canproof::host {
 
-/// Begins the paths of manuals and statements.
+/// First part of the paths of manuals and statements.
 inline const std::string manuals_folder = "spec/manuals/";
 
 /// Reads spec/manuals/NAME.toml, or statements of that manual from a file in spec/manuals/NAME/. The manual's own file
-/// comes first.
+/// must be read first.
 void read_manual_file(TomlItem& item, std::vector<Manual>& manuals);
 
-/// Numbers the statements of each section, table, figure and object in the order in which they were read.
+/// Numbers the statements of each section, table, figure and object in reading order.
 void number_statements(std::vector<Manual>& manuals);
 
 }  // namespace canproof::host

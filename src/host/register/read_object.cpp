@@ -25,7 +25,7 @@ std::string numbered(std::string text, std::int64_t n) {
     return text;
 }
 
-/// `"4020"` or `"4020:1"`, hexadecimal.
+/// Parses a reference in hexadecimal, `"4020"` or `"4020:1"`. Returns false for another text.
 bool parse_reference(const std::string& text, Limit& limit) {
     const auto colon = text.find(':');
     const std::string index = text.substr(0, colon);
@@ -70,7 +70,7 @@ Limit read_limit(TomlItem& range, const std::string& key) {
     return limit;
 }
 
-/// What the table `range = { … }` of an item says.
+/// Returns the range in the table `range = { … }` of an item.
 Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
     Range range;
     TomlItem* const table = &table_item;
@@ -99,14 +99,14 @@ Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
 Range read_range(TomlItem& item) {
     const toml::node* node = item.node("range");
     if (node != nullptr && node->is_array() && item.has("array")) {
-        return Range{};  // one an element: read_elements()
+        return Range{};  // one range per element: see read_elements()
     }
     auto table = item.item("range");
     return table ? read_range(item, *table, item.place("range")) : Range{};
 }
 
 void set_default(Entry& entry, const toml::node& node) {
-    // A list where one value belongs is told as what it is, with the default.
+    // A list in place of a value becomes an invalid default, which the check of defaults reports.
     const bool list = !node.is_value() && !is_string_type(entry.type);
     const Value value = list ? Value{std::string{"[list]"}} : literal(node);
     const auto* text = std::get_if<std::string>(&value);
@@ -116,13 +116,13 @@ void set_default(Entry& entry, const toml::node& node) {
             entry.node_id = true;
             return;
         } catch (const std::exception&) {
-            // falls through: the check of the default's type tells it
+            // The check of the default's type reports it.
         }
     }
     entry.value = value;
 }
 
-/// What an [[object]] and an [[object.entry]] have in common.
+/// Reads the common fields of [[object]] and [[object.entry]].
 Entry read_entry_fields(TomlItem& item) {
     Entry entry;
     entry.place = item.place();
@@ -163,12 +163,13 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     if (table == nullptr) {
         return node;
     }
-    // A member without a value is told by check_family_default(); it borrows another's, so that it is told once.
+    // check_family_default() reports a member without a value. Here it gets the value of another member, so that it is
+    // reported only once.
     const toml::node* own = table->get(std::to_string(n));
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
 
-/// `element`: one name for all, {n} its number, or a list with one an element.
+/// Returns the names in `element`: one name for all, with {n} for the number, or a list with one name per element.
 std::vector<std::string> read_element_names(TomlItem& item, const std::string& object, std::size_t count) {
     const toml::node* node = item.node("element");
     if (node == nullptr || !node->is_array()) {
@@ -183,7 +184,7 @@ std::vector<std::string> read_element_names(TomlItem& item, const std::string& o
     return names;
 }
 
-/// `range`: one for all elements, or a list with one an element.
+/// Returns the ranges in `range`: one for all elements, or a list with one per element.
 std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std::size_t count) {
     std::vector<Range> ranges(count, pattern.range);
     const toml::node* node = item.node("range");
@@ -246,14 +247,14 @@ void read_var(TomlItem& item, Object& object, std::int64_t n) {
     object.entries.push_back(entry);
 }
 
-/// One object of a family, which are numbered from `first` to `last`.
+/// One object of a family whose members are numbered from `first` to `last`.
 struct Member {
     std::int64_t n;
     std::int64_t first;
     std::int64_t last;
 };
 
-/// `default = { 1 = 0, 2 = 5 }` must name each member of the family, and no other.
+/// Checks that `default = { 1 = 0, 2 = 5 }` names each member of the family, and no other.
 void check_family_default(TomlItem& item, const Member& member) {
     const toml::node* node = item.node("default");
     const auto table = node == nullptr ? nullptr : node->as_table();
@@ -310,7 +311,7 @@ void add_sub_zero(Object& object) {
     });
 }
 
-/// Reads `kind`, which names the object code of CiA 301 where the way of writing the entries does not give it.
+/// Reads `kind`, the object code of CiA 301, for entries whose form does not determine it.
 Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
     const std::string word = item.text_or("kind", usual == Object::Kind::array ? "array" : "record");
     if (word != "array" && word != "record") {
@@ -372,7 +373,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     }
     check_family_default(item, Member{first, first, last});
     std::vector<Object> all;
-    // Each member of a family would tell the same faults again: only the first one's are kept.
+    // All members of a family would have the same faults: only those of the first member are kept.
     const std::size_t faults_before = item.faults().size();
     std::size_t faults_after = faults_before;
     for (std::int64_t n = first; n <= last; ++n) {
@@ -384,7 +385,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     item.faults().erase(item.faults().begin() + static_cast<std::ptrdiff_t>(faults_after), item.faults().end());
     item.finish();
     if (!has_index) {
-        all.clear();  // told above; a made-up index would only raise false alarms
+        all.clear();  // reported above; an invented index would cause false faults
     }
     return all;
 }

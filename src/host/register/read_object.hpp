@@ -1,4 +1,4 @@
-// Objects out of the register's files.
+// Reads the objects in the register's files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// One [[object]]: a list, because `repeat` makes one for each n.
+/// Reads one [[object]]. Returns a list, because `repeat` makes one object for each n.
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Reviews as reviews.toml holds them.
+// Reads the reviews in reviews.toml.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Adds one [[review]]: who read which items when, by id.
+/// Adds the reviews of one [[review]] by id of the item.
 void read_review(TomlItem& item, std::map<std::string, Review>& reviews);
 
 }  // namespace canproof::host

@@ -81,7 +81,7 @@ Cell read_cell(const toml::node& node) {
             cell.parts.push_back(read_part(one));
         }
         if (list->empty()) {
-            cell.parts.push_back({});  // allows nothing: told with the column's domain
+            cell.parts.push_back({});  // allows no value: the check of the column's domain reports it
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));
@@ -89,7 +89,7 @@ Cell read_cell(const toml::node& node) {
     return cell;
 }
 
-/// A column's kind and, for words, its domain, from what stands in it.
+/// Determines a column's kind and, for words, its domain, from its values.
 void infer(Column& column, const Table& table, std::size_t at) {
     bool words = !column.words.empty() || !column.enumeration.empty();
     bool booleans = false;

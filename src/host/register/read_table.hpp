@@ -1,4 +1,4 @@
-// Decision tables out of the register's files.
+// Reads the decision tables in the register's files.
 #pragma once
 
 #include "host/register/register.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// One [[table]]; what is wrong with it is a fault of `item`.
+/// Reads one [[table]] and adds its faults to `item`.
 Table read_table(TomlItem& item);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// What cannot be read is told as a fault; what can be is read all the same, so that one run tells everything.
+// Reads the register. A fault does not stop the reading, so that one run reports all faults.
 #include "host/register/reader.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +61,8 @@ void read_device(TomlItem& item, Part& part) {
     item.finish();
 }
 
-/// Words of small letters and digits, joined by the characters of `joints`: no-block-transfer.
+/// Returns whether the text consists of words of lower-case letters and digits, joined by characters of `joints`, such
+/// as no-block-transfer.
 bool is_joined_words(const std::string& text, const std::string& joints) {
     bool within = false;
     for (const char c : text) {
@@ -261,7 +262,8 @@ Part& part_named(Register& content, const std::string& name) {
     return content.parts.back();
 }
 
-/// `spec/devices/NAME/…` → NAME, `spec/canopen/…` and `canproof/spec/canopen/…` → canopen, else nothing.
+/// Returns the part of a path: NAME for `spec/devices/NAME/…`, canopen for `spec/canopen/…` and
+/// `canproof/spec/canopen/…`, otherwise an empty text.
 std::string part_of(const std::string& path) {
     const std::string devices = "spec/devices/";
     if (path.rfind(shared_rules, 0) == 0 || path.rfind(from_package + shared_rules, 0) == 0) {
@@ -283,7 +285,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
-        // A review changes nothing that is written from the register.
+        // A review does not change the generated code.
         if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
             part_named(content, part).files.push_back(path);
         }
@@ -297,7 +299,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
 Register read_register(const SpecFiles& files, Faults& faults) {
     Register content;
     part_named(content, "canopen");
-    // device.toml comes first: it gives the prefix from which object ids follow.
+    // device.toml is read first: it contains the prefix of the objects' ids.
     for (const bool device_files : {true, false}) {
         for (const auto& [path, text] : files) {
             const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";

@@ -1,4 +1,4 @@
-// The register out of its files.
+// Reads the register from its files.
 #pragma once
 
 #include "host/register/fault.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Reads all files; what cannot be read is a fault. What the items say of each other is not checked.
+/// Reads all files and adds a fault for everything unreadable. References between items are not checked.
 Register read_register(const SpecFiles& files, Faults& faults);
 
 }  // namespace canproof::host

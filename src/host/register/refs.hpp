@@ -1,4 +1,4 @@
-// How the places of a manual are named: "1.3", "Table 7", "Figure 2", "2340h".
+// The names of a manual's places: "1.3", "Table 7", "Figure 2", "2340h".
 #pragma once
 
 #include <set>
@@ -9,14 +9,14 @@
 
 namespace canproof::host {
 
-/// "1.3 Table 7" → "1.3", "Table 7".
+/// Returns "1.3" and "Table 7" for "1.3 Table 7".
 std::vector<std::string> split_refs(const std::string& text);
 
-/// All places of a manual: its sections, tables and figures, and the objects that they describe.
+/// Returns all places of a manual: its sections, tables and figures, and the objects that they describe.
 std::set<std::string> refs_of(const Manual& manual);
 
-/// Whether `ref` is the section `above` or one below it: 1.3.2 is in 1.3. Tables, figures and objects are in
-/// themselves only.
+/// Returns whether `ref` is the section `above` or lies below it: 1.3.2 is in 1.3. A table, figure or object is only in
+/// itself.
 bool is_within(const std::string& ref, const std::string& above);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The register in memory: what spec/ says, families and arrays written out. Grammar: spec/README.md.
+// The requirements register in memory: the content of spec/ with expanded families and arrays. Grammar: spec/README.md.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@
 
 namespace canproof::host {
 
-/// A literal of the register; monostate where none is given.
+/// A literal of the register; monostate when there is none.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 std::string to_text(const Value& value);
 
-/// What every item of the register has.
+/// The fields that every item of the register has.
 struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
-    std::string derived;  ///< why the item stands without a manual's sentence; empty: a source says it
+    std::string derived;  ///< reason for an item without a sentence in a manual; empty: a source contains the sentence
     Place place;
-    Place id_place;      ///< of `id`, or of an object's `index`
-    Place source_place;  ///< of `source`, or of `derived`
+    Place id_place;      ///< place of `id`, or of an object's `index`
+    Place source_place;  ///< place of `source`, or of `derived`
 };
-/// The sources, and `derived: …` with the reason where the item is derived.
+/// Returns the sources; for a derived item also `derived: …` with the reason.
 std::vector<std::string> origins(const Item& item);
 
 struct Section {
@@ -37,7 +37,7 @@ struct Section {
     bool normative{false};
     std::string reason;
     std::vector<std::string> objects;
-    std::vector<std::string> conditions;  ///< of use: what installer and operator must keep, each a sentence
+    std::vector<std::string> conditions;  ///< conditions of use for installers and operators, one sentence each
     Place place;
 
     bool is_condition_of_use() const { return !normative && reason.empty(); }
@@ -51,27 +51,28 @@ struct Manual {
     std::string date;
     std::vector<Section> sections;
     Place place;
-    std::vector<Statement> statements{};  ///< of all sections; none: coverage of this manual counts by section
+    std::vector<Statement> statements{};  ///< statements of all sections; none: coverage of this manual counts by
+                                          ///< section
 
-    /// The section, table or figure that is called so, or the section that describes this object; nullptr when there is
-    /// none.
+    /// Returns the section, table or figure with this name, or the section that describes this object; nullptr when
+    /// there is none.
     const Section* describing(const std::string& ref) const;
 };
 
-/// What an item answers to a question that other items answer too. Without a topic it is compared with nothing.
+/// The answer of an item to a question that other items answer as well. Without a topic it is not compared.
 struct Answer {
     std::string topic;      ///< the question: heartbeat.consumer-range
     std::string choice;     ///< the answer, one word
-    std::string differs;    ///< why another device of the same maker answers otherwise
-    std::string overrides;  ///< why a shared item answers otherwise
-    Place place;            ///< of `topic`
+    std::string differs;    ///< reason why another device of the same manufacturer answers differently
+    std::string overrides;  ///< reason why a shared item answers differently
+    Place place;            ///< place of `topic`
 };
 
 struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
-    std::string by;  ///< shared requirement whose code does it for this device; empty: code of the device does it
+    std::string by;  ///< shared requirement whose code implements it for this device; empty: the device's own code
     Place by_place;
     Answer answer;
 };
@@ -91,7 +92,7 @@ struct Range {
     Limit maximum;
     std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
     std::string table;
-    bool zero{false};  ///< 0 is allowed below the minimum
+    bool zero{false};  ///< 0 is allowed in addition to the range
     Place place;
     bool empty() const {
         return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&
@@ -102,9 +103,9 @@ struct Range {
 struct Entry {
     std::uint8_t subindex{0};
     std::string name;
-    std::string type;  ///< CiA word: UNSIGNED16 …
+    std::string type;  ///< CiA type: UNSIGNED16 …
     std::string access;
-    Value value;  ///< default; the base when node_id
+    Value value;  ///< default; with node_id, the value to which the node-ID is added
     bool node_id{false};
     Range range;
     std::string mapping{"none"};
@@ -114,16 +115,16 @@ struct Entry {
     bool factory{false};
     bool live{false};
     Place place;
-    Place default_place;  ///< of `default`, or of its element in a list; `place` where there is none
+    Place default_place;  ///< place of `default`, or of its element in a list; without one, `place`
 };
 
 struct Object : Item {
     std::uint16_t index{0};
     std::string name;
-    std::string family;  ///< the name with {n} of the family that it belongs to; empty: none
+    std::string family;  ///< name of its family, with {n}; empty: none
     int member{0};       ///< its n in the family
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
-    bool alike{false};  ///< `array = N` wrote its entries: one type, one field of the firmware
+    bool alike{false};  ///< `array = N` defines its entries: one type, one field of the firmware
     std::string unit;
     std::vector<Entry> entries;
 };
@@ -131,7 +132,7 @@ struct Object : Item {
 struct Column {
     std::string name;
     std::string enumeration;
-    std::string type;  ///< of an output; empty: inferred
+    std::string type;  ///< type of an output; empty: inferred
     std::string unit;
     std::optional<std::int64_t> minimum;
     std::optional<std::int64_t> maximum;
@@ -140,20 +141,20 @@ struct Column {
     enum class Kind { words, integers, booleans, reals } kind{Kind::words};
 };
 
-/// What stands in one field of a row: alternatives, each a literal or an inclusive range; none at all means "any".
+/// The content of one field of a row: alternatives, each a literal or an inclusive range. No alternative means "any".
 struct Cell {
     struct Part {
         Value first;
         Value last;
-        bool hexadecimal{false};  ///< as spec/ writes it
+        bool hexadecimal{false};  ///< the value is hexadecimal in spec/
     };
     std::vector<Part> parts;
     bool any() const { return parts.empty(); }
 };
 
 struct Table : Item {
-    std::string name;    ///< of its C++ namespace: `name`, or the words of the title up to the first punctuation mark
-    std::string errors;  ///< the column whose words are errors of the node; empty: none
+    std::string name;    ///< its C++ namespace: `name`, or the words of the title up to the first punctuation mark
+    std::string errors;  ///< column whose words are errors of the node; empty: none
     std::vector<Column> inputs;
     std::vector<Column> outputs;
     struct Row {
@@ -161,13 +162,13 @@ struct Table : Item {
         Place place;
     };
     std::vector<Row> rows;
-    bool complete{true};  ///< false when a row could not be read: gaps are not looked for
+    bool complete{true};  ///< false when a row could not be read; gaps are not checked then
 };
 
 struct Enumeration : Item {
     std::string name;
     std::vector<std::pair<std::string, std::int64_t>> values;
-    bool hexadecimal{false};  ///< as spec/ writes its numbers
+    bool hexadecimal{false};  ///< its numbers are hexadecimal in spec/
 };
 
 struct Constant : Item {
@@ -175,13 +176,13 @@ struct Constant : Item {
     std::string type;
     std::string unit;
     Value value;
-    bool hexadecimal{false};  ///< as spec/ writes it
-    bool compiled_in{false};  ///< the firmware needs it while it is compiled, as the size of an array is
+    bool hexadecimal{false};  ///< the value is hexadecimal in spec/
+    bool compiled_in{false};  ///< the firmware needs it at compile time, for example as the size of an array
     Place value_place;
 };
 
 struct Signal : Item {
-    std::string name;  ///< may hold {n}
+    std::string name;  ///< may contain {n}
     int count{1};
     bool input{false};
     std::string type;
@@ -190,7 +191,7 @@ struct Signal : Item {
     std::optional<double> maximum;
     Value value;
     Place default_place;
-    /// Names of the single signals: aout1, aout2 …
+    /// Returns the names of the single signals: aout1, aout2 …
     std::vector<std::string> names() const;
 };
 
@@ -211,41 +212,41 @@ struct Decision : Item {
     Answer answer;
 };
 
-/// A way in which what a device puts out can harm, and what prevents it.
+/// A way in which outputs or messages of a device can cause harm, and its prevention.
 struct Hazard : Item {
     struct Failure {
         std::string text;
         std::vector<std::string> prevented_by;  ///< requirements
-        std::string reason;                     ///< why nothing prevents it; empty where something does
+        std::string reason;                     ///< reason why nothing prevents it; empty when something does
         Place place;
     };
     std::vector<std::string> at;  ///< signals and objects: outputs and messages
     Place at_place;
     std::string safe_state;
     std::vector<Failure> failures;
-    std::vector<std::string> decisions;  ///< that chose the safer failure
+    std::vector<std::string> decisions;  ///< decisions that chose the safer failure
     Place decisions_place;
 };
 
-/// Someone has read an item together with its code and tests.
+/// The review of an item with its code and tests.
 struct Review {
-    std::string fingerprint;  ///< of the item as it was then
+    std::string fingerprint;  ///< fingerprint of the item at the review
     std::string code;         ///< mark of the functions that implemented it; empty: there were none
     std::string tests;        ///< mark of the tests that claimed it; empty: there were none
-    std::string date;         ///< 2026-11-21
+    std::string date;         ///< YYYY-MM-DD
     std::string by;
-    std::string role;    ///< author or independent; empty: nobody said
-    std::string marked;  ///< date on which code and tests were marked and not read; empty: they were read
+    std::string role;    ///< author or independent; empty: not stated
+    std::string marked;  ///< date on which code and tests were marked without being read; empty: they were read
     Place place;
 };
 
-/// What a device says of itself; empty for the shared part.
+/// The content of device.toml; empty for the shared part.
 struct DeviceInfo {
     std::string title;
     std::string vendor;
     std::string manual;
     std::vector<std::string> part_numbers;
-    std::vector<std::string> variants;  ///< `AX130771: CAN and outputs isolated`: in what a part number differs
+    std::vector<std::string> variants;  ///< difference between part numbers: `AX130771: CAN and outputs isolated`
     int node_id{0};
     std::string node_id_note;
     std::int64_t bit_rate{0};
@@ -254,27 +255,27 @@ struct DeviceInfo {
     Place source_place;
     Place manual_place;
     bool lss{false};
-    std::string lss_bit_rates;  ///< id of the table with columns index and bit_rate; empty: the standard's
-    bool lss_reset{false};      ///< communication is reset at each switch from LSS configuration to waiting
+    std::string lss_bit_rates;  ///< id of the table with columns index and bit_rate; empty: the table of CiA 305
+    bool lss_reset{false};      ///< each switch from LSS configuration to waiting resets the communication
     bool block_sdo{false};
     std::string limit_abort{"high_low"};
     std::string error_list{"history"};
     std::string emcy_content{"listed_errors"};
     std::string tpdo_trigger{"value_change"};
-    std::vector<std::int64_t> rpdos_answering_remote;  ///< from 1
+    std::vector<std::int64_t> rpdos_answering_remote;  ///< numbers of the RPDOs, counted from 1
     bool saves_in_pre_operational_only{false};
     Place services_place;
     Place place;
 };
 
-/// An object of the standard, by the name that shared code knows it by. Only the shared part has them.
+/// An object of the standard with its name in shared code. Only the shared part has these.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;
     Place place;
 };
 
-/// One folder of items: a device, or spec/canopen (name "canopen").
+/// The items of one folder: a device, or spec/canopen (name "canopen").
 struct Part {
     std::string name;
     std::string prefix;
@@ -288,12 +289,12 @@ struct Part {
     std::vector<Signal> signals;
     std::vector<Decision> decisions;
     std::vector<Hazard> hazards;
-    std::vector<StandardObject> standard_objects;  ///< as spec/ lists them
+    std::vector<StandardObject> standard_objects;  ///< in the order of spec/
     std::map<std::string, Review> reviews;         ///< by id
     std::vector<std::string> files;
-    bool inherited{false};  ///< the shared rules as they come with canproof: proven there, not in this project
+    bool inherited{false};  ///< shared rules of an installed canproof: proven there, not in this project
 
-    /// `cbx-ao412` as C++ spells it: cbx_ao412.
+    /// Returns the name in C++: cbx_ao412 for `cbx-ao412`.
     std::string cpp_name() const;
     bool is_device() const { return name != "canopen"; }
 };
@@ -304,9 +305,9 @@ struct Register {
 
     const Part* part(const std::string& name) const;
     const Manual* manual(const std::string& key) const;
-    /// An enumeration of `part` itself or of the shared part; nullptr when there is none.
+    /// Returns an enumeration of `part` itself or of the shared part; nullptr when there is none.
     const Enumeration* enumeration(const Part& part, const std::string& id) const;
-    /// Calls visit(item, word) for all items that have an id; `word` says what they are: "requirement", "object" …
+    /// Calls visit(item, word) for all items that have an id; `word` is the kind of item: "requirement", "object" …
     template <typename Visit>
     void for_each_item(const Part& part, const Visit& visit) const {
         for (const auto& item : part.requirements)
@@ -324,14 +325,14 @@ struct Register {
     }
 };
 
-/// Bytes of a fixed-size CiA type; 0 for strings, domains and unknown words.
+/// Returns the bytes of a CiA type with a fixed size; 0 for strings, domains and unknown types.
 std::size_t type_size(const std::string& type);
-/// Smallest and largest value of an integer type (64-bit unsigned is cut at INT64_MAX).
+/// Returns the smallest and largest value of an integer type (INT64_MAX limits the 64-bit unsigned type).
 std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type);
 bool is_string_type(const std::string& type);
 bool is_known_type(const std::string& type);
 
-/// `AO CBX-Error mode 2` → `ao_cbx_error_mode_2`; PascalCase for types.
+/// Return `ao_cbx_error_mode_2` for `AO CBX-Error mode 2`, and the PascalCase form for types.
 std::string snake_case(const std::string& text);
 std::string pascal_case(const std::string& text);
 

@@ -1,4 +1,4 @@
-// A string without `length` is as long as its default.
+// Sets the length of a string without `length` to that of its default.
 
 #include "host/register/resolve_lengths.hpp"
 

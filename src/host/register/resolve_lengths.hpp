@@ -1,11 +1,11 @@
-// Lengths of strings.
+// Determines the lengths of strings.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Strings without a length get that of their default.
+/// Sets the length of each string without one to that of its default.
 void resolve_lengths(Part& part);
 
 }  // namespace canproof::host

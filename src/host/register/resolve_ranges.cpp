@@ -1,4 +1,4 @@
-// `range = { table = … }`: the values of a table's first input column, put into the entry itself.
+// Resolves `range = { table = … }`: copies the values of the table's first input column into the entry.
 #include "host/register/resolve_ranges.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A table that allows more single values than this must be a range without holes.
+/// Greatest number of single values in a table; a table with more must be a range without gaps.
 constexpr std::int64_t most_values = 0x10000;
 
 const Table* find_table(const Register& content, const Part& part, const std::string& id) {
@@ -46,7 +46,7 @@ void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell&
     }
 }
 
-/// The numbers in a table's first input column; of a column of words those of its enumeration.
+/// Returns the numbers in a table's first input column; for a column of words, those of its enumeration.
 std::set<std::int64_t> numbers_of(const Register& content, const Part& part, const Table& table) {
     std::set<std::int64_t> numbers;
     if (table.inputs.empty()) {
@@ -65,7 +65,7 @@ std::set<std::int64_t> numbers_of(const Register& content, const Part& part, con
     return numbers;
 }
 
-/// Numbers without a hole are a range with two ends; others are a list.
+/// Stores numbers without a gap as a range with two ends, others as a list.
 void put(const std::set<std::int64_t>& numbers, Range& range) {
     const std::int64_t low = *numbers.begin();
     const std::int64_t high = *numbers.rbegin();

@@ -1,11 +1,11 @@
-// Values of ranges that name a table.
+// Determines the values of ranges that name a table.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Ranges that name a table get its values.
+/// Copies the values of the named table into each such range; adds faults.
 void resolve_ranges(const Register& content, Part& part, Faults& faults);
 
 }  // namespace canproof::host

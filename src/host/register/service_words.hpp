@@ -1,4 +1,4 @@
-// The services of a device that an entry may configure or show.
+// The services of a device that an entry can configure or show.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Words of the register for the firmware's Service, in the order of that enumeration.
+/// Returns the register's words for the firmware's Service, in the order of that enumeration.
 const std::vector<std::string>& service_words();
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// A normative statement of a manual, in our words.
+// A normative statement of a manual in our words.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace canproof::host {
 
-/// What one sentence of a manual asks for, and the items that cover it. With neither items nor a reason it is a gap.
+/// The demand of one sentence of a manual, and the items that cover it. Without items and without a reason it is a gap.
 struct Statement {
     std::string section;               ///< a section, table, figure or object of its manual
-    unsigned number{0};                ///< among the statements of that section, from 1
+    unsigned number{0};                ///< among the statements of that section, counted from 1
     std::string text;                  ///< our words
-    std::vector<Mark> marks;           ///< of the passages that say it
+    std::vector<Mark> marks;           ///< marks of the passages that contain it
     std::vector<std::string> covered;  ///< ids of items and decisions
-    std::string reason;                ///< why no item covers it
+    std::string reason;                ///< reason why no item covers it
     Place place;
     Place section_place;
     Place mark_place;
     Place covered_place;
 
     bool is_open() const { return covered.empty() && reason.empty(); }
-    /// `AX130751:1.3/2` in the manual with that key.
+    /// Returns the id `AX130751:1.3/2`; `key` is the key of the manual.
     std::string id(const std::string& key) const { return key + ":" + section + "/" + std::to_string(number); }
 };
 

@@ -6,7 +6,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Walks a text once. What stands in strings and comments does not count.
+/// Scans a text once and ignores the content of strings and comments.
 class DepthScan {
   public:
     explicit DepthScan(const std::string& text) : text_{text} {}
@@ -49,7 +49,8 @@ class DepthScan {
         }
     }
 
-    /// One quote opens a string of one line, three one of many. A backslash takes the next character in "…" alone.
+    /// Skips a string. One quote opens a string of one line, three quotes one of several lines. A backslash escapes the
+    /// next character only in "…" strings.
     void skip_string(char quote) {
         const std::string three(3, quote);
         const bool many = text_.compare(at_, 3, three) == 0;
@@ -58,7 +59,7 @@ class DepthScan {
             const char c = text_[at_];
             if (many && text_.compare(at_, 3, three) == 0) {
                 const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
-                at_ += std::min<std::size_t>(end - at_, 5);  // two quotes may stand before the three
+                at_ += std::min<std::size_t>(end - at_, 5);  // two quotes can precede the closing three
                 return;
             }
             if (!many && (c == quote || c == '\n')) {

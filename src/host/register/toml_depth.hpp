@@ -1,4 +1,4 @@
-// How deep a TOML text goes, before a parser sees it.
+// Determines the nesting depth of a TOML text before it is parsed.
 #pragma once
 
 #include <optional>
@@ -6,10 +6,12 @@
 
 namespace canproof::host {
 
-/// The register goes four levels deep. The parser makes a table of each part of a dotted key, and recurses over them.
+/// Greatest nesting depth; the register needs four levels. The parser makes a table for each part of a dotted key and
+/// recurses over them.
 constexpr unsigned deepest_toml = 32;
 
-/// Line of the first key of more parts, or value in more brackets, than `deepest_toml`; nothing when there is none.
+/// Returns the line of the first key with more parts, or of the first value in more brackets, than `deepest_toml`;
+/// nothing when there is none.
 std::optional<unsigned> too_deep_in(const std::string& text);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// One TOML table while it is read: remembers which keys were asked for, and tells every fault with its line.
+// Reads one TOML table. It remembers the requested keys and reports every fault with its line.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "host/register/register.hpp"
 
-// toml++ stays out of this header: only who reads its nodes includes it.
+// This header does not include toml++; only the sources that read nodes include it.
 namespace toml {
 inline namespace v3 {
 class node;
@@ -28,21 +28,21 @@ class TomlItem {
     Place place(const std::string& key) const;
     bool has(const std::string& key) const;
 
-    /// A required string, not empty.
+    /// Returns a required string that is not empty.
     std::string text(const std::string& key);
     std::string text_or(const std::string& key, const std::string& otherwise);
-    /// A required whole number within [minimum, maximum].
+    /// Returns a required whole number within [minimum, maximum].
     std::int64_t integer(const std::string& key, std::int64_t minimum, std::int64_t maximum);
     std::int64_t integer_or(const std::string& key, std::int64_t otherwise, std::int64_t minimum, std::int64_t maximum);
     bool boolean_or(const std::string& key, bool otherwise);
     std::optional<double> number(const std::string& key);
     std::vector<std::string> texts(const std::string& key, bool required);
     std::vector<std::int64_t> integers(const std::string& key);
-    /// One of the words; otherwise a fault that lists them.
+    /// Returns one of the words; for another word, adds a fault that lists them.
     std::string word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise);
     Value value(const std::string& key);
     const toml::node* node(const std::string& key);
-    /// Sub-tables of an array of tables.
+    /// Returns the sub-tables of an array of tables.
     std::vector<TomlItem> items(const std::string& key);
     std::optional<TomlItem> item(const std::string& key);
 
@@ -50,7 +50,7 @@ class TomlItem {
     void fault(const Place& at, const std::string& what, const std::string& mend) {
         faults_.push_back({at, what, mend});
     }
-    /// Tells each key that nobody asked for.
+    /// Reports each key that was never requested.
     void finish();
 
     Faults& faults() { return faults_; }
@@ -68,7 +68,7 @@ class TomlItem {
 };
 
 Value literal(const toml::node& node);
-/// Whether a whole number is written as 0x….
+/// Returns whether a whole number is written as 0x….
 bool is_hexadecimal(const toml::node& node);
 
 }  // namespace canproof::host

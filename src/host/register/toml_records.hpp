@@ -1,4 +1,4 @@
-// A file of records in TOML that people write: read as a whole, its first fault told with file, line and remedy.
+// Reads a TOML file of records that people write; the first fault is reported with file, line and remedy.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Hands the file's table to `read`. Throws InputError for what is no TOML, and for the first fault that `read` noted.
+/// Passes the file's table to `read`. Throws InputError for invalid TOML, and for the first fault that `read` reported.
 void read_toml_records(const std::filesystem::path& file, const std::function<void(TomlItem&)>& read);
 
 }  // namespace canproof::host

@@ -20,17 +20,17 @@ constexpr double legend_top = 416.0;
 constexpr double legend_row = 20.0;
 constexpr std::size_t legend_columns = 6;
 
-// Distinct in colour and in lightness, so that they can be told apart without colour as well.
+// The colours differ in hue and in lightness, so that they are distinguishable without colour as well.
 constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
 
-/// Curves beyond the colours are dashed, those beyond twice as many dotted.
+/// The second set of curves with these colours is dashed, the third one dotted.
 constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
 
 struct Range {
     double low{0.0};
     double high{1.0};
 
-    /// Widened to whole ticks; never empty.
+    /// Returns the range of all points, extended to whole ticks; never empty.
     static Range of(const std::vector<Curve>& curves, bool of_x) {
         bool any = false;
         Range range;
@@ -107,13 +107,13 @@ class Canvas {
                              (top + bottom) / 2.0, escaped(plot_.y_label));
     }
 
-    /// A tick's number, without the last digits of a rounding error.
+    /// Returns the number of a tick without rounding errors in its last digits.
     static std::string number(double value, double step) {
         const double told = std::fabs(value) < step / 1000.0 ? 0.0 : value;
         return grouped(std::fabs(told) < 1e5 ? fmt::format("{:.6g}", told) : fmt::format("{:.0f}", told));
     }
 
-    /// A gap where a value is NaN or infinite.
+    /// Draws a curve with a gap where a value is NaN or infinite.
     void draw(const Curve& curve, std::size_t i) {
         const char* colour = colours[i % std::size(colours)];
         std::string path;

@@ -1,4 +1,4 @@
-// A line plot as SVG: axes with round numbers, a legend, marks. Needs nothing but a browser.
+// A line plot as SVG, with round numbers on the axes, a legend and marks. Any browser can display it.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Curve {
     std::vector<std::pair<double, double>> points;  ///< x ascending
 };
 
-/// A vertical line with a word on it.
+/// A vertical line with a label.
 struct PlotMark {
     double x{0.0};
     std::string word;
@@ -26,10 +26,11 @@ struct LinePlot {
     std::vector<PlotMark> marks;
 };
 
-/// Distance of the ticks of an axis from `low` to `high`: 1, 2 or 5 times a power of ten, for four to ten ticks.
+/// Returns the distance of the ticks of an axis from `low` to `high`: 1, 2 or 5 times a power of ten, for four to ten
+/// ticks.
 double tick_step(double low, double high);
 
-/// The plot as a whole SVG file.
+/// Returns the plot as a complete SVG file.
 std::string write_svg(const LinePlot& plot);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Text and numbers that go into HTML or SVG.
+// Formats text and numbers for HTML and SVG.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,10 @@
 
 namespace canproof::host {
 
-/// The text with `& < > "` written so that they are no markup; fit for elements and for attributes in double quotes.
+/// Returns the text with escaped `& < > "`, for elements and for attributes in double quotes.
 std::string escaped(const std::string& text);
 
-/// A decimal number in groups of three: `-1,234,567.8`.
+/// Returns a decimal number with groups of three digits: `-1,234,567.8`.
 std::string grouped(std::string number);
 std::string grouped(std::uint64_t number);
 

@@ -1,4 +1,4 @@
-// What `--outputs` wrote, drawn: each signal holds its value until the next line that names it.
+// Plots a file of `--outputs`. Each signal keeps its value until the next line that names it.
 #pragma once
 
 #include <istream>
@@ -9,9 +9,9 @@
 
 namespace canproof::host {
 
-/// A curve for each of `signals`, in that order; without any, for each signal that changes, in order of appearance.
-/// Throws InputError for a line that is not `seconds,signal,value`, for a signal that the file lacks, and when nothing
-/// is left to draw. `name` stands in messages and as the title.
+/// Returns a curve for each of `signals` in their order; when it is empty, for each signal that changes, in order of
+/// appearance. `name` is used in messages and as the title. Throws InputError for a line that is not
+/// `seconds,signal,value`, for a signal that the file lacks, and when there is nothing to draw.
 LinePlot output_plot(std::istream& csv, const std::string& name, const std::vector<std::string>& signals);
 
 }  // namespace canproof::host

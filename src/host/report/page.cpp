@@ -36,7 +36,7 @@ figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#ff
 @media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,[role=status],script,footer{display:none}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
 
-constexpr std::size_t many_columns = 4;  ///< a table with more is printed across
+constexpr std::size_t many_columns = 4;  ///< a table with more columns is printed in landscape format
 
 const char* const search_script = R"(
 for(const field of document.querySelectorAll('input[type=search]')){
@@ -50,7 +50,7 @@ const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=a
 }
 )";
 
-/// The rule that prints where a page is from, and its number, at the foot of each sheet.
+/// Returns the style rule that prints the origin of a page and its number at the foot of each sheet.
 std::string printed_origin(const std::string& origin) {
     if (origin.empty()) {
         return "";
@@ -69,7 +69,7 @@ bool is_number(const std::string& cell) {
     return digits_alone && std::count(cell.begin(), cell.end(), '.') <= 1 && cell.find_first_of("0123456789") == 0;
 }
 
-/// Whether every cell of the column that says something is a number; the numbers of sections ("2.1.1") are none.
+/// Returns whether every non-empty cell of the column is a number; numbers of sections ("2.1.1") do not count.
 bool holds_numbers(const std::vector<std::vector<std::string>>& rows, const std::size_t column) {
     bool any = false;
     for (const auto& row : rows) {

@@ -53,7 +53,7 @@ class FuzzCommand : Command {
 
   private:
     CampaignOptions options_;
-    double hours_{0.0};  ///< 0: --minutes counts
+    double hours_{0.0};  ///< 0: --minutes applies
 };
 
 class AuditCommand : Command {
@@ -220,7 +220,7 @@ class ProveCommand : Command {
     }
 
   private:
-    /// Those of canproof-prove, which checks their values and has the defaults.
+    /// Adds the options of canproof-prove, which checks the values and has the defaults.
     void add_options(CLI::App& command) {
         command.add_option("--only", value_, "proofs of this folder below properties/proofs: base");
         command.add_option("--proofs", value_, "folder of harnesses");
@@ -234,7 +234,7 @@ class ProveCommand : Command {
         command.add_option("--root", value_, "the project's folder");
         command.add_option("--build", value_, "a build of the project; where this program lies without it");
     }
-    /// Returns the options as they were given.
+    /// Returns the options in the form in which the user gave them.
     static std::vector<std::string> words_of(const CLI::App& command) {
         std::vector<std::string> words;
         for (const CLI::Option* option : command.get_options()) {
@@ -249,7 +249,7 @@ class ProveCommand : Command {
         return words;
     }
 
-    std::string value_;  ///< of whichever option; words_of() reads them
+    std::string value_;  ///< CLI11 writes every option's value here; words_of() reads the options themselves
     std::vector<std::string> words_;
 };
 
@@ -267,7 +267,7 @@ struct AssessCommands {
 }  // namespace
 
 std::shared_ptr<void> add_assess_commands(CLI::App& app, Chosen& chosen) {
-    // Each is made where it stays: its callbacks point to it.
+    // Each command is constructed at its final address, because its callbacks point to it.
     return std::shared_ptr<AssessCommands>{new AssessCommands{{app, chosen},
                                                               {app, chosen},
                                                               {app, chosen},

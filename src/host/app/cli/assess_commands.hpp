@@ -1,4 +1,4 @@
-// The commands that judge: fuzz, audit, coverage, misra, evidence, mutate, diff.
+// The commands that assess the project: fuzz, audit, coverage, misra, evidence, mutate, diff.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ class App;
 
 namespace canproof::host {
 
-/// Adds them to `app`. The result owns their options: keep it until what was chosen is done.
+/// Adds the commands to `app`. The result owns their options: keep it until the chosen command has run.
 std::shared_ptr<void> add_assess_commands(CLI::App& app, Chosen& chosen);
 
 }  // namespace canproof::host

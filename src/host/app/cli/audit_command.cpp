@@ -1,4 +1,4 @@
-// audit: gaps and an exit status, or one requirement's whole story.
+// The `audit` command: prints gaps and returns an exit status, or prints the whole story of one requirement.
 #include "host/app/cli/audit_command.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Says how the manual of a part is covered.
+/// Prints how the statements of a part's manual are covered.
 void print_statements(const PartAudit& audit) {
     if (audit.part->info.manual.empty()) {
         return;
@@ -49,7 +49,7 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// What a filter takes, and how much of it is not shown.
+/// Items and statements that pass a filter, and how many of them are not shown.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;
@@ -94,7 +94,8 @@ int list(const Register& content, const std::vector<PartAudit>& audits, const Ev
     return listed.not_shown == 0 ? 0 : 1;
 }
 
-/// Lists what installers and operators must keep, by section of the device's manual, or of all manuals.
+/// Lists the conditions that installers and operators must keep, by section of the device's manual; without a device,
+/// of all manuals.
 int list_conditions(const Register& content, const std::string& device) {
     if (!device.empty() && content.part(device) == nullptr) {
         throw InputError{fmt::format("`{}` is no device; `canproof devices` lists them", device)};
@@ -116,7 +117,7 @@ int list_conditions(const Register& content, const std::string& device) {
     return 0;
 }
 
-/// The parts that an audit of this device is about: a device rests on the shared rules. All without a name.
+/// Returns the audits of this device and of the shared rules on which it rests; all audits without a name.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
         return !device.empty() && one.part->is_device() && one.part->name != device;
@@ -125,8 +126,8 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Which items are shown by tests that notice a mutant, and how much of the record no longer holds. A project without a
-/// record is not asked.
+/// Returns which items are shown by tests that notice a mutant, and how much of the record no longer holds. Returns
+/// nothing for a project without a record.
 std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
                                   const Evidence& evidence) {
     const KillRecord record = read_kill_record(root / "reports" / "kills.csv");
@@ -160,7 +161,7 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
     return story->open ? 1 : 0;
 }
 
-/// Everything that is open in these audits.
+/// Prints everything that is open in these audits. Returns the exit status.
 int tell_all(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
              const Evidence& evidence) {
     const auto strays = orphans(evidence);

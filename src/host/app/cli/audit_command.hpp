@@ -1,4 +1,4 @@
-// `canproof audit`: what shows each item of the register, and what is missing.
+// `canproof audit`: the evidence for each item of the requirements register, and the gaps.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace canproof::host {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, id, section, statement, source file, test or nothing
+    std::string subject;  ///< device, id, section, statement, source file or test; empty: everything
     std::string verdicts;
     AuditFilter filter;
     bool json{false};  ///< items, gaps, suspects and orphans as JSON instead of lines
 };
 
-/// 1 when something is open. Returns the exit status.
+/// Prints the audit. Returns the exit status: 1 when something is open.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Part numbers are printed in capitals, names of devices are not.
+/// Compares without regard to case: part numbers are printed in capitals, names of devices are not.
 bool same(const std::string& number, const std::string& name) {
     const auto lower = [](unsigned char c) { return std::tolower(c); };
     return std::equal(number.begin(), number.end(), name.begin(), name.end(), [&](char a, char b) {
@@ -25,7 +25,8 @@ bool same(const std::string& number, const std::string& name) {
     });
 }
 
-/// The register of those files alone whose paths are wanted; nothing when they need others.
+/// Returns the requirements register of the embedded files whose path `is_wanted` accepts; nothing when these files
+/// need others.
 template <typename Wanted>
 std::optional<Register> register_of(const Wanted& is_wanted) {
     SpecFiles files;
@@ -37,14 +38,14 @@ std::optional<Register> register_of(const Wanted& is_wanted) {
     return read_sound_register(files);
 }
 
-/// What each device is called, and with what numbers.
+/// Returns a register with the names and part numbers of all devices, read from their device.toml alone.
 const Register& device_files() {
     static const Register content =
         register_of([](const std::filesystem::path& path) { return path.filename() == "device.toml"; }).value();
     return content;
 }
 
-/// Most programs run one device of the four: only that is read.
+/// Returns the part of one device. Reads the files of this device alone, because most runs use one device of the four.
 const Part& device_part(const std::string& name) {
     static std::map<std::string, std::optional<Register>> read;
     const auto [known, unread] = read.try_emplace(name);
@@ -58,7 +59,7 @@ const Part& device_part(const std::string& name) {
 }  // namespace
 
 const Register& built_in_register() {
-    // The build has found it sound.
+    // The build has checked that the register has no faults.
     static const Register content = read_sound_register(embedded_spec()).value();
     return content;
 }

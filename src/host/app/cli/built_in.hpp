@@ -1,4 +1,4 @@
-// The register that the program was built with.
+// The requirements register that is embedded in the program.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 const Register& built_in_register();
-/// By its name or one of its part numbers. Throws InputError when there is no such device.
+/// Returns the device with this name or part number. Throws InputError when there is none.
 const Part& device_named(const std::string& name);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// devices, signals, eds: what the register says, printed.
+// The commands `devices`, `signals` and `eds`, which print data of the requirements register.
 #include "host/app/cli/catalogue_commands.hpp"
 
 #include <fmt/format.h>

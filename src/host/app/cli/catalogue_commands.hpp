@@ -1,17 +1,18 @@
-// `canproof devices`, `signals` and `eds`: what the program knows without running anything.
+// `canproof devices`, `signals` and `eds`: data of the devices, printed without running them.
 #pragma once
 
 #include <string>
 
 namespace canproof::host {
 
-/// Each returns the exit status, and throws InputError for a device that is not in the catalogue.
+/// Each prints to standard output and returns the exit status. Throws InputError for a device that is not in the
+/// catalogue.
 int list_devices();
 int list_signals(const std::string& device);
 struct EdsOptions {
-    std::string device;         ///< of the catalogue; with format dbc a file as well: a word with a dot or a slash
+    std::string device;         ///< name in the catalogue; for dbc also a file: a text with a dot or a slash
     std::string format{"eds"};  ///< eds, eds-lely, xdd, json, md or dbc
-    int node{0};                ///< node-ID of a DBC, 1 to 127; 0: as shipped
+    int node{0};                ///< node-ID of a DBC, 1 to 127; 0: the node-ID as shipped
 };
 int print_eds(const EdsOptions& options);
 

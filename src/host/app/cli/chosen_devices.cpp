@@ -19,7 +19,7 @@ namespace {
 
 constexpr int most_switches = 255;
 
-/// A number of at most three digits; -1 from anything else.
+/// Returns the value of a decimal number of at most three digits; -1 for any other text.
 int number_of(const std::string& text) {
     const bool number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
     return number ? std::stoi(text) : -1;

@@ -1,4 +1,4 @@
-// The devices that a command line names: of the catalogue, or from an EDS.
+// The devices that a command line names: from the catalogue or from an EDS.
 #pragma once
 
 #include <memory>
@@ -11,25 +11,25 @@
 
 namespace canproof::host {
 
-/// A device to run, and what describes its signals.
+/// A device to run, and the description of its signals.
 struct ChosenDevice {
-    std::string name;  ///< as written: NAME or NAME@NODE
+    std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has none
+    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has no part
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
-    std::string notice;         ///< what its user has to know before it runs; empty: nothing
+    std::string notice;         ///< message for the user before the run; empty: no message
 };
 
-/// NODE of NAME@NODE and of `--node`: a node-ID, or any value of coding switches where the device has them, with a
-/// notice when that is no node-ID. Throws InputError.
+/// Sets the NODE of NAME@NODE or of `--node`. NODE is a node-ID; on a device with coding switches it is any value of
+/// the switches, and `chosen.notice` says so when the value is not a node-ID. Throws InputError.
 void set_node(ChosenDevice& chosen, const std::string& node);
-/// NAME or NAME@NODE. Throws InputError.
+/// Returns the device for NAME or NAME@NODE. Throws InputError.
 ChosenDevice choose_device(const std::string& text);
 ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
-/// FILE or FILE@NODE: a device from an EDS, DCF or XDD; its name is the file's without folder and extension. Throws
-/// InputError, with every fault of the file.
+/// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file
+/// without folder and extension. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
-/// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
+/// Returns every device of the catalogue. A device whose node-ID as shipped is taken gets the lowest free node-ID.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 

@@ -1,14 +1,14 @@
-// How a command becomes part of the command line.
+// Types with which a command joins the command line.
 #pragma once
 
 #include <functional>
 
 namespace canproof::host {
 
-/// What the program does once the words are read; it returns the exit status.
+/// The action of the chosen command; it returns the exit status.
 using Chosen = std::function<int()>;
 
-/// Base of the commands: each owns its options, which its callbacks name.
+/// Base of the commands. A command owns its options and cannot be copied, because its callbacks point to them.
 class Command {
   public:
     Command() = default;

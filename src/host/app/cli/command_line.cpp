@@ -34,7 +34,7 @@ namespace {
 
 constexpr int wrong_use = 2;
 
-/// Beyond it a double no longer holds microseconds.
+/// Longest time on the command line in seconds: below it, a double represents every microsecond.
 constexpr double most_seconds = 4.0e9;
 
 const CLI::Validator seconds{[](std::string& text) -> std::string {
@@ -82,7 +82,7 @@ class CatalogueCommands : Command {
         });
         eds->callback([this, check, &chosen] {
             if (check->parsed()) {
-                return;  // it has chosen
+                return;  // the subcommand has set `chosen`
             }
             if (printed_.device.empty()) {
                 throw CLI::RequiredError{"DEVICE"};
@@ -211,7 +211,7 @@ class ReplayCommand : Command {
     }
 
     ReplayOptions options_;
-    std::vector<std::string> words_;  ///< DEVICE LOG; with --eds LOG alone
+    std::vector<std::string> words_;  ///< DEVICE LOG; with --eds only LOG
 };
 
 class ConformCommand : Command {
@@ -292,7 +292,7 @@ class WordsCommands : Command {
     std::string shell_;
 };
 
-/// Whatever failed because standard output did has that for a reason.
+/// Returns the text of an error. A failure of standard output is reported instead, because it caused the error.
 std::string why(const std::exception& error) {
     try {
         finish_standard_output();

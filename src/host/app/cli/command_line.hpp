@@ -3,8 +3,8 @@
 
 namespace canproof::host {
 
-/// Does what the words say. Exit status 0 done, 1 the thing checked does not hold, 2 wrong use or
-/// unreadable input.
+/// Runs the command that the arguments name. Returns the exit status: 0 done, 1 the checked thing has faults, 2 wrong
+/// use or unreadable input.
 int run_command_line(int argc, char** argv);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The command line as data: what completion and the manual page are made from.
+// The command line as data, from which the shell completion and the manual page are generated.
 #pragma once
 
 #include <string>
@@ -11,23 +11,23 @@ class App;
 namespace canproof::host {
 
 struct OptionWords {
-    std::string name;  ///< `--bus`, or that of a positional, `DEVICE`
+    std::string name;  ///< `--bus`; for a positional argument `DEVICE`
     std::string description;
     bool takes_value{false};
     bool positional{false};
 };
 
 struct CommandWords {
-    std::vector<std::string> path;  ///< `eds`, `check`; empty for the program itself
+    std::vector<std::string> path;  ///< `eds`, `check`; empty for the program
     std::string description;
     std::vector<OptionWords> options;
     std::vector<std::string> below;  ///< names of subcommands
 
-    /// The path with this between its words.
+    /// Returns the words of the path with `between` as separator.
     std::string joined(const std::string& between) const;
 };
 
-/// The program and each command below it, a command before those below it.
+/// Returns the program and all its commands. A command stands before its subcommands.
 std::vector<CommandWords> command_tree(const CLI::App& app);
 
 }  // namespace canproof::host

@@ -37,7 +37,7 @@ int list_cases(const conform::CaseBook& book) {
     return 0;
 }
 
-/// The program's cases, or those of a folder. Throws InputError with every fault.
+/// Returns the built-in cases, or those of a folder. Throws InputError with every fault of the files.
 conform::CaseBook read_cases(const std::string& folder) {
     if (folder.empty()) {
         return conform::built_in_cases();
@@ -68,7 +68,7 @@ ChosenDevice choose(const ConformCommandOptions& options) {
     return chosen;
 }
 
-/// A node-ID from the command line. Throws InputError.
+/// Parses a node-ID, 1 to 127. Throws InputError.
 std::uint8_t node_of(const std::string& text) {
     const bool number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
     const int node = number ? std::stoi(text) : 0;

@@ -8,24 +8,25 @@
 namespace canproof::host {
 
 struct ConformCommandOptions {
-    std::string device;               ///< of the catalogue; empty: `eds`
-    std::string eds;                  ///< file
-    std::optional<std::string> node;  ///< as shipped without it
+    std::string device;               ///< name in the catalogue; empty: the device in `eds`
+    std::string eds;                  ///< path of the data sheet
+    std::optional<std::string> node;  ///< node-ID; none: the node-ID as shipped
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
-    std::vector<std::string> only;   ///< services
-    std::vector<std::string> skip;   ///< ids, numbers or services
-    std::vector<std::string> cases;  ///< ids or numbers
-    std::string folder;              ///< with other cases than the program's
-    std::string report;              ///< folder
+    std::vector<std::string> only;   ///< services to run
+    std::vector<std::string> skip;   ///< ids, numbers or services to leave out
+    std::vector<std::string> cases;  ///< ids or numbers to run
+    std::string folder;              ///< folder with cases that replace the built-in cases
+    std::string report;              ///< folder for the report
     bool json{false};
     bool allow_outputs{false};
     bool allow_store{false};
     bool allow_lss{false};
-    double traffic{0.0};  ///< per cent of the bus
+    double traffic{0.0};  ///< background traffic in per cent of the bus's capacity
 };
 
-/// Prints verdicts and writes the report. Exit status: 0 all passed, 1 a case failed, 2 the run could not be done.
+/// Prints the verdicts and writes the report. Returns the exit status: 0 all passed, 1 a case failed, 2 the run could
+/// not be done.
 int run_conform(const ConformCommandOptions& options);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
-// coverage: what no test reached in the firmware, and in the host's buses and replay, and whether each such place has
-// its reason.
+// The `coverage` command: lists the places in the firmware, and in the host's buses and replay, that no test reaches,
+// and whether each has a recorded reason.
 #include "host/app/cli/coverage_command.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-/// `src/firmware/canopen` of `src/firmware/canopen/node.cpp`.
+/// Returns the folder of a file: `src/firmware/canopen` for `src/firmware/canopen/node.cpp`.
 std::string folder_of(const std::string& file) {
     return std::filesystem::path{file}.parent_path().generic_string();
 }
@@ -57,7 +57,7 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Without a measurement: whether each record still names something in the sources.
+/// Checks without a measurement whether each record still matches a place in the sources. Returns the exit status.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);

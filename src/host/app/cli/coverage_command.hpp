@@ -1,4 +1,4 @@
-// `canproof coverage`: what no test reached in the firmware.
+// `canproof coverage`: places in the firmware that no test reaches.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@ namespace canproof::host {
 
 struct CoverageOptions {
     std::string root{"."};
-    std::string measured{"build/coverage/coverage.json"};  ///< what `llvm-cov export` wrote
-    std::string cobertura;                                 ///< file to write, none when empty
+    std::string measured{"build/coverage/coverage.json"};  ///< file that `llvm-cov export` wrote
+    std::string cobertura;                                 ///< file to write; empty: none
     bool json{false};                                      ///< JSON instead of lines
-    bool records_only{false};                              ///< nothing measured: records against the sources
+    bool records_only{false};                              ///< no measurement: checks the records against the sources
 };
 
-/// 1 when a gap has no reason. Returns the exit status.
+/// Prints the places that no test reaches. Returns the exit status: 1 when one has no reason.
 int check_coverage(const CoverageOptions& options);
 
 }  // namespace canproof::host

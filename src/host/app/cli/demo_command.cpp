@@ -1,4 +1,4 @@
-// demo: all four devices boot, and answer what their manuals print.
+// The `demo` command: boots all four devices and prints their answers to the examples in their manuals.
 #include "host/app/cli/demo_command.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::string next_frame(SimulatedDevice& device) {
     return device.queue().empty() ? "(silence)" : format_frame(device.queue().pop());
 }
 
-/// Returns `5.000 V` for each output of these names.
+/// Returns a text such as `5.000 V` for each of the named outputs.
 std::vector<std::string> volts_of(const SimulatedDevice& device, const std::vector<std::string>& names) {
     const std::vector<double> values = device.outputs();
     std::vector<std::string> texts;
@@ -46,7 +46,7 @@ void play(const DeviceModel& model) {
             advance_device(*device, scene.title, now);
         }
         while (!device->queue().empty()) {
-            device->queue().pop();  // what it says of its own accord is not the answer
+            device->queue().pop();  // frames that the device sends unasked are not the answer
         }
         device->receive(parse_frame(example.frame, example.section), now);
         fmt::print("  {:<10}{:<36}{:<24}{}\n", example.section, example.what, example.frame, next_frame(*device));

@@ -1,4 +1,4 @@
-// diff: the impact of what has changed since a revision.
+// The `diff` command: prints the impact of the changes since a revision.
 #include "host/app/cli/diff_command.hpp"
 
 #include <fmt/format.h>

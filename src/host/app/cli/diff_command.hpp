@@ -1,4 +1,4 @@
-// `canproof diff`: what the changes since a revision touch.
+// `canproof diff`: items, code, tests and verdicts that the changes since a revision affect.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct DiffOptions {
     bool json{false};
 };
 
-/// Prints items, code, tests and verdicts. Returns the exit status.
+/// Prints the affected items, code, tests and verdicts. Returns the exit status.
 int diff(const DiffOptions& options);
 
 }  // namespace canproof::host

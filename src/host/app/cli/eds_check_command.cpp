@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Text of a file for a terminal: control characters become question marks.
+/// Returns the text with each control character replaced by a question mark, so that a terminal can show it.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7F'; }, '?');

@@ -8,9 +8,10 @@
 
 namespace canproof::host {
 
-/// Notes go to stderr. Throws InputError with every fault of the file.
+/// Reads the description of a device. Prints notes to stderr. Throws InputError with every fault of the file.
 Part read_eds_part(const std::string& path);
-/// The same; besides, throws InputError for a PDO that a node does not serve (check_served_pdos()).
+/// Makes a device from the file, as read_eds_part() reads it. Also throws InputError for a PDO that a simulated node
+/// does not support (check_served_pdos()).
 std::unique_ptr<GenericSimulation> read_eds_device(const std::string& path);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// evidence: the pack to hand over.
+// The `evidence` command: writes the evidence pack.
 #include "host/app/cli/evidence_command.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Where everything lies that a pack is made from.
+/// The files and folders from which a pack is made.
 struct Places {
     explicit Places(const EvidenceOptions& options)
         : root{options.root},
@@ -57,7 +57,8 @@ struct Places {
     std::filesystem::path socketcan;
 };
 
-/// Nothing for a measurement of other sources: its lines are not those of the files.
+/// Returns the measured coverage; nothing when a source changed after the measurement, because the line numbers then no
+/// longer match the files.
 std::optional<MeasuredCoverage> coverage_of(const std::filesystem::path& file, const std::filesystem::path& root) {
     if (!std::filesystem::exists(file) || !changed_source(root, covered_sources(root), file).empty()) {
         return std::nullopt;
@@ -75,7 +76,7 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
     return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
 }
 
-/// What was measured before a source that it speaks of was written.
+/// Returns the measurements that are older than a source they depend on, each with that source.
 std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);
@@ -95,7 +96,7 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     std::vector<Exhibit> all;
     for (const auto& folder : exhibit_folders(places.exhibits)) {
         all.push_back(read_exhibit(folder));
-        // What notices a mutant are the tests.
+        // The tests decide which mutants of code are noticed, so a changed test makes this exhibit stale.
         const auto sources =
             all.back().key == "code-mutation" ? firmware_and_tests(places.root) : firmware_sources(places.root);
         mark_stale(all.back(), changed_source(places.root, sources, folder / "exhibit.json"));
@@ -103,7 +104,7 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     return all;
 }
 
-/// A pack written before is replaced; a folder that holds anything else is not ours.
+/// Checks that the folder may be replaced: it is absent or empty, or it holds an earlier pack. Throws InputError.
 void check_place(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
@@ -142,7 +143,8 @@ PackInput gather(const Places& places, const Register& content) {
     return input;
 }
 
-/// What is absent or stale and can be made. Without any verdicts that is everything.
+/// Returns the evidence that is absent or stale and that a command can make. Without any verdicts, returns all that can
+/// be made.
 std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Register& content) {
     const Places places{options};
     const bool tested = read_verdict_files(places.verdicts).tests != 0;

@@ -41,7 +41,7 @@ FactoryKey key_of(const Object& object, const Entry& entry) {
     return key;
 }
 
-/// Decimal, hexadecimal with 0x, or a real; nothing from anything else.
+/// Parses a decimal number, a hexadecimal number with 0x, or a real number. Returns nothing for any other text.
 std::optional<double> number_of(const std::string& text, const std::string& type) {
     const bool is_real = !integer_limits(type).has_value();
     const bool hexadecimal = text.rfind("0x", 0) == 0 || text.rfind("0X", 0) == 0;

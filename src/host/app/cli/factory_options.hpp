@@ -1,5 +1,5 @@
-// `--factory KEY=VALUE`: what belongs to one unit and left the factory with it. The keys are the entries that the
-// register marks so, with their types and ranges, and what a unit of the AX060805 has that no object shows.
+// `--factory KEY=VALUE`: values that a single unit gets in the factory. The keys are the entries that the requirements
+// register marks as factory data, with their types and ranges. The AX060805 has further keys that no object shows.
 #pragma once
 
 #include <string>
@@ -11,23 +11,25 @@
 
 namespace canproof::host {
 
-/// The part number that a device is named by, NAME or NAME@NODE; empty where it is the device's own name, which stands
-/// for all of them.
+/// Returns the part number in NAME or NAME@NODE. Returns an empty text for the device's own name, which stands for all
+/// part numbers.
 std::string part_number_of(const std::string& name, const Part& part);
 
-/// Those of a unit of that part number; of the device's own name without one.
+/// Returns the keys of a unit with this part number; without one, the keys of the device.
 std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_number = {});
 
-/// What the user gave: KEY=VALUE for every device that has the key, DEVICE.KEY=VALUE for one by its name.
+/// The factory values on the command line: KEY=VALUE applies to every device that has the key, DEVICE.KEY=VALUE to one
+/// device.
 class FactoryOptions {
   public:
     FactoryOptions() = default;
-    /// Throws InputError for what is no KEY=VALUE.
+    /// Throws InputError for a text that is not KEY=VALUE.
     explicit FactoryOptions(const std::vector<std::string>& given);
 
-    /// Those of a device: `name` as the user wrote it, NAME or NAME@NODE. Throws InputError for a value out of range.
+    /// Returns the values for a device; `name` is what the user wrote, NAME or NAME@NODE. Throws InputError for a value
+    /// out of range.
     FactoryValues for_device(const std::string& name, const Part& part);
-    /// Throws InputError when one of them was for none of the devices asked for.
+    /// Throws InputError when an option applied to none of the devices.
     void check_used() const;
 
   private:
@@ -37,7 +39,7 @@ class FactoryOptions {
         std::string key;
         std::string value;
         bool used{false};
-        std::vector<std::string> others;  ///< keys of devices that it could have been for
+        std::vector<std::string> others;  ///< keys of the devices for which for_device() was called
     };
     std::vector<Given> given_;
 };

@@ -1,4 +1,4 @@
-// figures: what the devices do, drawn.
+// The `figures` command: draws the behaviour of the devices.
 #include "host/app/cli/figures_command.hpp"
 
 #include <fmt/format.h>

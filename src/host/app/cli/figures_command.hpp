@@ -1,11 +1,11 @@
-// `canproof figures`: what the devices do, drawn.
+// `canproof figures`: plots of the devices' behaviour.
 #pragma once
 
 #include <string>
 
 namespace canproof::host {
 
-/// Writes SVG files into the folder. Returns the exit status.
+/// Writes the SVG files into the folder. Returns the exit status.
 int draw_figures(const std::string& folder);
 
 }  // namespace canproof::host

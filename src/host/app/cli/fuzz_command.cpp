@@ -1,4 +1,4 @@
-// fuzz: a campaign that Ctrl-C stops in order.
+// The `fuzz` command: runs a fuzzing campaign, which Ctrl-C stops in an orderly way.
 #include "host/app/cli/fuzz_command.hpp"
 
 #include <csignal>

@@ -1,11 +1,11 @@
-// `canproof fuzz`: a campaign that Ctrl-C stops in order.
+// `canproof fuzz`: a fuzzing campaign, which Ctrl-C stops in an orderly way.
 #pragma once
 
 #include "host/assess/fuzz/campaign.hpp"
 
 namespace canproof::host {
 
-/// Returns the exit status of run_campaign().
+/// Runs the campaign. Returns the exit status of run_campaign().
 int fuzz_targets(const CampaignOptions& options);
 
 }  // namespace canproof::host

@@ -3,6 +3,6 @@
 #include "host/app/cli/command_line.hpp"
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that would become too long is a write that fails
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails instead of ending the program
     return canproof::host::run_command_line(argc, argv);
 }

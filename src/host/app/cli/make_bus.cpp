@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_interface_name = 15;  // IFNAMSIZ less its zero
+constexpr std::size_t longest_interface_name = 15;  // IFNAMSIZ without the terminating zero
 
 std::unique_ptr<Bus> make_socketcan(const RunOptions& options, const std::string& interface) {
     if (interface.empty() || interface.size() > longest_interface_name) {

@@ -1,4 +1,4 @@
-// `--bus` as a bus.
+// Makes the bus that `--bus` names.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// `bit_rate` in bit/s is what the devices are set to. Throws InputError.
+/// Returns the bus; `bit_rate` is the bit rate of the devices in bit/s. Throws InputError.
 std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// misra: the checkers of misra/, run on a built firmware.
+// The `misra` command: runs the checkers of misra/ on a built firmware.
 #include "host/app/cli/misra_command.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Runs a program to its end, with this one's output; its exit status, 2 when a signal ended it.
+/// Runs a program until it ends; it inherits standard output. Returns its exit status; 2 when a signal ended it.
 int run_program(const std::vector<std::string>& words) {
     std::vector<std::string> copies{words};
     std::vector<char*> arguments;
@@ -42,7 +42,7 @@ int run_program(const std::vector<std::string>& words) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
 }
 
-/// A build of this project, or of one outside with canproof as its part `package`.
+/// Returns whether the folder is a build of this project, or of a project that builds canproof in its folder `package`.
 bool holds_firmware(const std::filesystem::path& build) {
     const auto library = std::filesystem::path{"src"} / "firmware" / "libcanproof_firmware.a";
     return std::filesystem::exists(build / library) || std::filesystem::exists(build / "package" / library);
@@ -58,7 +58,7 @@ std::filesystem::path build_folder(const MisraOptions& options) {
     return found == candidates.end() ? builds / "release" : *found;
 }
 
-/// Where canproof's own folders are, as the configure step of a build wrote it down.
+/// Returns canproof's own folder, which the configure step wrote to home.txt of the build.
 std::filesystem::path home_of(const std::filesystem::path& build) {
     const auto file = build / "home.txt";
     std::ifstream in{file};

@@ -1,4 +1,4 @@
-// `canproof misra`: MISRA C++:2023 over the firmware.
+// `canproof misra`: checks the firmware against MISRA C++:2023.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@ namespace canproof::host {
 
 struct MisraOptions {
     std::string root{"."};
-    std::string build;        ///< folder with a built firmware; build/release or build/debug without it
-    std::string out;          ///< folder for misra.sarif, compliance.md and misra.html; BUILD/misra without it
-    std::string review_file;  ///< instead of a check: record that `reviewer` judged this file for `review_rule`
+    std::string build;        ///< folder with a built firmware; empty: build/release or build/debug
+    std::string out;          ///< folder for misra.sarif, compliance.md and misra.html; empty: BUILD/misra
+    std::string review_file;  ///< file that `reviewer` judged for `review_rule`; empty: run the check
     std::string review_rule;
     std::string reviewer;
     std::string judgement;
 };
 
-/// Starts misra/run; 1 when it finds something. Returns the exit status.
+/// Runs misra/run. Returns the exit status: 1 when it has findings.
 int check_misra(const MisraOptions& options);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
-// mutate: every generated cell altered, or every operator and condition of the firmware and of the host's buses and
-// replay, one at a time; survivors without a recorded reason by item.
+// The `mutate` command: alters every generated cell, or every operator and condition of the firmware and of the host's
+// buses and replay, one at a time. It prints by item the survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Shared rules that come with canproof are tested there: their cells are left alone.
+/// Removes the cells of shared rules that come with an installed canproof: its own tests cover them.
 void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     const auto inherited = [&](const AlteredCell& cell) {
         return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
@@ -35,7 +35,7 @@ void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     cells.erase(std::remove_if(cells.begin(), cells.end(), inherited), cells.end());
 }
 
-/// The cells of one item or of one device; all of the project without a subject.
+/// Returns the cells of one item or of one device; without a subject, all cells of the project.
 std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Register& content,
                                       const std::string& subject) {
     drop_inherited(cells, content);
@@ -89,7 +89,7 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.justified, count.open());
 }
 
-/// Of mutants of code those of the host stand by themselves.
+/// Prints the counts. For mutants of code, prints those of the host separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -103,7 +103,7 @@ void print_counts(const CountsByItem& counts, bool code) {
     fmt::print("of the host's {:.1f} % are noticed\n", host.share_noticed());
 }
 
-/// Renews reports/kills.csv, and leaves what is known by then when it is interrupted.
+/// Renews reports/kills.csv. Writes the record after every 100 tests, so that an interruption keeps the results so far.
 int write_kills(const std::filesystem::path& root, const std::filesystem::path& programs, unsigned jobs) {
     const auto file = root / "reports" / "kills.csv";
     constexpr std::size_t step = 100;

@@ -1,4 +1,4 @@
-// `canproof mutate`: are broken requirements noticed?
+// `canproof mutate`: whether a test notices each broken requirement.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@ namespace canproof::host {
 
 struct MutateOptions {
     std::string root{"."};
-    std::string programs;  ///< folder; empty: build/mutation below the root
-    std::string subject;   ///< device, id or nothing; of code: part of a file's path
+    std::string programs;  ///< folder; empty: build/mutation below `root`
+    std::string subject;   ///< device, id or empty; for mutants of code: part of a file's path
     bool code{false};      ///< mutants of the firmware's code instead of generated cells
-    bool kills{false};     ///< writes reports/kills.csv: which tests notice a mutant of what they claim
+    bool kills{false};     ///< writes reports/kills.csv: the mutants that each test notices of the items it verifies
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
 };
 
-/// 1 when an alteration survives without a reason. Returns the exit status.
+/// Prints the survivors. Returns the exit status: 1 when an alteration survives without a reason.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

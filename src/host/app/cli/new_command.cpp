@@ -19,7 +19,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The register of the new folder must be sound: a data sheet may hold what no device here can.
+/// Throws InputError when the register of the new folder has faults. The data sheet can contain an object that no
+/// device of this project supports.
 void check_register(const std::map<std::string, std::string>& files) {
     SpecFiles spec;
     for (const auto& [path, text] : files) {

@@ -1,4 +1,4 @@
-// `canproof new`: a folder with one device that builds and tests at once.
+// `canproof new`: writes a project with one device that builds and passes its tests.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 namespace canproof::host {
 
 struct NewOptions {
-    std::string name;    ///< of folder and device
-    std::string eds;     ///< file: EDS, DCF or XDD; empty: the template's objects
-    std::string manual;  ///< title; empty: from the device
-    std::string prefix;  ///< of its ids; empty: from the name
+    std::string name;    ///< name of folder and device
+    std::string eds;     ///< path of an EDS, DCF or XDD; empty: the objects of the template
+    std::string manual;  ///< title; empty: derived from the device
+    std::string prefix;  ///< prefix of the ids; empty: derived from the name
 };
 
-/// Writes the folder into the working directory. Returns the exit status. Throws InputError.
+/// Writes the project into a new folder in the working directory. Returns the exit status. Throws InputError.
 int write_new_project(const NewOptions& options);
 
 }  // namespace canproof::host

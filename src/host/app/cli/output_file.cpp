@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Two names of one regular file. Devices such as /dev/null may be named as often as one likes.
+/// Returns whether both names refer to one regular file. A device such as /dev/null may be named several times.
 bool same_file(const std::string& one, const std::string& other) {
     std::error_code none;
     return std::filesystem::is_regular_file(one, none) && std::filesystem::equivalent(one, other, none);
@@ -40,7 +40,7 @@ void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<s
         if (!file->is_wanted()) {
             continue;
         }
-        // Appending makes the file and leaves what it holds.
+        // Opening for appending creates the file if necessary and keeps its content.
         file->out_.open(file->path_, std::ios::binary | std::ios::app);
         if (!file->out_) {
             throw InputError{fmt::format("cannot write {} ({}); name a file in a folder that exists", file->path_,

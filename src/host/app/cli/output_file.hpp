@@ -1,4 +1,4 @@
-// A file that a command writes as it goes: emptied only when nothing can refuse any more, and checked at its end.
+// A file that a command writes during its run. It is emptied after all checks have passed, and checked at the end.
 #pragma once
 
 #include <fstream>
@@ -9,19 +9,19 @@ namespace canproof::host {
 
 class OutputFile {
   public:
-    /// An empty path: no file is asked for.
+    /// An empty path means that the user asked for no file.
     explicit OutputFile(std::string path) : path_{std::move(path)} {}
 
     bool is_wanted() const { return !path_.empty(); }
-    /// Where the command writes; nullptr when no file is asked for.
+    /// Returns the stream to write to; nullptr when the user asked for no file.
     std::ostream* stream() { return is_wanted() ? &out_ : nullptr; }
-    /// What has been written, to the file.
+    /// Writes the buffered text to the file.
     void flush();
-    /// Throws InputError when not everything could be written.
+    /// Flushes the file. Throws InputError when not everything could be written.
     void finish();
 
-    /// All files of a command. Each is found writable, no input and no other of them before the first is emptied.
-    /// Throws InputError.
+    /// Opens all files of a command. Before it empties the first, it checks that each can be written and is neither an
+    /// input nor another of the files. Throws InputError.
     static void open(const std::vector<OutputFile*>& files, const std::vector<std::string>& inputs);
 
   private:

@@ -1,4 +1,4 @@
-// panel: devices in real time on a bus, and one local page that shows them and acts on them.
+// The `panel` command: devices in real time on a bus, and a local page that shows and stimulates them.
 #include "host/app/cli/panel_command.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The page sees time pass even where nothing happens.
+/// Longest wait of the loop, so that the page shows the passing time even when nothing happens.
 constexpr Duration longest_wait = milliseconds(50);
 
 class PanelRun {
@@ -66,7 +66,7 @@ class PanelRun {
     EventLoop loop_;
     std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
     Panel panel_;
-    HttpFront front_;  // before what it shows: a port that is taken is found out before any file is opened
+    HttpFront front_;  // constructed before prepared_: a taken port is reported before any file is opened
     PreparedRun prepared_;
 };
 

@@ -8,11 +8,11 @@
 namespace canproof::host {
 
 struct PanelOptions {
-    RunOptions run;            ///< `plain` and `seconds` mean nothing here
-    std::uint16_t port{8404};  ///< 0: any that is free
+    RunOptions run;            ///< `plain` and `seconds` have no effect here
+    std::uint16_t port{8404};  ///< 0: any free port
 };
 
-/// Ends when it is interrupted. Returns the exit status.
+/// Runs the panel until it is interrupted. Returns the exit status.
 int run_panel(const PanelOptions& options);
 
 }  // namespace canproof::host

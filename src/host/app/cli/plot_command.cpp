@@ -1,4 +1,4 @@
-// plot: what `--outputs` wrote as an SVG file.
+// The `plot` command: draws a file of `--outputs` as SVG.
 #include "host/app/cli/plot_command.hpp"
 
 #include "host/base/files.hpp"

@@ -1,4 +1,4 @@
-// `canproof plot`: what --outputs wrote, drawn.
+// `canproof plot`: draws a file of `--outputs` as SVG.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace canproof::host {
 
 struct PlotOptions {
-    std::string csv;  ///< what --outputs wrote
+    std::string csv;  ///< file that `--outputs` wrote
     std::string svg;  ///< file to write
     std::vector<std::string> signals;
 };

@@ -51,7 +51,8 @@ const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string
     throw InputError{fmt::format("{}: {} has no signals", one.where, one.signal)};
 }
 
-/// `device.signal` must name a device that runs, and gets its whole name; the rest is checked as without it.
+/// Checks each stimulus against the devices. For `device.signal`, the device must be part of the run; its short name is
+/// replaced by its whole name.
 void check_targets(std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
     std::vector<std::string> names;
@@ -85,7 +86,7 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
-/// In `folder`, which is made, or nowhere when it has no name.
+/// Keeps the device's memory in a file of `folder`, which is created; does nothing when `folder` is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
         std::filesystem::create_directories(folder);

@@ -1,4 +1,4 @@
-// Devices on a bus as a command line asks for them, with the files that go in and out: what `run` and `panel` share.
+// The devices, the bus and the files of a command line; common to `run` and `panel`.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,20 @@ namespace canproof::host {
 
 class PreparedRun {
   public:
-    /// `frames` gets every frame as a line; it and `observer` may be nullptr. Throws InputError.
+    /// `frames` receives every frame as a line; `frames` and `observer` may be nullptr. Throws InputError.
     PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer, NoticeListener notice);
 
     RunSession& session() { return *session_; }
-    /// What describes each node of the session.
+    /// Returns the part of each node of the session, in the order of the nodes.
     const std::vector<const Part*>& parts() const { return parts_; }
 
-    /// The log and the outputs, emptied: before power-on, when nothing can refuse any more. Throws InputError.
+    /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.
     void open_outputs();
-    /// A notice for each node-ID that more than one device has since the last call.
+    /// Sends a notice for each node-ID that more than one device has got since the last call.
     void tell_node_ids();
-    /// The log and the outputs, as far as they are written, to their files.
+    /// Writes what is buffered of the log and the outputs to their files.
     void flush();
-    /// The files to their end. Throws InputError.
+    /// Completes the files. Throws InputError.
     void finish();
 
   private:

@@ -1,4 +1,4 @@
-// prove: theorems about the firmware, by the program canproof-prove beside this one.
+// The `prove` command: proves theorems about the firmware with the program canproof-prove beside this one.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Starts it with these words and waits. Its exit status. Throws InputError when it is not there.
+/// Starts canproof-prove with these arguments and waits for its end. Returns its exit status. Throws InputError when
+/// the program does not exist.
 int prove(const std::vector<std::string>& words);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// replay: files in, the device's frames out.
+// The `replay` command: reads a log and prints the frames that the device sends.
 #include "host/app/cli/replay_command.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void tell_counts(const LogCounts& counts) {
 }  // namespace
 
 int replay_log(const ReplayOptions& options) {
-    std::ios::sync_with_stdio(false);  // else a read error of standard input looks like its end
+    std::ios::sync_with_stdio(false);  // otherwise a read error of standard input looks like its end
     FactoryOptions factory{options.factory};
     ChosenDevice chosen = options.eds.empty() ? choose_device(options.device, factory) : choose_eds(options.eds);
     factory.check_used();

@@ -1,4 +1,4 @@
-// `canproof replay`: a log played to one device in virtual time.
+// `canproof replay`: plays a log to one device in virtual time.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ struct ReplayOptions {
     std::string device;
     std::string eds;                  ///< file; instead of `device`
     std::string log;                  ///< file, or - for standard input
-    std::optional<std::string> node;  ///< as shipped without it
+    std::optional<std::string> node;  ///< node-ID; none: the node-ID as shipped
     std::vector<std::string> factory;
     std::string nvm;
     std::string stimulus;

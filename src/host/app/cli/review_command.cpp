@@ -1,4 +1,4 @@
-// spec review: records that items were read as they are now, together with their code and tests.
+// The `spec review` command: records that items were read in their present form, with their code and tests.
 #include "host/app/cli/review_command.hpp"
 
 #include <fmt/chrono.h>
@@ -50,7 +50,7 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Those of the part that the user has named; each name that is found is struck from `names`.
+/// Returns the items of the part that the user named, and removes each found name from `names`.
 std::set<std::string> chosen_of(const Part& part, const WorkByItem& work, const ReviewOptions& options,
                                 std::set<std::string>& names) {
     const std::set<std::string> waiting = unreviewed(part, work);

@@ -1,4 +1,4 @@
-// `canproof spec review`: items that were read with their code and tests.
+// `canproof spec review`: records that items were read with their code and tests.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 namespace canproof::host {
 
 struct ReviewOptions {
-    std::string spec{"spec"};           ///< below the project's folder
+    std::string spec{"spec"};           ///< path relative to the project's folder
     std::vector<std::string> subjects;  ///< ids or devices
     bool all{false};
     std::string by;
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
-    bool mark{false};      ///< the marks of code and tests alone, of reviews that stay
-    bool wording{false};   ///< the items alone were read; their code and tests are marked as they are
-    std::string date;      ///< 2026-11-21; empty: today
+    bool mark{false};      ///< renews the marks of code and tests of existing reviews, without a new review
+    bool wording{false};   ///< only the items were read; their code and tests are marked in their present form
+    std::string date;      ///< YYYY-MM-DD; empty: today
 };
 
 /// Writes reviews.toml of each part. Returns the exit status.

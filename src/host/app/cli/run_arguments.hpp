@@ -1,4 +1,4 @@
-// The arguments that commands with devices on a bus have in common.
+// The arguments that are common to the commands with devices on a bus.
 #pragma once
 
 #include "host/app/cli/run_command.hpp"
@@ -16,7 +16,7 @@ inline constexpr const char* factory_help =
     "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
     "one";
 
-/// Adds what `run` and `panel` have in common. `running` lives until the command line has been read.
+/// Adds the options that are common to `run` and `panel`. `running` must outlive the parsing of the command line.
 void add_run_options(CLI::App& command, RunOptions& running);
 
 }  // namespace canproof::host

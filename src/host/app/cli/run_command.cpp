@@ -1,5 +1,5 @@
-// run: devices in real time on a bus. On a terminal a live table, elsewhere every frame as a candump line; lines
-// `ID#DATA` on standard input go onto the bus.
+// The `run` command: devices in real time on a bus. On a terminal it shows a live table, otherwise every frame as a
+// candump line. It sends lines `ID#DATA` from standard input on the bus.
 #include "host/app/cli/run_command.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ constexpr Duration table_period = milliseconds(200);
 constexpr Duration longest_wait = milliseconds(1000);
 constexpr std::size_t notices_kept = 20;
 
-/// `kind`: S_IFIFO, S_IFDIR
+/// Returns whether the descriptor has this file type; `kind` is S_IFIFO or S_IFDIR.
 bool is(mode_t kind, int descriptor) {
     struct stat found {};
     return fstat(descriptor, &found) == 0 && (found.st_mode & S_IFMT) == kind;
@@ -78,7 +78,7 @@ class Run {
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
     }
 
-    /// What a table shows by itself.
+    /// Prints the node-IDs; the table already contains them.
     void name_devices() const {
         if (!is_table_) {
             tell(fmt::format("{}", fmt::join(node_id_lines(session_.nodes()), "\n")));
@@ -109,7 +109,7 @@ class Run {
         while (!lines_.empty()) {
             try {
                 if (!session_.put(parse_frame(lines_.front(), "standard input"))) {
-                    return;  // the bus is busy: the line waits, and with it standard input
+                    return;  // the bus is busy: the line waits, and no further input is read
                 }
             } catch (const InputError& error) {
                 take_notice(error.what());
@@ -129,7 +129,7 @@ class Run {
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
-        // A pipe is watched for nothing but its end: whoever read it has gone.
+        // A pipe is watched only for its end: the reader has closed it.
         output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {
@@ -152,7 +152,8 @@ class Run {
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
         const auto lines =
             table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{}, pace_.lag());
-        std::string text = "\033[H";  // home; each line is cleared behind what it says, the rest of the screen below
+        std::string text = "\033[H";  // cursor home; each line clears its rest, and the last code clears the screen
+                                      // below
         for (const std::string& line : lines) {
             text += line + "\033[K\n";
         }

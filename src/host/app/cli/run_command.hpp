@@ -8,23 +8,23 @@
 namespace canproof::host {
 
 struct RunOptions {
-    std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here and in `eds`: the whole catalogue
+    std::vector<std::string> devices;  ///< NAME or NAME@NODE; without any here and in `eds`: the whole catalogue
     std::vector<std::string> eds;      ///< FILE or FILE@NODE
     std::vector<std::string> factory;  ///< KEY=VALUE or DEVICE.KEY=VALUE
     std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT],
                                        ///< socketcand-client:HOST:PORT[/BUS]
-    std::string bus_faults;            ///< of the in-process bus, see parse_bus_faults()
-    bool control_interface{false};     ///< the run may set an interface's bit rate and restart its controller
+    std::string bus_faults;            ///< faults of the in-process bus, see parse_bus_faults()
+    bool control_interface{false};     ///< the run may set the bit rate of an interface and restart its controller
     bool plain{false};                 ///< no table, even on a terminal
-    std::string log;                   ///< log of all frames; .pcapng for that format
-    bool log_marks{false};             ///< T and R behind the frames of a candump log
-    std::string nvm;                   ///< folder with one memory image a device
+    std::string log;                   ///< log of all frames; pcapng when the name ends with .pcapng
+    bool log_marks{false};             ///< T and R after the frames of a candump log
+    std::string nvm;                   ///< folder with one memory image per device
     std::string stimulus;
     std::string outputs;
     std::optional<double> seconds;
 };
 
-/// Ends after `seconds`, or when it is interrupted. Returns the exit status.
+/// Runs the devices for `seconds`, or until it is interrupted. Returns the exit status.
 int run_devices(const RunOptions& options);
 
 }  // namespace canproof::host

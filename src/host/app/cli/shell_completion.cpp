@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Text in single quotes, for a shell.
+/// Returns the text in single quotes for a shell.
 std::string quoted(const std::string& text) {
     std::string out{"'"};
     for (const char c : text) {
@@ -18,7 +18,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// What can stand behind a command: commands below it, then options.
+/// Returns the words that may follow a command: its subcommands, then its options.
 std::vector<std::string> words_behind(const CommandWords& command) {
     std::vector<std::string> words = command.below;
     for (const auto& option : command.options) {
@@ -29,7 +29,7 @@ std::vector<std::string> words_behind(const CommandWords& command) {
     return words;
 }
 
-/// The patterns `/run`, `/eds/check` of a shell's case, one for each command below the program.
+/// Returns the patterns of a shell's `case` statement, such as `/run|/eds/check`, one for each command.
 std::string paths_of(const std::vector<CommandWords>& commands) {
     std::vector<std::string> paths;
     for (const auto& command : commands) {
@@ -58,7 +58,7 @@ std::string bash_completion(const std::vector<CommandWords>& commands) {
         paths_of(commands), cases);
 }
 
-/// `word:description` as zsh's _describe wants it: colons of the word are escaped.
+/// Returns `word:description` in quotes for zsh's _describe.
 std::string described(const std::string& word, const std::string& description) {
     return quoted(word + ":" + description);
 }
@@ -128,7 +128,7 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
     return text;
 }
 
-/// Text for roff: hyphens are minus signs, a line does not begin as a request.
+/// Returns the text escaped for roff: a hyphen becomes a minus sign, and no line starts as a request.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// Completion for shells, made from the command line.
+// Shell completion and manual page, generated from the command line.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace canproof::host {
 
-/// The script that a shell (bash, zsh or fish) sources. It offers commands, options and files.
+/// Returns the script that a shell (bash, zsh or fish) sources. It offers commands, options and files.
 std::string shell_completion(const std::vector<CommandWords>& commands, const std::string& shell);
 
-/// The manual page canproof(1) in roff.
+/// Returns the manual page canproof(1) in roff.
 std::string manual_page(const std::vector<CommandWords>& commands, const std::string& version);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The register of a project's folder, for commands that need it whole.
+// The requirements register of a project's folder, for commands that need it without faults.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Throws InputError when the folder is not there or the register has faults.
+/// Reads the register. Throws InputError when the folder does not exist or the register has faults.
 Register sound_register(const std::filesystem::path& spec);
 
 }  // namespace canproof::host

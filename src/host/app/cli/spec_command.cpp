@@ -1,4 +1,4 @@
-// spec check and spec statements: what the register says of itself, and of the manuals.
+// The commands `spec check` and `spec statements`: faults of the register, and the statements of a manual.
 #include "host/app/cli/spec_command.hpp"
 
 #include <fmt/format.h>

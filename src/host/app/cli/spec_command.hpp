@@ -7,21 +7,22 @@ namespace canproof::host {
 
 struct SpecCheckOptions {
     std::string spec{"spec"};
-    bool strict{false};  ///< warnings end with 1 as faults do
+    bool strict{false};  ///< a warning leads to exit status 1, as a fault does
     bool json{false};    ///< faults and warnings as JSON instead of lines
 };
 
-/// Every fault and warning of the register in this folder; 1 when there is a fault. Returns the exit status.
+/// Prints every fault and warning of the register in this folder. Returns the exit status: 1 when there is a fault.
 int check_spec(const SpecCheckOptions& options);
 
 struct StatementsOptions {
-    std::string key;   ///< of the manual
-    std::string text;  ///< a text version of the manual; empty: the statements alone
+    std::string key;   ///< key of the manual
+    std::string text;  ///< file with the manual's text; empty: no comparison
     std::string spec{"spec"};
 };
 
-/// The statements of a manual by section: 1 when one is open, or a normative section has none. With a text of the
-/// manual: the marks that are not in it and the text that no statement covers; 1 when a mark is not in it.
+/// Prints the statements of a manual by section. Returns the exit status: 1 when a statement is open or a normative
+/// section has none. With a text of the manual, prints instead the marks that are not in the text and the text that no
+/// statement covers; then 1 means that a mark is not in the text.
 int list_statements(const StatementsOptions& options);
 
 }  // namespace canproof::host

@@ -5,15 +5,14 @@
 
 namespace canproof::host {
 
-/// A standard descriptor that is closed is given to /dev/null, read only: no file that a command opens takes its place,
-/// and what is written there is told as an error.
+/// Opens /dev/null, read only, for each standard descriptor that is closed. No file that a command opens then gets such
+/// a descriptor, and a write to it fails with an error.
 void keep_standard_descriptors();
 
-/// Puts a line on standard error. A line that cannot be written is lost: there is nobody else to report it to, and it
-/// ends no command.
+/// Writes a line to standard error. A failure is ignored: there is no place to report it.
 void tell(const std::string& line) noexcept;
 
-/// Everything written to standard output is out. Throws InputError when it is not.
+/// Flushes standard output. Throws InputError when not everything could be written.
 void finish_standard_output();
 bool standard_output_failed();
 

@@ -1,5 +1,5 @@
-# cmake -DFOLDER=… -DTOOLCHAIN=… -DOUT=… -P embed.cmake: writes the files of FOLDER, by their path below it without `.in`,
-# and the toolchain file of the microcontroller into a C++ source.
+# cmake -DFOLDER=… -DTOOLCHAIN=… -DOUT=… -P embed.cmake: writes a C++ source with the files of FOLDER, by their relative paths
+# without `.in`, and with the toolchain file of the microcontroller.
 include(${CMAKE_CURRENT_LIST_DIR}/../../embed.cmake)
 file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${FOLDER} ${FOLDER}/*.in)
 list(SORT files)

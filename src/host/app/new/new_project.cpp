@@ -20,7 +20,7 @@ constexpr std::int64_t usual_bit_rate = 125000;
 constexpr int usual_node_id = 1;
 constexpr std::size_t longest_name = 40;
 
-/// Words that C++ or canproof itself has as names.
+/// Returns the words that are reserved as names by C++ or by canproof.
 const std::set<std::string>& taken_words() {
     static const std::set<std::string> words{
         "alignas",  "alignof", "and",     "asm",       "auto",      "bool",      "break",     "canopen",  "canproof",
@@ -74,7 +74,7 @@ void check_prefix(const std::string& prefix) {
     }
 }
 
-/// What stands between the quotes of a TOML or C++ string, on one line.
+/// Returns the text as content of a TOML or C++ string: quotes, backslashes and control characters become spaces.
 std::string quotable(const std::string& text) {
     std::string out;
     for (const char letter : text) {
@@ -84,7 +84,7 @@ std::string quotable(const std::string& text) {
     return out;
 }
 
-/// The first entry of an object; none without the object.
+/// Returns the first entry of an object; nullptr when the part does not have the object.
 const Entry* first_entry(const Part& part, unsigned index) {
     const auto found = std::find_if(part.objects.begin(), part.objects.end(), [index](const Object& object) {
         return object.index == index && !object.entries.empty();
@@ -97,7 +97,8 @@ std::int64_t number_of(const Entry* entry) {
     return number == nullptr ? 0 : *number;
 }
 
-/// A function of the test that tells which emergency message node 5 sends, by the default of 1014h.
+/// Returns the source of a test function that returns the emergency frame of node 5. Its COB-ID follows the default of
+/// 1014h COB-ID EMCY.
 std::string emergency_of(const Part& part) {
     constexpr int node = 5;
     constexpr std::int64_t switched_off = 0x80000000;
@@ -114,7 +115,7 @@ std::string emergency_of(const Part& part) {
         id);
 }
 
-/// The usual bit rates and the one as shipped, in bit/s.
+/// Returns the usual bit rates and the bit rate as shipped, in bit/s.
 std::string bit_rates_with(std::int64_t shipped) {
     std::set<std::int64_t> rates{10000, 20000, 50000, 125000, 250000, 500000, 800000, 1000000};
     rates.insert(shipped);
@@ -148,7 +149,7 @@ Words words_of(const NewProject& project, const std::string& prefix) {
     return words;
 }
 
-/// Every @word@ that `words` has, filled in.
+/// Returns the text with every @word@ that `words` contains replaced.
 std::string filled(const std::string& text, const Words& words) {
     std::string out;
     std::size_t at = 0;
@@ -175,7 +176,7 @@ std::map<std::string, std::string> project_files(const NewProject& project) {
     std::map<std::string, std::string> files;
     for (const auto& [path, text] : project_templates()) {
         const std::string place = filled(path, words);
-        // A corpus is bytes.
+        // Files of a corpus are binary: they stay as they are.
         files[place] = path.find("/corpus/") == std::string::npos ? filled(text, words) : text;
     }
     if (project.eds) {

@@ -1,4 +1,4 @@
-// A new project with one device: what `canproof new` writes.
+// Generates the files of a new project with one device, for `canproof new`.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@
 namespace canproof::host {
 
 struct NewProject {
-    std::string name;         ///< of folder and device: small letters, digits, single dashes
-    std::string prefix;       ///< of its ids: capital letters and digits; empty: from the name
-    std::string manual;       ///< its manual's title; empty: from the device
-    std::string date;         ///< of the manual, 2026-11-22
-    std::optional<Part> eds;  ///< identity and objects from a data sheet; the template's own without one
+    std::string name;         ///< name of folder and device: small letters, digits, single dashes
+    std::string prefix;       ///< prefix of the ids: capital letters and digits; empty: derived from the name
+    std::string manual;       ///< title of the manual; empty: derived from the device
+    std::string date;         ///< date of the manual, YYYY-MM-DD
+    std::optional<Part> eds;  ///< identity and objects from a data sheet; none: those of the template
 };
 
-/// The files by path. Throws InputError when a name cannot be used.
+/// Returns the text of each file by its path. Throws InputError for an unusable name.
 std::map<std::string, std::string> project_files(const NewProject& project);
 
 }  // namespace canproof::host

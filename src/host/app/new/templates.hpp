@@ -1,4 +1,4 @@
-// The files of src/host/app/new/template/, as the program carries them.
+// The files of src/host/app/new/template/, embedded in the program.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Text by path, both with @names@ to be filled in.
+/// Returns the text of each file by its path, both with @names@ as placeholders.
 const std::map<std::string, std::string>& project_templates();
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
-// The files of page/ and the devices' views as they stood when the program was built, by name: `page/index.html`,
-// `views/ax130751.json` (src/devices/ax130751/simulation/panel.json).
+// The files of page/ and the devices' views, embedded at build time, by name: `page/index.html`, `views/ax130751.json`
+// (src/devices/ax130751/simulation/panel.json).
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-# cmake -DFOLDER=… -DDEVICES=… -DOUT=… -P embed.cmake: writes the files of FOLDER/page as `page/FILE` and each
-# DEVICES/NAME/simulation/panel.json as `views/NAME.json` into a C++ source.
+# cmake -DFOLDER=… -DDEVICES=… -DOUT=… -P embed.cmake: writes a C++ source with the files of FOLDER/page as `page/FILE`, and with
+# each DEVICES/NAME/simulation/panel.json as `views/NAME.json`.
 include(${CMAKE_CURRENT_LIST_DIR}/../../embed.cmake)
 file(GLOB files ${FOLDER}/page/* ${DEVICES}/*/simulation/panel.json)
 list(SORT files)

@@ -36,7 +36,8 @@ const char* reason(int status) {
     }
 }
 
-/// Nothing is loaded from elsewhere, nothing may frame the page, nothing is kept; one request a connection.
+/// Returns the response text. Its headers forbid content from elsewhere, framing and caching; the connection closes
+/// after one request.
 std::string response_text(const PanelResponse& response, bool with_body) {
     return fmt::format(
                "HTTP/1.1 {} {}\r\n"
@@ -53,8 +54,8 @@ std::string response_text(const PanelResponse& response, bool with_body) {
            (with_body ? response.body : "");
 }
 
-/// A socket that listens at the loopback; -1 when it cannot be had. Without SO_REUSEPORT: two panels must not share a
-/// port unnoticed.
+/// Returns a socket that listens on the loopback address; -1 when it cannot be opened. It does not set SO_REUSEPORT, so
+/// that two panels cannot share a port unnoticed.
 int listen_at(std::uint16_t port) {
     const int descriptor = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
@@ -143,11 +144,12 @@ void HttpFront::accept_clients(Instant now) {
         connections_.push_back(std::make_unique<Connection>());
         connections_.back()->descriptor = descriptor;
         connections_.back()->deadline = now + request_limit;
-        serve(*connections_.back(), now);  // a request that is there is answered whatever crowd comes behind it
+        serve(*connections_.back(), now);  // a request that has arrived is answered even if many clients follow
     }
 }
 
-/// One that has its response goes first, then one whose deadline is next.
+/// Closes one connection. It chooses among those whose response is sent, otherwise among all, and takes the one with
+/// the earliest deadline.
 void HttpFront::make_place() {
     const auto rank = [](const auto& one) { return std::pair{!one->closing, one->deadline.us}; };
     const auto first = std::min_element(connections_.begin(), connections_.end(),
@@ -190,7 +192,8 @@ void HttpFront::write_some(Connection& one, Instant now) {
     one.gone = one.gone || (count < 0 && !must_wait());
     one.written += count > 0 ? static_cast<std::size_t>(count) : 0U;
     if (one.written == one.output.size()) {
-        shutdown(one.descriptor, SHUT_WR);  // closing at once would cut off a response that is not read yet
+        shutdown(one.descriptor, SHUT_WR);  // an immediate close could cut off a response that the client has not read
+                                            // yet
         one.closing = true;
         one.deadline = now + close_limit;
         one.output = {};

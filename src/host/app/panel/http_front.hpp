@@ -1,5 +1,5 @@
-// The panel over HTTP on the loopback. No thread: the run loop turns it. No client can keep others waiting: each
-// request and each response has its deadline, and the number of connections is bounded.
+// The panel over HTTP on the loopback address, without a thread: the run loop calls it. No client can block another:
+// each request and each response has a deadline, and the number of connections is bounded.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +19,27 @@ class HttpFront {
     using Answer = std::function<PanelResponse(const PanelRequest&)>;
 
     static constexpr std::size_t most_connections = 32;
-    /// From when a client has connected until its request is whole.
+    /// Longest time from the connection of a client until its request is complete.
     static constexpr Duration request_limit = milliseconds(2000);
-    /// From then until it has taken the response.
+    /// Longest time from then until the client has received the response.
     static constexpr Duration response_limit = milliseconds(5000);
-    /// From then until it has closed.
+    /// Longest time from then until the client has closed the connection.
     static constexpr Duration close_limit = milliseconds(1000);
 
-    /// Listens from here on. Port 0: any that is free. Throws InputError when the port cannot be had.
+    /// Starts to listen. Port 0 selects any free port. Throws InputError when the port cannot be opened.
     HttpFront(Answer answer, std::uint16_t port);
-    /// Waits for nobody.
+    /// Closes all connections without waiting.
     ~HttpFront();
     HttpFront(const HttpFront&) = delete;
     HttpFront& operator=(const HttpFront&) = delete;
 
     std::vector<Watch> watches() const;
-    /// Reads, answers and writes what can be without waiting. `now` never decreases.
+    /// Reads, answers and writes as far as possible without waiting. `now` never decreases.
     void turn(Instant now);
     Instant next_deadline() const;
 
     std::uint16_t port() const { return port_; }
-    /// `http://127.0.0.1:8404/`
+    /// Returns the address of the page, such as `http://127.0.0.1:8404/`.
     std::string address() const;
     std::size_t connections() const { return connections_.size(); }
 
@@ -51,7 +51,7 @@ class HttpFront {
         std::string output;
         std::size_t written{0};
         bool answered{false};
-        bool closing{false};  ///< all is written: what else it sends is passed over until it closes
+        bool closing{false};  ///< the response is sent; further input is discarded until the client closes
         bool gone{false};
     };
 

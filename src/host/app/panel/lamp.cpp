@@ -9,7 +9,7 @@ namespace canproof::host {
 namespace {
 
 constexpr Duration settled = milliseconds(2000);        // longer than any pause of CiA 303-3
-constexpr Duration between_groups = milliseconds(800);  // flashes of one group rise 400 ms apart
+constexpr Duration between_groups = milliseconds(800);  // the flashes of one group start 400 ms apart
 constexpr int most_flashes = 4;
 constexpr Duration slowest_flicker = milliseconds(150);
 
@@ -40,7 +40,7 @@ std::string LampHistory::words(Instant now) const {
     if (rises.size() < 2U) {
         return lit() ? "on" : "off";
     }
-    // The newest whole group: between the last two pauses.
+    // Counts the flashes between the last two pauses, which is the newest complete group.
     int in_group = 1;
     int groups = 0;
     for (std::size_t i = rises.size() - 1; i > 0; --i) {

@@ -1,4 +1,4 @@
-// What an LED shows, told from when it went on and off: the words of CiA 303-3 for those who cannot watch it flash.
+// Describes an LED in the words of CiA 303-3, from the times at which it went on and off.
 #pragma once
 
 #include <deque>
@@ -18,19 +18,20 @@ struct LampEdge {
 /// The newest edges of one LED.
 class LampHistory {
   public:
-    /// True when this is another state than before.
+    /// Records the state at `now`. Returns whether it differs from the state before.
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
-    /// `off`, `on`, `blinking`, `flickering`, `1 flash` … `4 flashes`; `flashing` while there is too little to tell.
+    /// Returns `off`, `on`, `blinking`, `flickering`, `1 flash` … `4 flashes`; `flashing` while the edges are too few
+    /// to decide.
     std::string words(Instant now) const;
 
   private:
-    static constexpr std::size_t edges_kept = 24;  // two rounds of four flashes, and one that was begun
+    static constexpr std::size_t edges_kept = 24;  // two rounds of four flashes, and one incomplete round
 
     std::deque<LampEdge> edges_;
 };
 
-/// The green run LED of CiA 303-3 for a state.
+/// Returns the pattern of the green run LED of CiA 303-3 for a state.
 IndicatorPattern run_lamp(NmtState state);
 
 }  // namespace canproof::host

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 using generated::canopen::index::error_register;
 
-/// How the device's face is drawn; an empty object for one that has no view.
+/// Returns the view that describes how the page draws the device; an empty object for a device without one.
 json view_of(const Part* part) {
     const auto found = panel_assets().find("views/" + (part == nullptr ? "" : part->name) + ".json");
     return found == panel_assets().end() ? json::object() : json::parse(found->second);
@@ -133,7 +133,7 @@ PanelResponse ok(const json& body) {
     return {200, "application/json", body.dump(-1, ' ', false, json::error_handler_t::replace)};
 }
 
-/// The page and what belongs to it; nullptr when there is no such file.
+/// Returns the media type of a file of the page; nullptr when there is no such file.
 const char* asset_type(const std::string& path) {
     if (path.size() > 3 && path.substr(path.size() - 3) == ".js") {
         return "text/javascript; charset=utf-8";
@@ -288,7 +288,8 @@ nlohmann::json Panel::state(std::uint64_t changes_from, std::uint64_t frames_fro
             {"stimuli", stimuli_.next()}};
 }
 
-/// As `run` and `replay` read it; without the device's name where there is only one, for replay knows no other.
+/// Returns the stimuli as CSV for `run` and `replay`. A single device's name is left out, because `replay` accepts
+/// none.
 std::string Panel::stimuli_csv() const {
     std::string text = "seconds,signal,value\n";
     const bool single = session_->nodes().size() == 1U;

@@ -1,4 +1,4 @@
-// A session that a page looks at and acts on: the run loop moves it on, requests read it and queue stimuli and frames.
+// A session that a page shows and stimulates. The run loop advances it; requests read it and queue stimuli and frames.
 #pragma once
 
 #include <functional>
@@ -20,12 +20,12 @@ class Panel {
 
     using Clock = std::function<Instant()>;
 
-    /// `clock` gives the session's time.
+    /// `clock` returns the time of the session.
     Panel(const Register& content, Clock clock);
 
-    /// What the session must tell; good for as long as the panel is.
+    /// Returns the observer to pass to the session; valid as long as the panel.
     SessionObserver& observer() { return recorder_; }
-    /// Before power-on, once. `parts` are parallel to the session's nodes.
+    /// Attaches the session. Called once, before power-on. `parts` are parallel to the session's nodes.
     void take(RunSession& session, std::vector<const Part*> parts);
 
     void power_on();
@@ -33,10 +33,10 @@ class Panel {
     Instant next_deadline() const;
     std::vector<Watch> watches() const;
     void notice(const std::string& text);
-    /// What the user should know at the end; empty when there is nothing.
+    /// Returns the final message for the user; empty when there is none.
     std::string summary() const { return pace_.summary(); }
 
-    /// The answer to any request; what is not allowed is refused.
+    /// Answers any request; a request that is not allowed gets an error response.
     PanelResponse answer(const PanelRequest& request);
 
   private:

@@ -12,9 +12,10 @@ namespace canproof::host {
 namespace {
 
 using generated::canopen::index::error_register;
-constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // below lies the communication area
+constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // lower indices are the communication area
 
-/// Of `0.1 degC; 0.1 V` the part of that sub-index; a unit without parts is everyone's.
+/// Returns the unit of this sub-index: the n-th part of `0.1 degC; 0.1 V`. A unit without parts applies to every
+/// sub-index.
 std::string own_unit(const std::string& units, std::uint8_t subindex) {
     std::istringstream parts{units};
     std::string one = units;
@@ -24,7 +25,7 @@ std::string own_unit(const std::string& units, std::uint8_t subindex) {
     return one;
 }
 
-/// `0.1 degC` counts tenths: the number in front, and the unit behind it.
+/// Splits `0.1 degC` into the scale 0.1 and the unit `degC`; a unit without a number has the scale 1.
 void split_unit(const std::string& text, Channel& channel) {
     const auto space = text.find(' ');
     const bool counted = space != std::string::npos && text.find_first_not_of("0123456789.") == space;
@@ -131,7 +132,8 @@ void Recorder::add(const std::string& name, const SimulatedDevice& device, const
             lent_lamp("error", "Lent by the panel: lit while the error register 1001h is not zero."));
     }
     add_entries(device, part, face, one.channels);
-    one.values.assign(one.channels.size(), std::nan(""));  // the first value is a change
+    one.values.assign(one.channels.size(), std::nan(""));  // NaN differs from every value, so the first value is
+                                                           // recorded as a change
     one.first_channel = devices_.empty() ? 0U : devices_.back().first_channel + devices_.back().channels.size();
     devices_.push_back(std::move(one));
 }
@@ -175,7 +177,8 @@ void Recorder::on_step(Instant at) {
     last_step_ = at;
 }
 
-/// Between two steps the state of a device does not change: the lamp that shows it may be followed afterwards.
+/// Records the LEDs since the last step. The state of a device does not change between two steps, so its LED pattern
+/// can be computed afterwards.
 void Recorder::follow_lamps(Device& device, Instant at) {
     for (std::size_t i = 0; i < device.channels.size(); ++i) {
         if (device.channels[i].kind != Channel::Kind::lamp) {

@@ -1,5 +1,5 @@
-// What a session did, as the page asks for it: changes of outputs and LEDs at their own times, measured values, frames
-// in words, each device's last emergency. Bounded: who asks too late gets the newest.
+// The record of a session for the page: changes of outputs and LEDs with their times, measured values, decoded frames,
+// and each device's last emergency. The memory is bounded: a late reader gets the newest records.
 #pragma once
 
 #include <map>
@@ -17,53 +17,53 @@ namespace canproof::host {
 /// A number of a device that the page can show.
 struct Channel {
     enum class Kind {
-        output,    ///< a physical output, exact in time
-        lamp,      ///< an LED that the panel lends to a device without any
-        measured,  ///< an entry of the dictionary that the device itself keeps up to date
-        setting    ///< an entry that the page marks on a scale: a limit
+        output,    ///< a physical output, with exact times of change
+        lamp,      ///< an LED that the panel draws for a device without LEDs
+        measured,  ///< an entry of the dictionary that the device updates
+        setting    ///< an entry that the page marks on a scale, such as a limit
     } kind{Kind::output};
     std::string name;
     std::string text;
     std::string unit;
-    double scale{1.0};  ///< the unit counts for so many counts: 0.1 of `0.1 degC`
+    double scale{1.0};  ///< factor from counts to the unit: 0.1 for `0.1 degC`
     std::optional<double> minimum;
     std::optional<double> maximum;
-    const Entry* entry{nullptr};  ///< of a measured value or setting
+    const Entry* entry{nullptr};  ///< the entry of a measured value or setting
     EntryRef place{};
     bool truth{false};
-    bool whole{false};  ///< counts, without digits behind the point
+    bool whole{false};  ///< integer: shown without decimals
 };
 
-/// What the page should know of a device beside its part of the register.
+/// Data for drawing a device that are not in its part of the requirements register.
 struct DeviceFace {
-    std::vector<std::string> leds;      ///< outputs that are LEDs; none: the panel lends `run` and `error`
+    std::vector<std::string> leds;      ///< outputs that are LEDs; none: the panel adds `run` and `error`
     std::vector<std::string> settings;  ///< names of entries
 };
 
 struct ChannelChange {
     Instant time{};
-    std::size_t channel{0};  ///< counted through all devices
+    std::size_t channel{0};  ///< number of the channel over all devices
     double value{0.0};
 };
 
 struct RecordedFrame {
     Instant time{};
     Frame frame{};
-    std::string sender;  ///< empty: from outside
+    std::string sender;  ///< empty: sent from outside
     FrameWords words;
 };
 
 struct LastEmergency {
     Instant time{};
     std::string text;
-    bool error{false};  ///< false: the code says that an error has gone
+    bool error{false};  ///< false: the code reports that an error has gone
 };
 
 class Recorder final : public SessionObserver {
   public:
     static constexpr std::size_t changes_kept = 16384;
     static constexpr std::size_t frames_kept = 2000;
-    /// Measured values are looked at so often.
+    /// Period at which the measured values are read.
     static constexpr Duration measuring_period = milliseconds(50);
 
     struct Device {
@@ -79,7 +79,7 @@ class Recorder final : public SessionObserver {
 
     explicit Recorder(const Register& content) : decoder_{content} {}
 
-    /// Before power-on. `part` may be nullptr; what is handed must outlive the recorder.
+    /// Adds a device before power-on. `part` may be nullptr; `device` and `part` must outlive the recorder.
     void add(const std::string& name, const SimulatedDevice& device, const Part* part, const DeviceFace& face);
 
     void on_frame(const BusFrame& frame) override;

@@ -1,4 +1,4 @@
-// The newest of a sequence, each with its number: a reader asks for what came after the last number it knows.
+// The newest items of a sequence, with their numbers. A reader asks for the items after the last number it has read.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ class Ring {
         items_.push_back(std::move(item));
         ++next_;
     }
-    /// Number of the item that is pushed next; the first is 0.
+    /// Returns the number of the next item; the first item has number 0.
     std::uint64_t next() const { return next_; }
     std::uint64_t oldest() const { return next_ - items_.size(); }
-    /// Calls visit(number, item) for those from `from` on, at most the `most` newest.
+    /// Calls visit(number, item) for the items from number `from` on, but at most for the `most` newest.
     template <typename Visit>
     void for_each_from(std::uint64_t from, std::size_t most, const Visit& visit) const {
         const std::uint64_t newest = next_ > most ? next_ - most : 0U;

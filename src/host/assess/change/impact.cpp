@@ -38,7 +38,8 @@ std::string line(const char* what, const std::string& text) {
     return fmt::format("    {:<9} {}\n", what, text);
 }
 
-/// Code and tests linked to an item, and where it lies the decisions.
+/// Returns lines with the decisions, code and tests that are linked to an item; for a decision, also the items that it
+/// affects.
 std::string links_of(const std::string& id, const Register& content, const Evidence& evidence) {
     std::string text;
     for (const auto& part : content.parts) {
@@ -65,7 +66,7 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
-/// Items that a file implements or tests.
+/// Returns the items that a file implements or tests.
 std::set<std::string> items_in(const std::string& file, const Evidence& evidence) {
     std::set<std::string> ids;
     for (const auto* places : {&evidence.implemented, &evidence.used}) {

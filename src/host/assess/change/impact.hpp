@@ -1,4 +1,4 @@
-// What a change touches: items, the decisions, code and tests linked to them, and verdicts.
+// The impact of a change: items, their decisions, code and tests, and changed verdicts.
 #pragma once
 
 #include <string>
@@ -15,19 +15,19 @@ struct VerdictChange {
     std::string after;
 };
 
-/// Items whose tests as a whole went from one to another of passed, failed, none.
+/// Returns the items whose tests as a whole changed between passed, failed and none.
 std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidence& after);
 
 struct Impact {
     std::vector<ItemChange> items;
-    std::vector<std::string> files;  ///< of code and tests
+    std::vector<std::string> files;  ///< changed files of code and tests
     std::vector<VerdictChange> verdicts;
 };
 
-/// Each change with what is linked to it, as text.
+/// Returns each change with its linked decisions, code and tests, as text.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
-/// The same changes as JSON.
+/// Returns the same changes as JSON.
 std::string impact_json(const Impact& impact);
 
 }  // namespace canproof::host

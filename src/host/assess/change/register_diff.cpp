@@ -131,7 +131,8 @@ void describe_all(const Items& items, const char* word, std::map<std::string, De
     }
 }
 
-/// By the mark of its first passage: a statement written before it changes its number, and nothing of it.
+/// Adds the statements of a manual. The key contains the mark of the first passage instead of the statement's number: a
+/// new statement in front changes the numbers of those after it, but not the statements themselves.
 void describe_statements(const Manual& manual, std::map<std::string, DescribedItem>& all) {
     for (const Statement& statement : manual.statements) {
         const std::string mark = statement.marks.empty() ? "" : statement.marks.front().text();
@@ -143,7 +144,7 @@ void describe_statements(const Manual& manual, std::map<std::string, DescribedIt
     }
 }
 
-/// `facet: old -> new` for each that differs; one that is missing reads as empty.
+/// Returns `facet: old -> new` for each facet that differs; a missing value appears as `none`.
 std::vector<std::string> differences(const Facets& before, const Facets& after) {
     Facets all = before;
     all.insert(after.begin(), after.end());

@@ -1,4 +1,4 @@
-// What differs between two registers, item by item: the start of an impact analysis.
+// The differences between two requirements registers, item by item; an impact analysis starts from them.
 #pragma once
 
 #include <map>
@@ -13,20 +13,20 @@ struct ItemChange {
     enum class Kind { added, removed, changed } kind{Kind::changed};
     std::string id;
     std::string word;                  ///< requirement, object, table …, decision, statement
-    std::vector<std::string> details;  ///< `sub 1 default: 5 -> 6`; none for what was added or removed
+    std::vector<std::string> details;  ///< `sub 1 default: 5 -> 6`; empty for an added or removed item
 };
 
-/// Everything that an item says, by facet: `text`, `sub 1 default`, `row 3` …
+/// The content of an item by facet: `text`, `sub 1 default`, `row 3` …
 using Facets = std::map<std::string, std::string>;
 
 struct DescribedItem {
     std::string word;
     Facets facets;
 };
-/// All items and decisions of a register by id, and the statements of its manuals by place and mark.
+/// Returns all items and decisions of a register by id, and the statements of its manuals by section and mark.
 std::map<std::string, DescribedItem> describe(const Register& content);
 
-/// In the order of their ids.
+/// Returns the differences in the order of the ids.
 std::vector<ItemChange> compare(const Register& before, const Register& after);
 
 }  // namespace canproof::host

@@ -26,7 +26,7 @@ std::string git(const std::filesystem::path& root, std::vector<std::string> word
 }  // namespace
 
 SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision) {
-    // With the commit's name no option of git can be meant by the word.
+    // Resolving the revision to a commit id first prevents git from reading it as an option.
     const std::string commit =
         split_lines(
             git(root, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"}, revision))

@@ -1,4 +1,4 @@
-// What a revision in git holds, read without checking it out.
+// The content of a git revision, read without a check-out.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace canproof::host {
 
-/// The files of spec/ as they were. Throws InputError when there is no such revision, or git is missing.
+/// Returns the files of spec/ at this revision. Throws InputError when the revision does not exist or git is missing.
 SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision);
 
-/// Files below these folders that differ from the revision, those not yet committed included.
+/// Returns the files below these folders that differ from the revision; uncommitted changes are included.
 std::vector<std::string> files_changed_since(const std::filesystem::path& root, const std::string& revision,
                                              const std::vector<std::string>& folders);
 

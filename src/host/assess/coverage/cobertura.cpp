@@ -57,7 +57,7 @@ std::string write_cobertura(const std::vector<FileCoverage>& files) {
     coverage.append_attribute("branches-valid") = branches.total;
     coverage.append_attribute("complexity") = "0";
     coverage.append_attribute("version") = "canproof";
-    coverage.append_attribute("timestamp") = "0";  // the same bytes from the same commit
+    coverage.append_attribute("timestamp") = "0";  // constant, so that the same commit gives the same bytes
     coverage.append_child("sources").append_child("source").text() = ".";
     auto package = coverage.append_child("packages").append_child("package");
     package.append_attribute("name") = "firmware";

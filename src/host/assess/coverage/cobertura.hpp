@@ -1,4 +1,4 @@
-// Coverage for build servers.
+// Coverage in the Cobertura format for build servers.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// The firmware's in the form of Cobertura, which build servers read.
+/// Returns the coverage of the firmware in the Cobertura format.
 std::string write_cobertura(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

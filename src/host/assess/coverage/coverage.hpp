@@ -1,5 +1,5 @@
-// Structural coverage of the firmware, and of the host's buses and replay beside it: what llvm-cov measured, and what
-// no run reached.
+// Structural coverage of the firmware, and of the host's buses and replay: the measurement of llvm-cov and the places
+// that no run reached.
 #pragma once
 
 #include <map>
@@ -8,29 +8,30 @@
 
 namespace canproof::host {
 
-/// Covered and counted: lines, branches (each way of a decision counts), MC/DC conditions, functions.
+/// Number of covered elements and of all elements: lines, branches (each outcome of a decision counts), MC/DC
+/// conditions or functions.
 struct CoverageCount {
     std::size_t covered{0};
     std::size_t total{0};
 
     void add(const CoverageCount& other);
-    /// In percent; 100 where there is nothing to cover.
+    /// Returns the share in per cent; 100 when there is no element.
     double percent() const;
 };
 
-/// Something that no run reached. `code` is its text in the source, by which a record names it.
+/// An element that no run reached. `code` is its text in the source; a record refers to the element by this text.
 struct CoverageGap {
     std::string kind;  ///< function, line, branch or condition
     std::string file;  ///< relative to the project's folder
     unsigned line{0};
     std::string code;
-    std::string missing;  ///< in words: never true, not shown to decide, …
+    std::string missing;  ///< in words: never true, not shown to decide alone, …
 };
 
 struct FileCoverage {
     std::string file;
-    std::map<unsigned, unsigned long long> lines;  ///< executions by line number, lines with code only
-    /// By line: branches covered and there.
+    std::map<unsigned, unsigned long long> lines;  ///< executions by line number; only lines with code
+    /// Covered branches and all branches, by line number.
     std::map<unsigned, CoverageCount> line_branches;
     CoverageCount functions;
     CoverageCount branches;
@@ -38,11 +39,11 @@ struct FileCoverage {
     std::vector<CoverageGap> gaps;
 
     CoverageCount line_count() const;
-    /// Of the host's buses and replay, not of the firmware.
+    /// Returns whether the file belongs to the host's buses and replay instead of the firmware.
     bool is_host() const;
 };
 
-/// Over several files.
+/// Counts over several files.
 struct CoverageTotals {
     CoverageCount lines;
     CoverageCount branches;
@@ -51,9 +52,9 @@ struct CoverageTotals {
     void add(const FileCoverage& file);
 };
 
-/// Over the files of the firmware.
+/// Returns the counts over the files of the firmware.
 CoverageTotals totals_of(const std::vector<FileCoverage>& files);
-/// Over the others.
+/// Returns the counts over the files of the host.
 CoverageTotals host_totals_of(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Structural coverage as data, MC/DC included, which Cobertura has no place for.
+// Structural coverage as JSON. It includes MC/DC, which the Cobertura format does not support.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// JSON: lines, branches and MC/DC conditions of the firmware, in all and of each file; every place that no run
-/// reached, with the reason on record; whether the verdict holds.
+/// Returns JSON with lines, branches and MC/DC conditions of the firmware, in total and by file. It lists every place
+/// that no run reached with its recorded reason, and whether the verdict holds.
 std::string coverage_json(const std::vector<FileCoverage>& files, const CoverageVerdict& verdict);
 
 }  // namespace canproof::host

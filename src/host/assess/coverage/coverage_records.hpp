@@ -1,4 +1,4 @@
-// The records of reports/coverage.toml: which gaps are known, and whether they explain all.
+// The records of reports/coverage.toml: the known gaps and their reasons.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,17 @@
 
 namespace canproof::host {
 
-/// A gap that is known, with the reason why it stays. Matches gaps of this kind and code in a file or below a folder.
+/// A known gap and the reason why it stays. The record matches gaps of this kind and code in a file or below a folder.
 struct CoverageRecord {
     std::string file;
     std::string kind;
     std::string code;
     std::string reason;
-    unsigned line{0};  ///< of the record
+    unsigned line{0};  ///< line of the record in its file
 };
 
-/// Reads reports/coverage.toml; there are no records without the file. Throws InputError with file, line and mend.
+/// Reads reports/coverage.toml; returns no records when the file does not exist. Throws InputError with file, line and
+/// fix.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {
@@ -28,20 +29,20 @@ struct JudgedGap {
 };
 
 struct CoverageVerdict {
-    /// MC/DC that is asked for, in percent: records explain no more than the rest.
+    /// Required MC/DC in per cent; records cannot lower it.
     static constexpr double least_conditions = 99.0;
-    /// The same of the host's buses and replay.
+    /// Required MC/DC of the host's buses and replay in per cent.
     static constexpr double least_host_conditions = 95.0;
 
     std::vector<JudgedGap> gaps;
-    std::vector<CoverageRecord> unused;  ///< records that match nothing: the code has moved on
+    std::vector<CoverageRecord> unused;  ///< records that match no gap, because the code has changed
     CoverageCount conditions;            ///< of the firmware
     CoverageCount host_conditions;       ///< of the host's buses and replay
 
     std::size_t open() const;
     bool enough_conditions() const { return conditions.percent() >= least_conditions; }
     bool enough_host_conditions() const { return host_conditions.percent() >= least_host_conditions; }
-    /// No open gap, no unused record, and enough conditions of both.
+    /// Returns whether there is no open gap and no unused record, and both MC/DC figures are sufficient.
     bool holds() const { return open() == 0 && unused.empty() && enough_conditions() && enough_host_conditions(); }
 };
 

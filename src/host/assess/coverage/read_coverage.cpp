@@ -1,4 +1,4 @@
-// llvm-cov's JSON export (version 2.0.1 of its form: LLVM 19).
+// Reads the JSON export of llvm-cov (format version 2.0.1 of LLVM 19).
 #include "host/assess/coverage/read_coverage.hpp"
 
 #include <cxxabi.h>
@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Where a region begins and ends: line and column from 1, the end behind its last character.
+/// Start and end of a region. Lines and columns count from 1; the end is one column after the last character.
 struct Region {
     unsigned line{0};
     unsigned column{0};
@@ -45,7 +45,8 @@ Region region_of(const Json& values) {
     return {values.at(0), values.at(1), values.at(2), values.at(3)};
 }
 
-/// The lines of a source that has not changed since `measured` was written.
+/// Returns the lines of a source. Throws InputError when the source is missing or has changed since `measured` was
+/// written.
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
                                   const SourceAge age) {
     if (!std::filesystem::exists(file)) {
@@ -59,7 +60,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file, const std::
     return read_lines(file);
 }
 
-/// The text of a region on one line, with single spaces for breaks; without brackets around the whole.
+/// Returns the text of a region on one line, with one space for each line break.
 std::string text_of(const Region& region, const std::vector<std::string>& lines) {
     std::string text;
     for (unsigned line = region.line; line <= region.end_line && line <= lines.size(); ++line) {
@@ -75,7 +76,7 @@ std::string text_of(const Region& region, const std::vector<std::string>& lines)
     return text;
 }
 
-/// What both ways of a branch were taken, over all instantiations.
+/// Executions of the two outcomes of a branch, summed over all instantiations.
 struct Ways {
     unsigned long long taken{0};
     unsigned long long passed{0};
@@ -88,7 +89,7 @@ class FileReader {
         made_.file = std::move(name);
     }
 
-    /// `functions`: executions by region of the body, and names.
+    /// Reads the coverage of the file. `functions` holds the number of executions and the name by region of the body.
     FileCoverage read(const std::map<Region, std::pair<unsigned long long, std::string>>& functions) {
         for (const auto& [body, function] : functions) {
             made_.functions.add({function.first == 0 ? 0U : 1U, 1});
@@ -115,7 +116,8 @@ class FileReader {
                            [line](const Region& body) { return body.line <= line && line <= body.end_line; });
     }
 
-    /// A line was run as often as the busiest region that begins on it, or else as the region that reaches into it.
+    /// Sets the executions of each line: those of the busiest region that starts on it, otherwise those of the region
+    /// that continues from the line before.
     void read_lines() {
         const Json& segments = source_.at("segments");
         std::size_t at = 0;
@@ -147,7 +149,7 @@ class FileReader {
         tell_silent_lines();
     }
 
-    /// Neighbouring lines are one gap, named by its first.
+    /// Adds the lines that never ran as gaps. Consecutive lines form one gap with the text of the first.
     void tell_silent_lines() {
         unsigned last = 0;
         for (const auto& [line, count] : made_.lines) {
@@ -187,7 +189,8 @@ class FileReader {
         return ways.taken == 0 ? "never true" : "never false";
     }
 
-    /// Conditions of each decision stand in the order of their places. Returns those told as gaps.
+    /// Reads the MC/DC conditions, which each decision lists in the order of their places. Returns the places of the
+    /// gaps.
     std::set<Region> read_conditions(const std::map<Region, Ways>& branches) {
         std::map<Region, std::vector<bool>> decisions;
         for (const auto& record : source_.at("mcdc_records")) {
@@ -215,7 +218,7 @@ class FileReader {
         return told;
     }
 
-    /// The branches inside of a decision that belong to no decision within it.
+    /// Returns the branches inside a decision that belong to no nested decision.
     static std::vector<Region> conditions_of(const Region& decision,
                                              const std::map<Region, std::vector<bool>>& decisions,
                                              const std::map<Region, Ways>& branches) {
@@ -238,7 +241,7 @@ class FileReader {
     FileCoverage made_;
 };
 
-/// Without template arguments: instantiations count together.
+/// Returns a name without template arguments, because all instantiations count together.
 std::string without_arguments(const std::string& name) {
     std::string plain;
     int depth = 0;
@@ -252,7 +255,7 @@ std::string without_arguments(const std::string& name) {
     return plain;
 }
 
-/// `canproof::Node::receive` of a mangled name; llvm-cov puts `file:` before names local to a file.
+/// Returns `canproof::Node::receive` for a mangled name. llvm-cov puts `file:` before names that are local to a file.
 std::string readable(std::string name) {
     name = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
     int status = 0;
@@ -268,12 +271,12 @@ std::string readable(std::string name) {
     }
     plain = without_arguments(plain);
     plain = plain.substr(0, plain.find('('));
-    return plain.substr(plain.find_last_of(' ') + 1);  // behind the type of a template's result
+    return plain.substr(plain.find_last_of(' ') + 1);  // removes the return type of a template
 }
 
 using Functions = std::map<std::string, std::map<Region, std::pair<unsigned long long, std::string>>>;
 
-/// By file and body.
+/// Returns the executions and the name of each function, by file and region of the body.
 Functions functions_of(const Json& data) {
     Functions all;
     for (const auto& function : data.at("functions")) {

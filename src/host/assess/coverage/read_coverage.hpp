@@ -1,4 +1,4 @@
-// What llvm-cov measured, out of its export.
+// Reads the measurement of llvm-cov from its export.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,12 @@
 
 namespace canproof::host {
 
-/// How it is known that sources are as they were when they were measured: by the times of files, or the caller has
-/// compared their contents.
+/// How a changed source is detected: by the times of files, or the caller has already compared the contents.
 enum class SourceAge { by_time, compared };
 
-/// Reads what `llvm-cov export --format=text` wrote, for the files of the firmware, and for those of the host
-/// that are judged beside it (firmware_scope.hpp). Instantiations of a template count together. Throws InputError when
-/// the file is no such export or a source is missing.
+/// Reads a file that `llvm-cov export --format=text` wrote. Returns the files of the firmware and the files of the host
+/// that count with it (firmware_scope.hpp). Instantiations of a template count together. Throws InputError when the
+/// file is no such export or a source is missing.
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root,
                                         SourceAge age = SourceAge::by_time);
 

@@ -1,4 +1,4 @@
-// Records of coverage against the sources alone: what a build that measures nothing can tell of them.
+// Compares the records of coverage with the sources, without a measurement.
 #include "host/assess/coverage/stale_records.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With one space for every run of spaces and line breaks, as the text of a gap has it.
+/// Returns the text with one space for every run of spaces and line breaks, as in the text of a gap.
 std::string on_one_line(std::istream& in) {
     std::string text;
     for (std::string word; in >> word;) {
@@ -23,7 +23,7 @@ std::string on_one_line(std::istream& in) {
     return text;
 }
 
-/// The file, or all the files below the folder.
+/// Returns the file, or all files below the folder.
 std::vector<fs::path> sources_of(const fs::path& place) {
     std::vector<fs::path> files;
     if (fs::is_directory(place)) {
@@ -38,7 +38,7 @@ std::vector<fs::path> sources_of(const fs::path& place) {
     return files;
 }
 
-/// What a record's text is in the source: of a function `canproof::curve` it is `curve(`.
+/// Returns the text that must occur in the source: the code of the record; for a function `canproof::curve`, `curve(`.
 std::string written(const CoverageRecord& record) {
     if (record.kind != "function") {
         std::istringstream code{record.code};

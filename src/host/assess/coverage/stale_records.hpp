@@ -1,4 +1,4 @@
-// Records whose code has moved on.
+// Finds records whose code has changed.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// The records whose text no longer stands in the sources that they name, below `root`; nothing needs to be measured.
+/// Returns the records whose text no longer occurs in the sources that they name, below `root`. Needs no measurement.
 std::vector<CoverageRecord> stale_records(const std::vector<CoverageRecord>& records,
                                           const std::filesystem::path& root);
 

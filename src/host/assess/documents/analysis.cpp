@@ -53,7 +53,7 @@ void read_threats(TomlItem& whole, Analysis& into) {
     }
 }
 
-/// Holds what an analysis names against the register.
+/// Checks the names in an analysis against the requirements register.
 class AnalysisCheck {
   public:
     explicit AnalysisCheck(const Register& content) : content_{content} {
@@ -144,7 +144,7 @@ class AnalysisCheck {
 
 std::vector<std::string> modes_of(const Signal& signal) {
     if (!signal.input) {
-        return {};  // what can be wrong about outputs stands in the hazards
+        return {};  // the hazards already describe the failures of outputs
     }
     if (signal.type == "BOOLEAN") {
         return {"stuck at true", "stuck at false"};

@@ -1,5 +1,6 @@
-// Analyses that people write beside the register, in reports/analysis: which requirement detects which failure, what
-// a lamp shows, which threats a service meets. The documents take what stands here, and say `missing` of the rest.
+// Analyses that people write in reports/analysis, beside the requirements register: the requirement that detects each
+// failure, the lamps, and the threats to each service. The generated documents use them and show `missing` for the
+// rest.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +11,10 @@
 
 namespace canproof::host {
 
-/// One way in which a signal or a message fails.
+/// One failure mode of a signal or a message.
 struct FailureMode {
     std::vector<std::string> devices;
-    std::vector<std::string> signals;  ///< ids; empty: `at` names what fails
+    std::vector<std::string> signals;  ///< ids; empty: `at` names the failing element
     std::string at;
     std::string mode;
     std::vector<std::string> detected;  ///< requirements
@@ -23,7 +24,7 @@ struct FailureMode {
     Place place;
 };
 
-/// What a lamp shows while an error lasts.
+/// The indication of a lamp during an error.
 struct Lamp {
     std::string device;
     std::string error;
@@ -32,19 +33,19 @@ struct Lamp {
     Place place;
 };
 
-/// A threat to a service. It concerns a device that has one of the objects, or any device when there are none.
+/// A threat to a service. It concerns a device that has one of the objects; without objects, any device.
 struct Threat {
     std::string service;
     std::vector<std::string> objects;  ///< `1010h`
-    bool lss{false};                   ///< concerns devices with LSS only
-    std::string requirement;           ///< foundational requirement of IEC 62443 that it is about
+    bool lss{false};                   ///< concerns only devices with LSS
+    std::string requirement;           ///< the foundational requirement of IEC 62443
     std::string text;
-    std::vector<std::string> by;  ///< requirements that limit it; empty: nothing in the device does
-    std::string rest;             ///< what is left, or what the integrator must add
+    std::vector<std::string> by;  ///< requirements that limit it; empty: the device does not limit it
+    std::string rest;             ///< residual threat, or measure for the integrator
     Place place;
 };
 
-/// An error of communication as IEC 61784-3 sorts them, and what notices it.
+/// A communication error in the classification of IEC 61784-3, and its detection.
 struct CommunicationError {
     std::string error;
     std::vector<std::string> by;
@@ -59,14 +60,14 @@ struct Analysis {
     std::vector<CommunicationError> communication;
 };
 
-/// All TOML files of the folder; nothing without it. Throws InputError with file, line and fix for what cannot be read,
-/// and for an id, device, signal or error that the register does not have.
+/// Reads all TOML files of the folder; returns an empty analysis when the folder does not exist. Throws InputError with
+/// file, line and fix for unreadable content, and for an id, device, signal or error that the register does not have.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
-/// The modes that a signal is looked at for, by its type and direction.
+/// Returns the failure modes to analyse for a signal, by its type and direction.
 std::vector<std::string> modes_of(const Signal& signal);
 
-/// The emergency code of an error of the device, `8130h`; empty when no table of errors has it.
+/// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors has it.
 std::string emergency_code(const Register& content, const Part& part, const std::string& error);
 
 }  // namespace canproof::host

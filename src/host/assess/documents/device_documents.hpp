@@ -1,4 +1,4 @@
-// The documents of one device that are generated from the register.
+// The documents of one device that are generated from the requirements register.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// Safety manual, hardware-software interface, interface control document, errors, software FMEA, threats.
+/// Returns the safety manual, hardware-software interface, interface control document, error matrix, software FMEA and
+/// threats.
 std::vector<Document> device_documents(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// A document that is generated from the register: plain text and tables, to be written as HTML, Markdown or JSON.
+// A generated document: plain text and tables, for output as HTML, Markdown or JSON.
 #pragma once
 
 #include <string>
@@ -9,26 +9,26 @@ namespace canproof::host {
 struct DocumentTable {
     std::string caption;
     std::vector<std::string> head;
-    std::vector<std::vector<std::string>> rows;  ///< cells are plain text, as many as the head has
+    std::vector<std::vector<std::string>> rows;  ///< plain text; each row has as many cells as `head`
 };
 
 struct Chapter {
     std::string title;
-    std::vector<std::string> text;  ///< a paragraph each
+    std::vector<std::string> text;  ///< one element per paragraph
     std::vector<DocumentTable> tables;
 };
 
 struct Document {
-    std::string name;   ///< `safety-manual`: of the file, without its ending
+    std::string name;   ///< name of the file without extension: `safety-manual`
     std::string title;  ///< `Safety manual of the CAN-CBX-AO412`
-    std::string about;  ///< what a reader finds in it, in one sentence
+    std::string about;  ///< the content in one sentence
     std::vector<Chapter> chapters;
 };
 
-/// What stands in a cell where the register has nothing.
+/// Text of a cell for which the register has no data.
 inline constexpr const char* missing = "missing";
 
-/// Cells that say `missing`.
+/// Returns the number of cells with the text `missing`.
 std::size_t count_missing(const Document& document);
 
 }  // namespace canproof::host

@@ -12,7 +12,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Whether the text names the code: `8130h`, also behind other digits as in `80nn8130h` and `00008100h`.
+/// Returns whether the text contains the code, such as `8130h`. Other digits may precede it, as in `80nn8130h` and
+/// `00008130h`.
 bool names_code(const std::string& text, const std::string& code) {
     return text.find(code) != std::string::npos;
 }

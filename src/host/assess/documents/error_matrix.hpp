@@ -1,4 +1,4 @@
-// Each error with its codes and lamps, and the requirements that name it.
+// The error matrix of a device.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Each error with its codes, lamps, and the requirements that name it.
+/// Returns each error with its codes, its lamps, and the requirements that name it.
 Document error_matrix(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The number of a word of the column's enumeration; the value itself without one.
+/// Returns the number of an enumeration's word; the value itself for a column without an enumeration.
 Value number_in(const Register& content, const Part& part, const Column& column, const Value& value) {
     const auto* word = std::get_if<std::string>(&value);
     const Enumeration* enumeration =

@@ -1,4 +1,4 @@
-// The errors of a device as its tables of errors list them.
+// The errors of a device, from its tables of errors.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@
 namespace canproof::host {
 
 struct ErrorRow {
-    std::string table;                                        ///< id
-    std::string error;                                        ///< the word
-    std::string code;                                         ///< emergency code, `8130h`
-    std::vector<std::pair<std::string, std::string>> others;  ///< column and value, words of enumerations with number
+    std::string table;                                        ///< id of the table
+    std::string error;                                        ///< word of the error
+    std::string code;                                         ///< emergency code: `8130h`
+    std::vector<std::pair<std::string, std::string>> others;  ///< other columns and values; words of enumerations have
+                                                              ///< their number
 };
 
-/// All rows of all tables of the part with `errors`, in the order of the register.
+/// Returns all rows of all tables of the part with `errors`, in the order of the register.
 std::vector<ErrorRow> errors_of(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The skeleton of a software FMEA.
+// The draft of a software FMEA.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Signal and message by failure mode: detection, reaction, emergency code.
+/// Returns detection, reaction and emergency code for each failure mode of the signals and messages.
 Document failure_modes(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

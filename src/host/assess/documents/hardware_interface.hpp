@@ -1,4 +1,4 @@
-// The signals between the firmware and what drives it.
+// The hardware-software interface: the signals between the firmware and its drivers.
 #pragma once
 
 #include "host/assess/documents/document.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Signals with type, unit, range and source; factory data; what the driver has to do.
+/// Returns the signals with type, unit, range and source, the factory data, and the tasks of the driver.
 Document hardware_interface(const Part& part);
 
 }  // namespace canproof::host

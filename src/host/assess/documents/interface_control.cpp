@@ -35,7 +35,7 @@ std::string identifier(const std::uint32_t cob_id) {
     return (cob_id & cob_id_switched_off) != 0 ? text + ", not valid as shipped" : text;
 }
 
-/// Messages beside the PDOs.
+/// Returns the table of all messages except the PDOs.
 DocumentTable message_table(const Part& part, const EntryIndex& entries) {
     const unsigned node = node_of(part);
     DocumentTable table{
@@ -75,7 +75,7 @@ std::string type_words(const std::optional<std::uint32_t>& type) {
     return fmt::format("{} ({})", *type, words);
 }
 
-/// `0: 6411h:01 Voltage (16 bit)` for each mapped object, by its first bit.
+/// Returns a text such as `0: 6411h:01 Voltage (16 bit)` for each mapped object; the number is the object's first bit.
 std::vector<std::string> mapped_objects(const EntryIndex& entries, const unsigned index, const unsigned node) {
     std::vector<std::string> all;
     const unsigned count = std::min(entries.number(index + to_mapping, 0, node).value_or(0), most_mapped);

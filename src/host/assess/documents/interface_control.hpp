@@ -1,4 +1,4 @@
-// What the device has on the bus, as shipped.
+// The interface control document: the device's data on the bus, as shipped.
 #pragma once
 
 #include "host/assess/documents/document.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// COB-IDs, PDOs as mapped by default, services, timing, objects.
+/// Returns COB-IDs, PDOs with their default mapping, services, timing and objects.
 Document interface_control(const Register& content, const Part& part);
 
 }  // namespace canproof::host

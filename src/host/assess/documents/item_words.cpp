@@ -48,7 +48,7 @@ std::string number_words(const std::optional<double>& number) {
     return number ? fmt::format("{}", *number) : "";
 }
 
-/// `Sub 1 to 4`
+/// Returns `Sub 1` or `Sub 1 to 4`.
 std::string subs_words(const unsigned first, const unsigned last) {
     return first == last ? fmt::format("Sub {}", first) : fmt::format("Sub {} to {}", first, last);
 }

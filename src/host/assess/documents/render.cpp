@@ -13,14 +13,14 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t searched = 20;  ///< rows from which on a table has a search field
+constexpr std::size_t searched = 20;  ///< number of rows from which a table has a search field
 
 bool stands_in_id(const char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
            c == '-';
 }
 
-/// Escaped text, its ids as links.
+/// Returns the escaped text with its ids as links.
 std::string linked(const std::string& text, const ItemLinks& links) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
@@ -62,7 +62,7 @@ std::string table_html(const DocumentTable& table, const ItemLinks& links) {
     return html_table(head, rows, rows.size() > searched ? Search::yes : Search::no, table.caption);
 }
 
-/// A cell of a Markdown table: no bars, no line ends.
+/// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
 std::string markdown_cell(const std::string& text) {
     std::string out;
     for (const char c : one_line(text)) {

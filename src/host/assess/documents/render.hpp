@@ -1,4 +1,4 @@
-// A document as HTML, as Markdown and as JSON.
+// Renders a document as HTML, Markdown and JSON.
 #pragma once
 
 #include <map>
@@ -8,13 +8,13 @@
 
 namespace canproof::host {
 
-/// Where each item and decision stands in the pack, by id: `audit.html#AO4-AOUT-002`.
+/// The place of each item and decision in the pack, by id: `audit.html#AO4-AOUT-002`.
 using ItemLinks = std::map<std::string, std::string>;
 
-/// The body of a page. Each id that `links` has becomes a link.
+/// Returns the body of a page. Each id that `links` contains becomes a link.
 std::string document_html(const Document& document, const ItemLinks& links);
 std::string document_markdown(const Document& document);
-/// Title, chapters, tables with rows as objects by the words of their head.
+/// Returns title, chapters and tables; each row is an object with the words of the table's head as keys.
 std::string document_json(const Document& document);
 
 }  // namespace canproof::host

@@ -75,7 +75,7 @@ Chapter rates_chapter(const Register& content) {
 }  // namespace
 
 double two_or_more_wrong(const int bits, const double bit_error) {
-    // 1 - (1-p)^n - n p (1-p)^(n-1) loses all digits for small p; the sum of its terms does not.
+    // For small p, 1 - (1-p)^n - n p (1-p)^(n-1) loses all significant digits; the sum of its terms does not.
     double sum = 0.0;
     double term = bits * bit_error * std::pow(1.0 - bit_error, bits - 1);
     for (int wrong = 2; wrong <= bits; ++wrong) {

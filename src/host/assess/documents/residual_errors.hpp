@@ -1,4 +1,4 @@
-// How many wrong frames the checks of CAN let through, by arithmetic.
+// Estimates the rate of wrong frames that pass the checks of CAN.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"
@@ -11,14 +11,15 @@ namespace canproof::host {
 /// start, 11 identifier, 1 RTR, 2 reserved, 4 length, 64 data, 15 CRC, 1 CRC delimiter, 2 ACK, 7 end, 3 intermission.
 constexpr int longest_frame_bits = 1 + 11 + 1 + 2 + 4 + 64 + 15 + 1 + 2 + 7 + 3;
 
-/// Probability that at least two of `bits` are wrong, each with the probability `bit_error`, 0 to 1.
+/// Returns the probability that at least two of `bits` bits are wrong; `bit_error` is the probability of one wrong bit,
+/// 0 to 1.
 double two_or_more_wrong(int bits, double bit_error);
-/// Estimate of the probability that a frame is wrong and passes its CRC of 15 bits.
+/// Returns an estimate of the probability that a frame is wrong and passes its CRC of 15 bits.
 double undetected_in_frame(double bit_error);
-/// Frames of eight bytes in an hour on a full bus.
+/// Returns the number of frames with eight bytes per hour on a fully loaded bus; `bit_rate` in bit/s.
 double frames_an_hour(double bit_rate);
 
-/// The figures at each bit rate of the devices, and what notices each kind of error of communication.
+/// Returns the figures for each bit rate of the devices, and the detection of each kind of communication error.
 Document residual_errors(const Register& content, const Analysis& analysis);
 
 }  // namespace canproof::host

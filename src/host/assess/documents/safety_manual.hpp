@@ -1,4 +1,4 @@
-// What whoever builds the device into a plant must know.
+// The safety manual for the integrator of the device.
 #pragma once
 
 #include "host/assess/documents/document.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Hazards, what the integrator must keep and know, limits, reactions to faults.
+/// Returns hazards, conditions of use, decisions for the integrator, limits and reactions to faults.
 Document safety_manual(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Threats to the services of a device.
+// The threats to the services of a device.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Threats to each service that the device has, sorted by the foundational requirements of IEC 62443.
+/// Returns the threats to each service of the device, sorted by the foundational requirements of IEC 62443.
 Document threats(const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Small pieces that the documents share.
+// Texts that several documents use.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace canproof::host {
 
-/// `A-1, A-2`; `otherwise` for an empty list.
+/// Returns `A-1, A-2`; `otherwise` for an empty list.
 std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise = "");
-/// `-40 … 85 °C`; empty without limits.
+/// Returns `-40 … 85 °C`; empty for a signal without limits.
 std::string range_of(const Signal& signal);
-/// Requirements in force of the part, of this kind, as rows of id, text and sources.
+/// Returns the part's requirements of this kind that are in force, as rows of id, text and sources.
 std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind);
-/// The device's manual as a reader looks for it: title, revision, date.
+/// Returns title, revision and date of the device's manual.
 std::string manual_words(const Register& content, const Part& part);
 
 }  // namespace canproof::host

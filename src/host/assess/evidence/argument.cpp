@@ -41,7 +41,7 @@ void read_tables(TomlItem& whole, Argument& argument) {
     }
 }
 
-/// The fields of `1a | name | HR | shown | how`.
+/// Returns the fields of a row such as `1a | name | HR | shown | how`.
 std::vector<std::string> fields_of(const std::string& row) {
     static const std::string mark = " | ";
     std::vector<std::string> fields;

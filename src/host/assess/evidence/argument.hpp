@@ -1,5 +1,5 @@
-// The argument of reports/argument.toml: claims, the techniques of the standards, the tools and what would notice their
-// errors.
+// The argument of reports/argument.toml: claims, the techniques of the standards, and the tools with the detection of
+// their errors.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@ namespace canproof::host {
 
 struct Claim {
     std::string id;
-    std::string parent;  ///< empty: the claim of the whole
+    std::string parent;  ///< empty: the top claim
     std::string text;
     std::vector<std::string> evidence;  ///< keys of exhibits
-    std::string limits;                 ///< what the evidence does not show
+    std::string limits;                 ///< limits of the evidence
 };
 
-/// A part of a whole pack, there or not.
+/// An element of a complete pack, present or absent.
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;      ///< the command that leaves it
-    std::string run{};        ///< the same for a shell in the project's folder; empty: `evidence --full` cannot make it
-    std::int64_t minutes{0};  ///< about what it takes on two cores
+    std::string made_by;      ///< the command that creates it
+    std::string run{};        ///< the same command for a shell in the project's folder; empty: `evidence --full` cannot
+                              ///< create it
+    std::int64_t minutes{0};  ///< approximate duration on two cores
 };
 
 struct Technique {
     std::string table;  ///< `IEC 61508-3 A.1`
-    std::string title;  ///< of the table
+    std::string title;  ///< title of the table
     std::string number;
     std::string name;
     std::string level;
@@ -38,11 +39,11 @@ struct Technique {
 
 struct Tool {
     std::string name;
-    std::string package;  ///< of Debian; empty: our own
+    std::string package;  ///< Debian package; empty: part of this project
     std::string hides;
     std::string noticed;
-    std::string tool_class;  ///< T1, T2 or T3 of IEC 61508-4; empty: nobody has said
-    std::string defects;     ///< known ones
+    std::string tool_class;  ///< T1, T2 or T3 of IEC 61508-4; empty: not classified
+    std::string defects;     ///< known defects
 };
 
 struct Argument {
@@ -52,11 +53,11 @@ struct Argument {
     std::vector<Tool> tools;
 };
 
-/// Throws InputError with file, line and fix.
+/// Reads reports/argument.toml. Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
 
-/// The rows of the standards' tables in all TOML files of a folder, by name of the file; none without the folder.
-/// Throws InputError with file, line and fix.
+/// Returns the rows of the standards' tables in all TOML files of a folder, in the order of the file names; none when
+/// the folder does not exist. Throws InputError with file, line and fix.
 std::vector<Technique> read_techniques(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

@@ -18,7 +18,7 @@ constexpr int box_height = 40;
 constexpr int gap = 10;
 constexpr int row = box_height + 18;
 
-/// The colours have their words beside them: a reader who sees none of them loses nothing.
+/// Returns the colour of a state. The graph also shows each state as a word, for readers who cannot see colours.
 const char* outline_of(const Exhibit::State state) {
     switch (state) {
         case Exhibit::State::holds:
@@ -40,7 +40,7 @@ struct Box {
     Exhibit::State state;
 };
 
-/// A goal has square corners, a solution round ones.
+/// Returns a box as SVG. `corner` is the radius of the corners: 0 for a goal, more for a solution.
 std::string box_svg(const Box& box, const int corner) {
     const std::string shown = fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>"
@@ -56,7 +56,7 @@ std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
                        y2);
 }
 
-/// A title that fits the box.
+/// Returns a title that fits into the box.
 std::string shortened(const std::string& title) {
     constexpr std::size_t most = 13;
     return title.size() <= most ? title : title.substr(0, most - 1) + "…";
@@ -72,7 +72,7 @@ std::vector<const Claim*> children_of(const Argument& argument, const std::strin
     return all;
 }
 
-/// Draws one column: the goal and its solutions below it. Returns the lowest line used.
+/// Draws one column: a goal and its solutions below it. Returns the lowest y coordinate used.
 int draw_column(std::string& text, const Claim& claim, const Argument& argument, const Exhibits& exhibits, const int x,
                 const int y) {
     text += box_svg({x, y, "#" + claim.id, claim.id, state_of_claim(claim, argument, exhibits)}, 0);

@@ -1,5 +1,5 @@
-// The argument as data and as a graph, in the notions of the Goal Structuring Notation: claims are goals, evidence are
-// solutions, limits are contexts.
+// The argument as data and as a graph, in the terms of the Goal Structuring Notation: a claim is a goal, evidence is a
+// solution, limits are a context.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace canproof::host {
 
-/// JSON: goals with what they support, their state, limits and solutions; solutions with state and sentence.
+/// Returns JSON: goals with parent, state, limits and solutions; solutions with state and sentence.
 std::string write_argument_json(const Argument& argument, const Exhibits& exhibits);
 
-/// The root, its claims, and below each claim its evidence as SVG markup: a box each, which is a link to it. Claims
-/// further down are left out.
+/// Returns SVG markup of the root, its claims, and the evidence of each claim. Each box is a link to its element.
+/// Deeper claims are left out.
 std::string argument_graph(const Argument& argument, const Exhibits& exhibits);
 
 }  // namespace canproof::host

@@ -10,10 +10,10 @@
 
 namespace canproof::host {
 
-/// Claims with their evidence and what that does not show, as markup.
+/// Returns the claims with their evidence and its limits as markup.
 std::string claims_markup(const Argument& argument, const Exhibits& exhibits);
-/// A claim holds when its evidence and all claims below it hold. It is open when one of them is open or stale, and not
-/// measured when nothing but absent evidence is missing.
+/// Returns the state of a claim. It holds when its evidence and all claims below it hold. It is open when one of them
+/// is open or stale. It is not measured when only absent evidence is missing.
 Exhibit::State state_of_claim(const Claim& claim, const Argument& argument, const Exhibits& exhibits);
 struct ClaimCounts {
     std::size_t all{0};
@@ -21,10 +21,10 @@ struct ClaimCounts {
     std::size_t not_measured{0};
 };
 ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits);
-/// `7 of 9 claims hold; 2 wait for evidence that was not measured, which canproof evidence --full measures`
+/// Returns `7 of 9 claims hold; 2 wait for evidence that was not measured, which canproof evidence --full measures`.
 std::string claims_sentence(const ClaimCounts& counts);
 
-/// Markup of the page's body.
+/// Returns the body of the page as markup.
 std::string argument_page(const PackInput& input, const Exhibits& exhibits);
 
 }  // namespace canproof::host

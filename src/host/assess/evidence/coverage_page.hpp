@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Markup of the body.
+/// Returns the body of the page as markup.
 std::string coverage_page(const MeasuredCoverage& coverage);
 
 }  // namespace canproof::host

@@ -9,11 +9,11 @@
 
 namespace canproof::host {
 
-/// A row an item of the register: sources, state, code, tests.
+/// Returns one row for each item of the register: sources, state, code, tests.
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence);
-/// A row a decision.
+/// Returns one row for each decision.
 std::string write_decisions_csv(const std::vector<PartAudit>& audits);
-/// A row a statement of a manual, in our words: what covers it, or why nothing does.
+/// Returns one row for each statement of a manual: our words, and the items that cover it or the reason why none does.
 std::string write_statements_csv(const std::vector<PartAudit>& audits);
 
 }  // namespace canproof::host

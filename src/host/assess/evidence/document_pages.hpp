@@ -1,4 +1,4 @@
-// The documents that are generated from the register, as files of the pack.
+// The generated documents as files of the pack.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace canproof::host {
 
-/// For each device its documents as pages and, in documents/, as Markdown and JSON; the list of them is documents.html.
-/// Bytes by path within the pack.
+/// Returns the documents of each device as pages, and as Markdown and JSON in documents/; documents.html lists them.
+/// The result holds the bytes by path within the pack.
 std::map<std::string, std::string> document_files(const PackInput& input, const PageFrame& frame);
 
 }  // namespace canproof::host

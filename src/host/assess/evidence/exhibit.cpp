@@ -33,7 +33,8 @@ void read_description(const Json& json, Exhibit& exhibit) {
     if (const std::string page = json.value("page", ""); !page.empty()) {
         exhibit.page = exhibit.key + "/" + page;
     }
-    const Json figures = json.value("figures", Json::object());  // items() refers to it
+    const Json figures = json.value("figures", Json::object());  // a named object, because items() keeps a reference to
+                                                                 // it
     for (const auto& [name, value] : figures.items()) {
         exhibit.figures.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
@@ -45,7 +46,7 @@ void read_description(const Json& json, Exhibit& exhibit) {
     }
 }
 
-/// Names of files in the pack that the description promises and the folder does not have are faults.
+/// Throws InputError when the description names a file that the folder does not contain.
 void check_files(const Exhibit& exhibit) {
     auto promised = exhibit.data;
     if (!exhibit.page.empty()) {

@@ -1,13 +1,13 @@
-// One piece of evidence of a pack: what it shows, and the files that it brings.
+// One exhibit of a pack: its statement and its files.
 //
-// A tool that has results for the pack leaves a folder with `exhibit.json` in it:
+// A tool with results for the pack writes a folder with `exhibit.json`:
 //   {"title": "…", "state": "holds" | "open", "says": "one sentence with figures",
-//    "page": "index.html",                     without it the pack makes one from the figures, CSV tables and SVG plots
+//    "page": "index.html",                     without it, the pack makes a page from figures, CSV tables and SVG plots
 //    "figures": {"cells altered": "21,136"},   text or numbers, in this order
-//    "open": ["what it leaves open"],          a sentence each
-//    "data": ["misra.sarif"]}                  files that other tools import: in the pack's data/ as well
-// Only title, state and says are needed. The name of the folder is the key of the exhibit; all other files in it go
-// into the pack as they are.
+//    "open": ["an open point"],                one sentence each
+//    "data": ["misra.sarif"]}                  files for import by other tools; also copied into the pack's data/
+// Only title, state and says are mandatory. The name of the folder is the key of the exhibit. All other files of the
+// folder are copied into the pack unchanged.
 #pragma once
 
 #include <filesystem>
@@ -19,31 +19,32 @@
 namespace canproof::host {
 
 struct Exhibit {
-    /// stale: measured before a source that it speaks of was written.
+    /// `stale`: a source on which the measurement depends has changed since.
     enum class State { holds, open, stale, absent };
 
     std::string key;
     std::string title;
     State state{State::absent};
     std::string says;
-    std::string page;                            ///< within the pack; empty: it has none
+    std::string page;                            ///< path within the pack; empty: no page
     std::map<std::string, std::string> files{};  ///< bytes by path within the pack
     std::vector<std::pair<std::string, std::string>> figures{};
-    std::vector<std::string> open{};  ///< what it leaves open, each a sentence
-    std::vector<std::string> data{};  ///< those of the files, by their path in the pack, that other tools import
+    std::vector<std::string> open{};  ///< open points, one sentence each
+    std::vector<std::string> data{};  ///< paths within the pack of the files that other tools import
 };
 
-/// `holds`, `open`, `stale` or `not measured`.
+/// Returns `holds`, `open`, `stale` or `not measured`.
 std::string word_of(Exhibit::State state);
 
-/// All of a file. Throws InputError when it cannot be read.
+/// Returns the content of a file. Throws InputError when the file cannot be read.
 std::string bytes_of(const std::filesystem::path& file);
-/// The exhibit in this folder. Throws InputError when its description cannot be understood.
+/// Reads the exhibit in this folder. Throws InputError for an invalid description.
 Exhibit read_exhibit(const std::filesystem::path& folder);
-/// The folders below this one that hold an exhibit, by name; none when it is not there.
+/// Returns the folders below this one that contain an exhibit, sorted by name; none when the folder does not exist.
 std::vector<std::filesystem::path> exhibit_folders(const std::filesystem::path& folder);
 
-/// `newer`: a source that was written after the measurement. Without one the exhibit stays as it is.
+/// Marks the exhibit as stale and names the source `newer`, which changed after the measurement. Does nothing when
+/// `newer` is empty.
 void mark_stale(Exhibit& exhibit, const std::string& newer);
 
 }  // namespace canproof::host

@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The fields of one line; quotes as in RFC 4180, no breaks within fields.
+/// Returns the fields of one CSV line with quotes as in RFC 4180; a field contains no line break.
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;

@@ -1,4 +1,4 @@
-// The page of an exhibit that brings none.
+// The generated page of an exhibit that has no page of its own.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Markup of the body: figures, CSV tables, plots.
+/// Returns the body of the page as markup: figures, CSV tables, plots.
 std::string exhibit_page(const Exhibit& exhibit);
 
 }  // namespace canproof::host

@@ -35,7 +35,7 @@ std::vector<std::string> with(std::vector<std::string> folders, const std::vecto
     return folders;
 }
 
-using Contents = std::map<std::string, std::string>;  ///< SHA-256 by path from the project's folder
+using Contents = std::map<std::string, std::string>;  ///< SHA-256 by path relative to the project's folder
 
 Contents contents_of(const fs::path& root, const std::vector<std::string>& folders) {
     Contents all;
@@ -52,7 +52,7 @@ Contents contents_of(const fs::path& root, const std::vector<std::string>& folde
     return all;
 }
 
-/// A file that one of the two lacks, or that differs; empty when they are the same.
+/// Returns a file that is missing on one side or differs; empty when both sides are equal.
 std::string first_difference(const Contents& before, const Contents& now) {
     for (const auto& [name, sum] : now) {
         const auto found = before.find(name);
@@ -68,7 +68,7 @@ std::string first_difference(const Contents& before, const Contents& now) {
     return "";
 }
 
-/// Where the record of a measurement lies; nothing for one outside of build/.
+/// Returns the path of the record for a measurement; nothing for a measurement outside build/.
 std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured) {
     const auto from = fs::weakly_canonical(measured).lexically_relative(fs::weakly_canonical(root)).generic_string();
     if (from.rfind("build/", 0) != 0) {
@@ -77,7 +77,7 @@ std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured
     return root / "build" / "freshness" / (sha256(from) + ".json");
 }
 
-/// The contents that the record holds for this very measurement.
+/// Returns the recorded contents of the sources; nothing when the record belongs to another measurement.
 std::optional<Contents> recorded(const fs::path& record, const std::string& measurement) {
     if (!fs::exists(record)) {
         return std::nullopt;

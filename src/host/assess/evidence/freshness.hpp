@@ -1,5 +1,5 @@
-// Whether a measurement speaks of the sources as they are: by their contents where they are known, else as make judges
-// it, by the times of files.
+// Decides whether a measurement is up to date with its sources: by their recorded contents, otherwise, as make does, by
+// the times of files.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +8,29 @@
 
 namespace canproof::host {
 
-/// The folders that the firmware is made of, from `root`: its own and the register.
+/// Returns the folders of the firmware relative to `root`, and that of the requirements register.
 std::vector<std::string> firmware_sources(const std::filesystem::path& root);
-/// … and those that test it.
+/// Returns firmware_sources() and the folders of tests and properties.
 std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
-/// … and those of the host whose coverage is measured beside it.
+/// Returns firmware_and_tests() and the folders of the host whose coverage is measured.
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
-/// … and those of the buses on a real kernel.
+/// Returns firmware_sources() and the folders of the host's buses, runs and SocketCAN tests.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
-/// … and that of the microcontroller.
+/// Returns firmware_sources() and the folder of the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
-/// The first file below these folders of `root`, by name, that was written after `measured`; empty when there is none,
-/// or nothing was measured. Reviews and READMEs change no measurement.
+/// Returns the first file by name below these folders of `root` that was written after `measured`. Returns an empty
+/// text when there is none or `measured` does not exist. Reviews and READMEs are ignored.
 std::string newer_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                          const std::filesystem::path& measured);
 
-/// The first of these sources that is not as it was when `measured` was made. A measurement that lies below
-/// `root`/build and is younger than its sources when it is first looked at leaves a record of their contents in
-/// build/freshness; from then on contents decide, whatever the times of files say. Without a record the times decide.
+/// Returns the first of these sources that differs from its state when `measured` was made. The first call records the
+/// contents of the sources in build/freshness, if `measured` lies below `root`/build and is younger than its sources.
+/// Later calls compare the contents and ignore the times. Without a record the times of the files decide.
 std::string changed_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                            const std::filesystem::path& measured);
 
-/// The file that was written first of those below the folder; empty without any.
+/// Returns the file of this folder that was written first; empty when there is none.
 std::filesystem::path oldest_file(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

@@ -7,15 +7,16 @@
 
 namespace canproof::host {
 
-/// Each hazard with its outputs, its safe state, and what prevents each failure. Gives the markup of its body.
+/// Returns the body of the page as markup: each hazard with its outputs, its safe state, and the prevention of each
+/// failure.
 std::string hazards_page(const PackInput& input);
 
-/// Failures of all hazards, and those that nothing prevents.
+/// Number of hazards, of all their failures, and of failures without prevention.
 struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};
-    std::size_t open{0};         ///< a requirement that prevents one is not shown
-    std::size_t unprevented{0};  ///< with a reason
+    std::size_t open{0};         ///< failures of which a preventing requirement is not shown
+    std::size_t unprevented{0};  ///< failures that nothing prevents, with a reason
 };
 FailureCounts count_failures(const PackInput& input);
 

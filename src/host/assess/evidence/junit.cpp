@@ -18,7 +18,7 @@ std::string seconds_text(const double seconds) {
     return fmt::format("{:.3f}", seconds);
 }
 
-/// The items of the register that the case claims to show.
+/// Adds the items of the register that the test case claims to show.
 void add_items(pugi::xml_node node, const TestCase& one) {
     if (one.items.empty()) {
         return;

@@ -1,4 +1,4 @@
-// The verdicts for tools that read JUnit XML.
+// The verdicts as JUnit XML, for tools that read it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// All test cases, without times: the same verdicts give the same bytes.
+/// Returns all test cases without times, so that the same verdicts give the same bytes.
 std::string write_junit(const Evidence& evidence);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Makes what a whole pack needs and does not have.
+// Creates the evidence that a complete pack needs and that is missing.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 namespace canproof::host {
 
-/// The expected evidence with a command that is absent or stale, in the order of the argument. Coverage is made too
-/// when the tests are stale: its run leaves their verdicts.
+/// Returns the expected evidence that is absent or stale and has a command, in the order of the argument. Coverage is
+/// included when the tests are stale, because its run writes their verdicts.
 std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits& exhibits);
 
-/// Runs each command in a shell in `root`, its output in build/log/evidence-KEY.log; what fails is told and the next
-/// one begins. `tell` gets lines with progress and an estimate. Returns how many have failed.
+/// Runs each command in a shell in `root`, with its output in build/log/evidence-KEY.log. A failed command is reported
+/// and the next one starts. `tell` receives lines with progress and an estimate. Returns the number of failed commands.
 std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std::filesystem::path& root,
                           const std::function<void(const std::string&)>& tell);
 

@@ -16,7 +16,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A state of a section: its word, its class in the style sheet, its symbol for readers without colour.
+/// The display of a section's state: its word, its class in the style sheet, and its symbol for readers without colour.
 struct StateLook {
     const char* word;
     const char* style;
@@ -35,7 +35,7 @@ const StateLook& look_of(const std::string& word) {
     return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
 }
 
-/// The name of a place as an anchor of the page.
+/// Returns the name of a place as an anchor of the page.
 std::string anchor(std::string place) {
     std::replace(place.begin(), place.end(), ' ', '-');
     return escaped(place);
@@ -154,7 +154,7 @@ class ManualPage {
                            state, escaped(one.text), links, escaped(one.reason));
     }
 
-    /// A shared item of an outside project has no page there.
+    /// Returns a link to an item; plain text for a shared item of another project, which has no page in this pack.
     std::string link_to(const std::string& id) const {
         if (decisions_.count(id) != 0) {
             return fmt::format("<a href=\"decisions.html#{0}\">{0}</a>", escaped(id));

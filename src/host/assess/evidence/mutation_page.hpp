@@ -1,4 +1,4 @@
-// The alterations of generated cells as a page of the pack.
+// The results of altering generated cells as a page of the pack.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Markup of the body: each item whose generated cells were altered, and what survived.
+/// Returns the body of the page as markup: each item with altered cells, and the survivors.
 std::string mutation_page(const MeasuredMutation& mutation);
 
 }  // namespace canproof::host

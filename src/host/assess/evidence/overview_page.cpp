@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t listed = 40;  ///< of a group that is open; the rest is counted
+constexpr std::size_t listed = 40;  ///< longest list of open points in a group; the others are only counted
 
 std::string verdict_line(const Argument& argument, const Exhibits& exhibits) {
     return fmt::format("<p><b>{}</b></p>\n", escaped(claims_sentence(count_claims(argument, exhibits))));

@@ -1,4 +1,4 @@
-// The first page of the pack: what is claimed, what shows it, what is open.
+// The first page of the pack: claims, their evidence, and open points.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace canproof::host {
 
-/// Of an exhibit, as markup: with a link to its page where it has one.
+/// Returns the title of an exhibit as markup, with a link to its page if it has one.
 std::string title_markup(const Exhibit& exhibit);
-/// Markup of the page's body.
+/// Returns the body of the page as markup.
 std::string overview_page(const PackInput& input, const Exhibits& exhibits);
 
 }  // namespace canproof::host

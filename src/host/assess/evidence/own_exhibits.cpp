@@ -26,7 +26,7 @@ Exhibit exhibit(const char* key, const char* title, const bool good, const std::
     return {key, title, state_of(good), says, page};
 }
 
-/// Whether runs of this kind are there and all passed.
+/// Returns an exhibit that holds when there are runs of this kind and all of them passed.
 Exhibit runs_exhibit(const PackInput& input, const char* key, const char* kind, const char* title) {
     std::size_t runs = 0;
     std::size_t failed = 0;
@@ -90,8 +90,8 @@ Exhibit sections_exhibit(const PackInput& input) {
                    "sections.html");
 }
 
-/// Holds while every manual has statements and every statement is covered or explained. Whether what covers it is
-/// shown is the audit's.
+/// Returns an exhibit that holds when every manual has statements and every statement is covered or explained. The
+/// audit decides whether the covering items are shown.
 std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     std::size_t statements = 0;
     std::size_t bare = 0;

@@ -1,4 +1,4 @@
-// Exhibits by their key.
+// The exhibits of a pack by their key.
 #pragma once
 
 #include <map>
@@ -11,7 +11,8 @@ namespace canproof::host {
 
 using Exhibits = std::map<std::string, Exhibit>;  ///< by key
 
-/// What the pack itself shows, that of other tools, and what a whole pack would have beside them (absent).
+/// Returns the exhibits of the pack itself and of other tools. Expected exhibits that are missing have the state
+/// `absent`.
 Exhibits exhibits_of(const PackInput& input);
 
 }  // namespace canproof::host

@@ -53,12 +53,12 @@ std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibit
     return entries;
 }
 
-/// The commit and the date, for the foot of each page.
+/// Returns the commit and the date for the foot of each page.
 std::string origin_of(const Provenance& provenance) {
     return provenance.commit.empty() ? "" : fmt::format("canproof {}, {}", provenance.commit, provenance.date);
 }
 
-/// The pack's data/, each file with what it is.
+/// Returns the list of the files in the pack's data/, each with a description, as markup.
 std::string data_markup(const PackFiles& files) {
     static const std::map<std::string, std::string> words{
         {"data/register.reqif", "the register as ReqIF"},

@@ -1,4 +1,4 @@
-// The evidence pack: what is claimed, what shows it, what is open, for people and for the tools of others.
+// The evidence pack: claims, evidence and open points, for people and for other tools.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@ namespace canproof::host {
 /// Bytes by path within the pack.
 using PackFiles = std::map<std::string, std::string>;
 
-/// All files of the pack but the manifest. The same input gives the same bytes.
+/// Returns all files of the pack except the manifest. The same input gives the same bytes.
 PackFiles make_pack(const PackInput& input);
 
-/// manifest.json: SHA-256 of every file, and the provenance.
+/// Returns manifest.json: the SHA-256 of every file, and the provenance.
 std::string write_manifest(const PackFiles& files, const Provenance& provenance);
 
 }  // namespace canproof::host

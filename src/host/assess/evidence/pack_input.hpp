@@ -1,4 +1,4 @@
-// What the evidence pack is made from.
+// The input from which the evidence pack is made.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct MeasuredCoverage {
     CoverageVerdict verdict;
 };
 
-/// What `canproof mutate` left of the generated cells.
+/// The result of `canproof mutate` for the generated cells.
 struct MeasuredMutation {
     CountsByItem items;
     std::string json;
@@ -35,17 +35,17 @@ struct PackInput {
     Evidence evidence;
     std::vector<PartAudit> audits;
     std::optional<Evidence> socketcan;                ///< runs on CAN interfaces of a real kernel
-    std::optional<std::vector<std::string>> orphans;  ///< code or tests without a requirement, each a sentence
+    std::optional<std::vector<std::string>> orphans;  ///< code or tests without a requirement, one sentence each
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
-    std::optional<std::string> target;  ///< markup: figures measured on the microcontroller
-    /// By key of what was measured before a source was written: that source. The audit, tests, properties and corpora
-    /// have the key `tests`.
+    std::optional<std::string> target;  ///< markup with the figures measured on the microcontroller
+    /// The source that changed after a measurement, by the key of the measurement. Audit, tests, properties and corpora
+    /// share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;
-    Analysis analysis;                           ///< of reports/analysis
-    std::vector<Exhibit> exhibits;               ///< of other tools
-    std::map<std::string, std::string> figures;  ///< SVG text by file name; each begins with its device's name
+    Analysis analysis;                           ///< from reports/analysis
+    std::vector<Exhibit> exhibits;               ///< from other tools
+    std::map<std::string, std::string> figures;  ///< SVG text by file name, which begins with the device's name
     Provenance provenance;
     PackageRecords packages;
 };

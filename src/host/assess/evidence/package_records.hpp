@@ -1,4 +1,4 @@
-// What reports/packages.toml says of the Debian packages: scope, licence, vulnerabilities that somebody looked at.
+// The records of reports/packages.toml about the Debian packages: scope, licence, and assessed vulnerabilities.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@ namespace canproof::host {
 
 struct PackageRecord {
     std::string name;
-    std::string scope;    ///< required, optional or excluded, as CycloneDX has it
-    std::string licence;  ///< SPDX expression; empty: nobody has said
+    std::string scope;    ///< required, optional or excluded, as in CycloneDX
+    std::string licence;  ///< SPDX expression; empty: not recorded
 };
 
 struct VulnerabilityRecord {
     std::string id;       ///< CVE-2024-1234
-    std::string package;  ///< of the records
+    std::string package;  ///< name of a recorded package
     std::string state;    ///< not_affected, affected, fixed or in_triage
     std::string detail;
 };
@@ -24,11 +24,11 @@ struct PackageRecords {
     std::vector<PackageRecord> packages;
     std::vector<VulnerabilityRecord> vulnerabilities;
 
-    /// nullptr when there is none.
+    /// Returns the record of a package; nullptr when there is none.
     const PackageRecord* package(const std::string& name) const;
 };
 
-/// Empty without the file. Throws InputError with file, line and fix.
+/// Reads the records; returns none when the file does not exist. Throws InputError with file, line and fix.
 PackageRecords read_package_records(const std::filesystem::path& file);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Where a build comes from: asked of git, dpkg and the compiler that made this program.
+// Determines the provenance of a build from git, dpkg and the compiler of this program.
 #include "host/assess/evidence/provenance.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-/// What a command of the shell prints, without the break at its end; what it complains of is left out.
+/// Returns the standard output of a shell command without trailing line breaks; its error output is discarded.
 std::string said_by(const std::string& command) {
     std::string text = output_of({"sh", "-c", "{ " + command + "; } 2>/dev/null || true"}).value_or("");
     while (!text.empty() && text.back() == '\n') {
@@ -26,7 +26,7 @@ std::string said_by(const std::string& command) {
     return text;
 }
 
-/// The path in single quotes, for a shell.
+/// Returns the path in single quotes for a shell.
 std::string quoted(const std::filesystem::path& path) {
     std::string text{"'"};
     for (const char one : path.string()) {
@@ -49,7 +49,7 @@ std::string date_of(const std::string& git) {
     return text.data();
 }
 
-/// The Debian packages that ./run installs, with the versions that are there.
+/// Returns the Debian packages that ./run installs, with their installed versions.
 std::map<std::string, std::string> packages_of(const std::filesystem::path& root) {
     const auto file = root / "run";
     const std::string text = std::filesystem::exists(file) ? read_file(file) : "";
@@ -69,7 +69,7 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
     return found;
 }
 
-/// What the lists of apt say of the packages' files; nothing for a version that they do not have.
+/// Returns the SHA-256 of the packages' files from the lists of apt; a version that the lists do not have is left out.
 std::map<std::string, std::string> package_sums(const std::map<std::string, std::string>& packages) {
     std::string names;
     for (const auto& [name, version] : packages) {

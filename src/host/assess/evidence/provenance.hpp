@@ -1,4 +1,4 @@
-// How a build came about.
+// The provenance of a build.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,18 @@
 
 namespace canproof::host {
 
-/// How this build came about; what the manifest says of it.
+/// The provenance of this build, as the manifest contains it.
 struct Provenance {
     std::string commit;                           ///< with `+` when files differ from it
-    std::string date;                             ///< of the commit, or of SOURCE_DATE_EPOCH
-    std::string configuration;                    ///< of this program, and of the tests
+    std::string date;                             ///< date of the commit, or of SOURCE_DATE_EPOCH
+    std::string configuration;                    ///< configuration of this program and of the tests
     std::map<std::string, std::string> tools;     ///< version by name
     std::map<std::string, std::string> packages;  ///< version by Debian package
-    /// SHA-256 of the .deb by package, where the lists of apt have this version.
+    /// SHA-256 of the .deb by package, for versions that the lists of apt contain.
     std::map<std::string, std::string> package_sums;
 };
 
-/// Of the working copy at `root` and of this program. A date comes from SOURCE_DATE_EPOCH when that is set.
+/// Returns the provenance of the working copy at `root` and of this program. SOURCE_DATE_EPOCH replaces the date.
 Provenance provenance_of(const std::filesystem::path& root);
 
 }  // namespace canproof::host

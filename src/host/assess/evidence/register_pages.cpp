@@ -23,7 +23,7 @@ std::string joined(const std::vector<std::string>& words) {
     return escaped(fmt::format("{}", fmt::join(words, ", ")));
 }
 
-/// Places in code without the folder that all of them are in.
+/// Returns places in the code without the common prefix `src/`.
 std::string places_of(const std::vector<std::string>& places) {
     const std::string common = "src/";
     std::string text;
@@ -46,7 +46,7 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
     return text;
 }
 
-/// Alterations of its generated cells.
+/// Returns the counts of altered cells of an item.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";
@@ -55,7 +55,7 @@ std::string mutants_of(const std::string& id, const PackInput& input) {
     return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
 }
 
-/// The facts of an object, the value of a constant, the rows of a table.
+/// Returns the facts of an object, the value of a constant, or the rows of a table.
 std::string facts_of(const Part& part, const std::string& id) {
     const std::string words = item_words(part, id);
     return words.empty() ? "" : fmt::format("<br><small>{}</small>", escaped(words));
@@ -100,7 +100,8 @@ std::string audit_page(const PackInput& input) {
                              rows, Search::yes);
 }
 
-/// What installers and operators must keep: it is not the firmware's to keep, so no test shows it.
+/// Returns the table of conditions that installers and operators must keep. No test shows them, because the firmware
+/// cannot keep them.
 std::string conditions_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {
@@ -113,7 +114,7 @@ std::string conditions_table(const Manual& manual) {
                               html_table({{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
 }
 
-/// A row for each manual: how much of it is covered.
+/// Returns a table with one row for each manual and its coverage.
 std::string manuals_table(const PackInput& input) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& audit : input.audits) {
@@ -140,7 +141,7 @@ std::string manuals_table(const PackInput& input) {
                       rows);
 }
 
-/// The normative sections of a manual without statements, each with the items that have it as their source.
+/// Returns the normative sections of a manual without statements, each with the items that have it as their source.
 std::string sections_table(const PartAudit& audit) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : audit.sections) {
@@ -154,7 +155,7 @@ std::string sections_table(const PartAudit& audit) {
     return html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
 }
 
-/// Sections that ask for nothing, each with the reason.
+/// Returns the sections without requirements, each with its reason.
 std::string informative_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {

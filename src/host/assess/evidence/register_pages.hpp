@@ -1,4 +1,4 @@
-// The pages of the pack that follow the register and the verdicts. Each gives the markup of its body.
+// The pages of the pack about the register and the verdicts. Each function returns the body of a page as markup.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace canproof::host {
 
-/// Each item of the register with its sources, code, tests and state, to be searched.
+/// Returns a searchable list of the items with sources, code, tests and state.
 std::string audit_page(const PackInput& input);
-/// Each manual with its page, what is covered of it, and the sections of those without statements.
+/// Returns the manuals with their pages and their coverage, and the sections of manuals without statements.
 std::string sections_page(const PackInput& input);
 std::string decisions_page(const PackInput& input);
 std::string tests_page(const PackInput& input);
-/// The plots of the devices' behaviour.
+/// Returns the plots of the devices' behaviour.
 std::string plots_page(const PackInput& input);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// ReqIF 1.2 (OMG): the register as requirements tools read it.
+// ReqIF 1.2 (OMG): the requirements register for requirements tools.
 #include "host/assess/evidence/reqif.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ constexpr Attribute severity_of{"_attribute-severity", "Severity"};
 constexpr Attribute section_id{"_attribute-section", "ReqIF.ForeignID"};
 constexpr Attribute section_title{"_attribute-title", "ReqIF.Text"};
 
-/// What a tool shows of an item or a decision.
+/// The attributes of an item or a decision that a tool shows.
 struct Written {
     std::string id;
     std::string text;
@@ -60,7 +60,7 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// `2026-11-21, NAME, author`; empty when nobody has read it.
+/// Returns `2026-11-21, NAME, author`; empty when there is no review.
 std::string review_words(const Part& part, const std::string& id) {
     const auto found = part.reviews.find(id);
     if (found == part.reviews.end()) {
@@ -82,7 +82,7 @@ std::string test_words(const std::string& id, const Evidence& evidence) {
     return joined(words);
 }
 
-/// Identifiers of XML begin with a letter or an underscore.
+/// Returns an id as an XML identifier, which must begin with a letter or an underscore.
 std::string name_of(const std::string& id) {
     return "_" + id;
 }
@@ -126,7 +126,8 @@ class ReqifWriter {
                                      const std::string& long_name) {
         auto node = parent.append_child(element);
         node.append_attribute("IDENTIFIER") = id.c_str();
-        node.append_attribute("LAST-CHANGE") = "1970-01-01T00:00:00Z";  // the same bytes from the same register
+        node.append_attribute("LAST-CHANGE") = "1970-01-01T00:00:00Z";  // constant, so that the same register gives the
+                                                                        // same bytes
         if (!long_name.empty()) {
             node.append_attribute("LONG-NAME") = long_name.c_str();
         }
@@ -203,7 +204,7 @@ class ReqifWriter {
         }
     }
 
-    /// XML names have neither spaces nor colons.
+    /// Returns the XML identifier of a section; such an identifier has no spaces and no colons.
     static std::string section_name(const PartAudit& audit, const Section& section) {
         std::string name = "_section-" + audit.part->name + "-";
         for (const char c : section.ref) {
@@ -212,7 +213,7 @@ class ReqifWriter {
         return name;
     }
 
-    /// The normative sections of the part's manual.
+    /// Writes the normative sections of the part's manual.
     static void write_sections(pugi::xml_node objects, const PartAudit& audit) {
         for (const auto& one : audit.sections) {
             auto node = identified(objects, "SPEC-OBJECT", section_name(audit, *one.section), one.section->ref);
@@ -231,7 +232,7 @@ class ReqifWriter {
         node.append_child("TARGET").append_child("SPEC-OBJECT-REF").text() = to.c_str();
     }
 
-    /// From a decision to what it affects, where that is in the same file.
+    /// Writes the relations from a decision to the affected items, if these are in the same file.
     void write_relations(pugi::xml_node relations, const PartAudit& audit) const {
         for (const auto& decision : audit.part->decisions) {
             for (const auto& affected : decision.affects) {
@@ -243,7 +244,7 @@ class ReqifWriter {
         }
     }
 
-    /// From an item to each normative section that it covers.
+    /// Writes the relations from an item to each normative section that it covers.
     void write_coverage(pugi::xml_node relations, const PartAudit& audit) const {
         for (const auto& section : audit.sections) {
             const std::string to = section_name(audit, *section.section);

@@ -10,8 +10,9 @@
 
 namespace canproof::host {
 
-/// ReqIF 1.2: items, decisions and normative sections as SpecObjects, each item with its code, tests and review; what a
-/// decision affects and what covers a section as SpecRelations; one specification a part.
+/// Returns ReqIF 1.2. Items, decisions and normative sections are SpecObjects; an item has its code, tests and review.
+/// SpecRelations connect a decision with the affected items, and an item with the sections that it covers. Each part
+/// has its own specification.
 std::string write_reqif(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence);
 
 }  // namespace canproof::host

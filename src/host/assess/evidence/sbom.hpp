@@ -1,4 +1,4 @@
-// The bill of materials.
+// The software bill of materials.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// CycloneDX 1.6: the Debian packages that this build was made with, with scope, licence and the SHA-256 of the .deb
-/// where apt knows it, and the vulnerabilities on record (VEX).
+/// Returns CycloneDX 1.6: the Debian packages of this build with scope and licence, the SHA-256 of each .deb that apt
+/// lists, and the recorded vulnerabilities (VEX).
 std::string write_sbom(const Provenance& provenance, const PackageRecords& records);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The tables of the standards as a page.
+// The tables of the standards as a page of the pack.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Every row of every table with its state. Gives the markup of the body.
+/// Returns the body of the page as markup: every row of every table with its state.
 std::string standards_page(const PackInput& input);
 
 }  // namespace canproof::host

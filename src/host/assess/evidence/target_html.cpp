@@ -14,13 +14,13 @@ namespace {
 
 using nlohmann::json;
 
-/// null when there is no such file.
+/// Returns the content of a JSON file; null when the file does not exist.
 json read_json(const std::filesystem::path& path) {
     std::ifstream in{path};
     return in.is_open() ? json::parse(in) : json{};
 }
 
-/// A figure with what it may be.
+/// Returns a table cell with a figure and its limit.
 std::string bounded(std::uint64_t value, std::uint64_t budget) {
     return fmt::format("<td class={}>{} <small>of {}</small>", value <= budget ? "shown" : "open", grouped(value),
                        grouped(budget));

@@ -1,4 +1,4 @@
-// Performance and memory on the microcontroller, for people.
+// Performance and memory on the microcontroller as a report.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// A section of the report from what src/target/footprint and run_suites left in `build`; says so when they did not
-/// run.
+/// Returns a section of the report with the results of src/target/footprint and run_suites in `build`. The section says
+/// so when they did not run.
 std::string write_target_html(const std::filesystem::path& build);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Whether a pack is what its manifest says, and who signed it.
+// Verifies a pack against its manifest and its signature.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace canproof::host {
 
-/// Beside manifest.json: its signature.
+/// Name of the signature's file beside manifest.json.
 inline constexpr const char* manifest_signature = "manifest.json.sig";
 
-/// What is wrong with the pack, a sentence each: files that differ, are missing, or are not in the manifest; with a
-/// public key (not empty) also a signature that is missing or is another's. Throws InputError without a manifest.
+/// Returns the faults of the pack, one sentence each: files that differ, are missing, or are not in the manifest. With
+/// a public key (not empty), also a missing or invalid signature. Throws InputError when there is no manifest.
 std::vector<std::string> faults_of_pack(const std::filesystem::path& folder, const std::filesystem::path& public_key);
 
 }  // namespace canproof::host

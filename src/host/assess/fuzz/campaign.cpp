@@ -63,7 +63,7 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
     }
 }
 
-/// Slices a target's time is cut into: about a minute each, and not more than some.
+/// Returns the number of slices of each target's time: about a minute each, at most `most_rounds`.
 unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     const double share = options.minutes * options.jobs / static_cast<double>(targets);
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
@@ -98,7 +98,7 @@ bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targ
                       [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
 }
 
-/// The unfinished campaign of the same command, or a new one.
+/// Returns the state of the unfinished campaign of the same command, or of a new campaign.
 CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                              const CampaignFiles& files, CampaignDisplay& display) {
     const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
@@ -147,7 +147,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// From the phase that the state names; false when interrupted.
+/// Runs the phases from the one that the state names. Returns false when interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });
@@ -178,7 +178,7 @@ void add_night(const CampaignContext& context) {
     context.save();
 }
 
-/// The exit status, and why in words.
+/// Returns the exit status and prints the reason.
 int verdict(const CampaignState& state, bool finished, CampaignDisplay& display) {
     if (!state.findings.empty()) {
         display.say(fmt::format("{} finding(s)", state.findings.size()));

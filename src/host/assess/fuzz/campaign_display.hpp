@@ -1,4 +1,4 @@
-// A campaign's progress: on a terminal one live line a target, elsewhere a line whenever a target has news.
+// The progress of a campaign: on a terminal one live line per target, otherwise a line for each change of a target.
 #pragma once
 
 #include <chrono>
@@ -13,13 +13,13 @@ class CampaignDisplay {
   public:
     CampaignDisplay(std::FILE* out, bool is_table) : out_{out}, is_table_{is_table} {}
 
-    /// A line that stays.
+    /// Prints a line that stays.
     void say(const std::string& text);
-    /// News of one target, in short; `inputs` ended a run so far.
+    /// Prints the progress of one target; `inputs` is the number of inputs that have ended a run.
     void news(const TargetRecord& target, std::size_t inputs);
-    /// Redraws the table, not too often.
+    /// Redraws the table at a limited rate.
     void draw(const CampaignState& state);
-    /// The last drawing stays.
+    /// Draws the table for the last time.
     void leave(const CampaignState& state);
 
   private:

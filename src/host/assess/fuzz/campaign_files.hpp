@@ -1,4 +1,4 @@
-// What every part of a campaign works on.
+// The files and the context that all parts of a campaign use.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace canproof::host {
 
 class CampaignDisplay;
 
-/// Where things lie below the corpus folder.
+/// The paths below the corpus folder.
 class CampaignFiles {
   public:
     explicit CampaignFiles(const std::filesystem::path& corpus) : corpus_{std::filesystem::absolute(corpus)} {}
@@ -44,9 +44,9 @@ struct CampaignContext {
     void save() const { write_json(files.state(), state); }
 };
 
-/// Sanitizers that name functions, and a scratch folder of our own.
+/// Returns the environment of a fuzz target: sanitizers that name functions, and a scratch folder of the campaign.
 std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files);
-/// The regular files of a folder, in alphabetical order; none when there is no folder.
+/// Returns the regular files of a folder in alphabetical order; none when the folder does not exist.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 std::string read_text(const std::filesystem::path& file);
 

@@ -16,7 +16,7 @@ double rate(const TargetRecord& target) {
     return target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
 }
 
-/// `+12`, `-3`, `0`, or a dash when there is nothing to compare with.
+/// Returns `+12`, `-3` or `+0`, or a dash when there is no value to compare with.
 std::string change(std::uint64_t now, const std::optional<std::uint64_t>& before) {
     return before ? fmt::format("{:+}", static_cast<std::int64_t>(now) - static_cast<std::int64_t>(*before)) : "–";
 }
@@ -28,7 +28,7 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
     return last->edges.at(target);
 }
 
-/// Lines that two nights reached compare only when both had the same targets.
+/// Returns whether both campaigns had the same targets; only then their line counts are comparable.
 bool same_targets(const CampaignState& state, const Night& last) {
     return last.edges.size() == state.targets.size() &&
            std::all_of(state.targets.begin(), state.targets.end(),

@@ -1,4 +1,4 @@
-// The report of a campaign, whole or cut short: a page and the same as JSON.
+// The report of a complete or interrupted campaign, as a page and as JSON.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace canproof::host {
 
-/// `last`: the night before, to compare with.
+/// Returns the page; `last` is the campaign to compare with.
 std::string write_campaign_html(const CampaignState& state, const std::optional<Night>& last);
 nlohmann::json write_campaign_json(const CampaignState& state, const std::optional<Night>& last);
-/// How the evidence pack shows it (src/host/assess/evidence/exhibit.hpp).
+/// Returns the description for the evidence pack (src/host/assess/evidence/exhibit.hpp).
 nlohmann::json write_campaign_exhibit(const CampaignState& state);
-/// What the next night compares with.
+/// Returns the figures with which the next campaign compares.
 Night night_of(const CampaignState& state);
 
 }  // namespace canproof::host

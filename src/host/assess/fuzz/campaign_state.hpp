@@ -1,4 +1,4 @@
-// What a campaign has done so far: kept in the corpus folder, so that the same command goes on where it was stopped.
+// The state of a campaign. The corpus folder keeps it, so that the same command continues an interrupted campaign.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Of one target, at one moment of its own fuzzing time.
+/// The figures of one target at one moment of its fuzzing time.
 struct Sample {
     double seconds{0.0};
     std::uint64_t executions{0};
@@ -19,20 +19,20 @@ struct Sample {
 
 struct TargetRecord {
     std::string name;
-    unsigned slices{0};  ///< done
+    unsigned slices{0};  ///< finished slices
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
-    std::size_t inputs_before{0};  ///< in the corpus folder, less the seeds
+    std::size_t inputs_before{0};  ///< in the corpus folder, without the seeds
     std::size_t inputs_found{0};
     std::size_t inputs_kept{0};         ///< after minimisation
-    unsigned broken_slices{0};          ///< ended before their time and left no finding
-    std::size_t inputs_second_pass{0};  ///< looked at by the second pass
+    unsigned broken_slices{0};          ///< slices that ended before their time without a finding
+    std::size_t inputs_second_pass{0};  ///< inputs that the second pass ran
 
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }
-    /// Own fuzzing time at which an edge came last.
+    /// Returns the fuzzing time of this target, in seconds, at which it last reached a new edge.
     double last_gain() const;
-    /// No new edge in the second half of its time.
+    /// Returns whether the second half of its time brought no new edge.
     bool plateaued() const { return seconds > 0.0 && last_gain() < seconds / 2.0; }
 };
 
@@ -41,26 +41,26 @@ struct Finding {
     std::string title;
     std::string signature;
     std::string first_seen;  ///< UTC
-    std::string folder;      ///< input, output.txt and, where the target has frames, frames.log and replay
-    std::string regression;  ///< the input among the committed corpus; empty: not landed
-    std::string pass;        ///< what showed it: libFuzzer with sanitizers, or valgrind
+    std::string folder;      ///< contains input, output.txt and, for a target with frames, frames.log and replay
+    std::string regression;  ///< the input in the committed corpus; empty: none
+    std::string pass;        ///< the pass that found it: libFuzzer with sanitizers, or valgrind
     std::size_t bytes{0};
-    std::size_t times{0};  ///< inputs that led to it
+    std::size_t times{0};  ///< number of inputs that led to it
     bool reproduces{true};
 };
 
 struct LinePoint {
-    double share{0.0};  ///< of the campaign's time, 0 to 1
+    double share{0.0};  ///< share of the campaign's time, 0 to 1
     std::uint64_t hit{0};
 };
 
-/// Lines of one source, by all targets together.
+/// Lines of one source that the targets together reach.
 struct FileLines {
-    std::string path;  ///< as firmware_path() gives it
+    std::string path;  ///< as firmware_path() returns it
     std::uint64_t lines{0};
     std::uint64_t hit{0};
     std::string unreached;               ///< `12-15, 30`
-    std::vector<std::string> functions;  ///< that no target calls
+    std::vector<std::string> functions;  ///< functions that no target calls
 };
 
 struct LineCoverage {
@@ -78,17 +78,17 @@ struct CampaignState {
     std::uint64_t seed{0};
     unsigned jobs{1};
     unsigned rounds{1};
-    std::string phase;  ///< the one under way; `done` at the end
+    std::string phase;  ///< current phase; `done` at the end
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
-    std::vector<std::string> remarks;  ///< what could not be done, and why
+    std::vector<std::string> remarks;  ///< steps that failed, with the reason
 
     std::uint64_t executions() const;
     double seconds() const;
 };
 
-/// One finished campaign, to compare with.
+/// The figures of one finished campaign, for comparison.
 struct Night {
     std::string started;
     double minutes{0.0};
@@ -111,12 +111,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, 
                                    coverage, remarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hit, edges, per_second, findings)
 
-/// The file's JSON; `null` when it does not exist. Throws InputError, with the remedy, when it cannot be understood.
+/// Returns the JSON of the file; `null` when the file does not exist. Throws InputError, with the remedy, for invalid
+/// content.
 nlohmann::json read_json(const std::filesystem::path& file);
-/// The old file or the new, whatever happens in between. Throws InputError when it cannot be written.
+/// Replaces the file atomically: after an interruption it has the old or the new content. Throws InputError when it
+/// cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
-/// `2026-11-21T04:05:06Z`, now.
+/// Returns the current time as `2026-11-21T04:05:06Z`.
 std::string utc_now();
 
 }  // namespace canproof::host

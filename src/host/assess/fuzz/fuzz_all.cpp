@@ -1,4 +1,4 @@
-// The fuzzing itself: each target in slices, so that all have had their turn when the campaign is cut short.
+// The fuzzing phase. It runs each target in slices, so that every target has run even if the campaign is interrupted.
 #include "host/assess/fuzz/fuzz_all.hpp"
 
 #include <fmt/format.h>
@@ -15,14 +15,14 @@ namespace canproof::host {
 
 namespace {
 
-constexpr double seconds_to_end = 60.0;  // libFuzzer lets its last job end, then merges
+constexpr double seconds_to_end = 60.0;  // libFuzzer lets its last job end and then merges
 
-/// Cores that one target has to itself.
+/// Returns the number of cores for one target.
 unsigned forks(const CampaignContext& context) {
     return std::max(1U, context.options.jobs / static_cast<unsigned>(context.targets.size()));
 }
 
-/// Seconds of the next slice: what is left of the target's time, in equal parts.
+/// Returns the seconds of the next slice: the rest of the target's time, divided equally.
 double slice_seconds(const CampaignContext& context, const TargetRecord& record) {
     const double width = std::min<double>(context.options.jobs, static_cast<double>(context.targets.size()));
     const double share = context.state.minutes * 60.0 * width / static_cast<double>(context.targets.size());
@@ -30,7 +30,7 @@ double slice_seconds(const CampaignContext& context, const TargetRecord& record)
     return std::max(1.0, (share - record.seconds) / left);
 }
 
-/// Follows one slice.
+/// Records the progress of one slice.
 class Slice {
   public:
     Slice(const CampaignContext& context, TargetRecord& record) : context_{context}, record_{record} {}
@@ -55,7 +55,7 @@ class Slice {
         record_.seconds = seconds_ + end.seconds;
         record_.inputs_found = files_in(context_.files.inputs(record_.name)).size();
         if (!end.interrupted) {
-            ++record_.slices;  // an interrupted one is done again, for the time that is left
+            ++record_.slices;  // an interrupted slice runs again for the remaining time
         }
         if (!end.interrupted && end.status != 0 && crashes() == 0) {
             ++record_.broken_slices;
@@ -111,7 +111,7 @@ Task slice(const CampaignContext& context, const FuzzTarget& target) {
     return task;
 }
 
-/// One slice of every target that has not had this round's.
+/// Runs one slice of every target that has not yet run in this round. Returns false when interrupted.
 bool fuzz_round(const CampaignContext& context, unsigned round) {
     std::vector<Task> tasks;
     for (const FuzzTarget& target : context.targets) {

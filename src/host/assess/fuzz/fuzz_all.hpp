@@ -1,11 +1,11 @@
-// The fuzzing of a campaign.
+// The fuzzing phase of a campaign.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"
 
 namespace canproof::host {
 
-/// Fuzzes all targets in turn until their time is over. False when it was interrupted; may be repeated.
+/// Fuzzes all targets in turn until their time is over. Returns false when interrupted; a repeated call continues.
 bool fuzz_all(const CampaignContext& context);
 
 }  // namespace canproof::host

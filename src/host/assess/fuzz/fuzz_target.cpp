@@ -35,7 +35,7 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
 
 const char* const how_to_build = "`cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_targets`";
 
-/// A line of the list: its three words. The list is not ours when there are not three.
+/// The three words of a line of the list.
 struct Line {
     std::string name;
     std::filesystem::path folder;
@@ -51,7 +51,7 @@ Line read_line(const std::string& text, const std::string& place) {
     return {found[1].str(), found[2].str(), found[3].str()};
 }
 
-/// By name.
+/// Returns the lines of the build's list by target name. Throws InputError for a line without three words.
 std::map<std::string, Line> lines_of(const std::filesystem::path& build) {
     const auto list = build / "fuzz_targets.txt";
     std::ifstream in{list};

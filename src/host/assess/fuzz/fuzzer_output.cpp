@@ -22,7 +22,7 @@ std::optional<std::uint64_t> number_behind(const std::string& line, const std::s
     return in >> number ? std::optional{number} : std::nullopt;
 }
 
-/// Paths are cut to what they are in this project, wherever it was built.
+/// Returns the path relative to the project, wherever the project was built.
 std::string project_path(const std::string& path) {
     for (const char* folder : {"/src/", "/fuzz/", "/properties/", "/tests/"}) {
         if (const auto at = path.rfind(folder); at != std::string::npos) {
@@ -32,7 +32,8 @@ std::string project_path(const std::string& path) {
     return path;
 }
 
-/// The machinery around the code under test: of no use to tell two bugs apart.
+/// Returns whether a function belongs to the code under test; frames of the fuzzer, sanitizers and libraries do not
+/// help to distinguish bugs.
 bool is_ours(const std::string& function) {
     for (const char* other : {"__", "fuzzer::", "abort", "raise", "gsignal", "pthread_", "_start", "main", "LLVMFuzzer",
                               "canproof::fuzz::require", "std::", "operator ", "mem", "killpg"}) {
@@ -43,7 +44,7 @@ bool is_ours(const std::string& function) {
     return function.find("::require(") == std::string::npos;
 }
 
-/// `void canproof::f<int>(char) const` as `canproof::f<int>`.
+/// Returns `canproof::f<int>` for `canproof::f<int>(char) const`.
 std::string without_arguments(std::string function) {
     const std::string nameless = "(anonymous namespace)::";
     for (auto at = function.find(nameless); at != std::string::npos; at = function.find(nameless)) {
@@ -122,7 +123,7 @@ Failure parse_failure(const std::string& output) {
     for (std::string line; std::getline(lines, line);) {
         const bool matches = std::regex_match(line, found, frame);
         if (open && !matches) {
-            break;  // the first stack is that of the failure, later ones say where memory came from
+            break;  // the first stack is that of the failure; later ones show where memory came from
         }
         if (matches && is_ours(found[1])) {
             failure.frames.push_back(without_arguments(found[1]));

@@ -16,9 +16,9 @@ namespace canproof::host {
 
 namespace {
 
-/// A C++ function as its source names it, without arguments.
+/// Returns the name of a C++ function without arguments.
 std::string demangled(const std::string& name) {
-    // Functions of a nameless namespace carry their file in front: `file.cpp:_ZN…`.
+    // A function in an anonymous namespace has its file as prefix: `file.cpp:_ZN…`.
     const auto colon = name.rfind(':');
     const std::string symbol = colon == std::string::npos ? name : name.substr(colon + 1);
     int status = 0;
@@ -27,7 +27,7 @@ std::string demangled(const std::string& name) {
     return status == 0 ? text.get() : symbol;
 }
 
-/// `12-15, 30`
+/// Returns line numbers as ranges: `12-15, 30`.
 std::string ranges_of(const std::set<unsigned>& lines) {
     std::string text;
     for (auto at = lines.begin(); at != lines.end();) {
@@ -41,7 +41,7 @@ std::string ranges_of(const std::set<unsigned>& lines) {
     return text;
 }
 
-/// What one file's records say.
+/// The records of one file.
 struct Source {
     std::map<unsigned, bool> lines;
     std::map<std::string, bool> functions;

@@ -1,4 +1,4 @@
-// Lines and functions of the firmware that a coverage run reached, from llvm-cov's lcov export.
+// Parses llvm-cov's lcov export: the lines and functions of the firmware that a coverage run reached.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Only files of the firmware, in alphabetical order, with their paths in this project.
+/// Returns the files of the firmware in alphabetical order, with paths relative to the project.
 std::vector<FileLines> read_lcov(const std::string& text);
 
 }  // namespace canproof::host

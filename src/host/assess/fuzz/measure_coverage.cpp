@@ -1,5 +1,5 @@
-// Lines of the firmware that the corpora reach, and when in the campaign they were first reached: the inputs' own times
-// say which were there by then.
+// Measures which lines of the firmware the corpora reach, and when the campaign first reached them. The modification
+// time of an input shows when it was found.
 #include "host/assess/fuzz/measure_coverage.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t steps = 4;  ///< of the campaign's time; before them, what was there at its start
+constexpr std::size_t steps = 4;  ///< parts of the campaign's time; step 0 is its start
 constexpr std::size_t most_arguments = 1000;
 constexpr double run_limit = 900.0;
 
@@ -33,7 +33,8 @@ std::filesystem::path program(const CampaignContext& context, const FuzzTarget& 
     return std::filesystem::absolute(std::filesystem::path{context.options.coverage_build} / (target.name + "_fuzz"));
 }
 
-/// 0: from before this campaign; 1 to `steps`: by which part of its time the input was there.
+/// Returns 0 for an input from before this campaign, otherwise the part of its time, 1 to `steps`, in which it was
+/// found.
 std::size_t step_of(const std::filesystem::path& input, std::filesystem::file_time_type begin,
                     std::filesystem::file_time_type end) {
     const auto time = std::filesystem::last_write_time(input);
@@ -97,7 +98,7 @@ bool run_all(const CampaignContext& context, const std::vector<Run>& runs) {
                      [&] { context.display.draw(context.state); });
 }
 
-/// Runs one tool of LLVM; its output, or nothing when it failed or was interrupted.
+/// Runs one LLVM tool. Returns its output; an empty text when it failed or was interrupted.
 std::string output_of(const CampaignContext& context, std::vector<std::string> command, const std::string& name) {
     Task task;
     task.command = std::move(command);
@@ -111,7 +112,7 @@ std::string output_of(const CampaignContext& context, std::vector<std::string> c
     return done ? read_text(task.log) : "";
 }
 
-/// What all runs up to a step reached.
+/// Returns the lines that all runs up to a step reached.
 std::vector<FileLines> lines_until(const CampaignContext& context, const std::vector<Run>& runs, std::size_t step) {
     const auto merged = context.files.scratch() / fmt::format("{}.profdata", step);
     std::vector<std::string> merge{"llvm-profdata-19", "merge", "-sparse", "-o", merged.string()};

@@ -1,4 +1,4 @@
-// The smallest set of inputs that reaches what all reach, in place of what the nights gathered.
+// Replaces each corpus by a smaller set of inputs that reaches the same code.
 #include "host/assess/fuzz/minimise_corpora.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,8 @@ namespace canproof::host {
 
 namespace {
 
-/// A folder is replaced by renaming: killed at any point, the old set or the new is there under one of the names.
+/// Replaces a folder by renaming. After an interruption at any point, the old or the new set exists under one of the
+/// names.
 class Replacement {
   public:
     explicit Replacement(const std::filesystem::path& folder)

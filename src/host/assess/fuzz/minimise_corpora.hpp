@@ -1,11 +1,12 @@
-// Corpora without what brings nothing.
+// Minimises the corpora.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"
 
 namespace canproof::host {
 
-/// Keeps of each corpus the inputs that reach something others do not. False when it was interrupted; may be repeated.
+/// Keeps the inputs of each corpus that reach code which the others do not. Returns false when interrupted; the call
+/// may be repeated.
 bool minimise_corpora(const CampaignContext& context);
 
 }  // namespace canproof::host

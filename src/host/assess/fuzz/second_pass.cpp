@@ -1,5 +1,5 @@
-// The corpus once more, under valgrind's memcheck and without sanitizers: it sees uninitialised bytes, which ASan and
-// UBSan do not. (MSan would want a C++ library built with it; Debian has none.)
+// Runs the corpus again under valgrind's memcheck and without sanitizers. It detects uninitialised bytes, which ASan
+// and UBSan do not. (MSan needs an instrumented C++ library, which Debian does not have.)
 #include "host/assess/fuzz/second_pass.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< seconds; a program that hangs ends
-constexpr std::size_t most_findings = 5;  ///< of one target, looked for one by one
+constexpr double chunk_limit = 600.0;     ///< seconds; a program that hangs is ended
+constexpr std::size_t most_findings = 5;  ///< per target; each needs a separate run
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 
 using Inputs = std::vector<std::filesystem::path>;
 
-/// Inputs of one target that valgrind looks at in one process.
+/// Inputs of one target that one valgrind process runs.
 struct Chunk {
     const FuzzTarget* target{nullptr};
     Inputs inputs;
@@ -49,7 +49,8 @@ Task under_valgrind(const CampaignContext& context, Chunk& chunk, const std::fil
     return task;
 }
 
-/// The corpora in chunks, each target's first one before any target's second: the time may end before the corpus does.
+/// Returns the corpora in chunks. The first chunk of every target comes before any second one, because the time can end
+/// before the corpus.
 std::vector<Chunk> chunks_of(const CampaignContext& context) {
     std::vector<Chunk> chunks;
     bool more = true;
@@ -68,7 +69,8 @@ std::vector<Chunk> chunks_of(const CampaignContext& context) {
     return chunks;
 }
 
-/// Each input of a chunk with an error alone, until some have shown theirs.
+/// Runs each input of a chunk with errors alone, until `most_findings` inputs have reproduced an error. Returns false
+/// when interrupted.
 bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     std::size_t found = 0;
     for (const auto& input : chunk.inputs) {
@@ -88,7 +90,7 @@ bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     return true;
 }
 
-/// Chunks `from` to `to` until `ends` says so.
+/// Runs the chunks `from` to `to` until `ends` returns true.
 void look_at(const CampaignContext& context, std::vector<Chunk>& chunks, std::size_t from, std::size_t to,
              const std::function<bool()>& ends) {
     std::vector<Task> tasks;
@@ -108,7 +110,7 @@ bool look_again_with_valgrind(const CampaignContext& context) {
         record.inputs_second_pass = 0;
     }
     std::vector<Chunk> chunks = chunks_of(context);
-    // Some inputs of every target, however long it takes; of the others as many as there is time for.
+    // The first chunk of every target runs without a time limit; the others run while time is left.
     const auto first_of = [&](const Chunk& chunk) { return chunk.target == chunks.front().target; };
     const auto second_round = chunks.empty() ? chunks.end() : std::find_if(chunks.begin() + 1, chunks.end(), first_of);
     const auto sure = static_cast<std::size_t>(second_round - chunks.begin());

@@ -1,4 +1,4 @@
-// Inputs that ended a run become findings: one a bug, as small as it gets, with what replays it.
+// Turns inputs that ended a run into findings: one per bug, minimised, with the files to replay it.
 #include "host/assess/fuzz/sort_findings.hpp"
 
 #include <fmt/format.h>
@@ -14,12 +14,12 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_inputs = 40;  ///< of one target that are run again; a shallow bug leaves thousands
+constexpr std::size_t most_inputs = 40;  ///< per target; a shallow bug leaves thousands of inputs
 constexpr double reproduction_limit = 30.0;
 constexpr double least_shrinking = 2.0;  ///< seconds
 constexpr double most_shrinking = 15.0;
 
-/// An input that ended a run, run once more.
+/// An input that ended a run, and the result of running it again.
 struct Crash {
     const FuzzTarget* target{nullptr};
     std::filesystem::path input;
@@ -27,7 +27,7 @@ struct Crash {
     bool reproduces{false};
 };
 
-/// `slow-unit-…` is libFuzzer's remark, no failure.
+/// Returns whether the artifact is a failure; `slow-unit-…` is only a remark of libFuzzer.
 bool is_failure(const std::filesystem::path& artifact) {
     return artifact.filename().string().rfind("slow-unit-", 0) != 0;
 }
@@ -58,7 +58,7 @@ std::vector<Crash> collect(const CampaignContext& context) {
     return crashes;
 }
 
-/// One run of one input under the sanitizers.
+/// Returns the task that runs one input once with the sanitizers.
 Task reproduction(const CampaignContext& context, Crash& crash, const std::filesystem::path& log) {
     Task task;
     task.command = {crash.target->program.string(), "-timeout=10", "-rss_limit_mb=2048", crash.input.string()};
@@ -92,7 +92,7 @@ bool reproduce(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
-/// A tenth of the campaign's time, within bounds.
+/// Returns a tenth of the campaign's time in seconds, within bounds.
 double shrinking_seconds(const CampaignContext& context) {
     return std::clamp(context.state.minutes * 6.0, least_shrinking, most_shrinking);
 }
@@ -101,7 +101,7 @@ std::filesystem::path smaller_of(const Crash& crash) {
     return crash.input.string() + ".smaller";
 }
 
-/// Shrinks each, where libFuzzer finds something smaller in the time given.
+/// Lets libFuzzer shrink each crashing input within a time limit. Returns false when interrupted.
 bool shrink(const CampaignContext& context, std::vector<Crash>& crashes) {
     std::vector<Task> tasks;
     for (Crash& crash : crashes) {
@@ -120,7 +120,7 @@ bool shrink(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
-/// The smaller input stands for the crash when it shows the same bug.
+/// Replaces each crashing input by its smaller version when that shows the same bug. Returns false when interrupted.
 bool take_smaller(const CampaignContext& context, std::vector<Crash>& crashes) {
     std::vector<Crash> smaller = crashes;
     for (Crash& crash : smaller) {
@@ -138,7 +138,7 @@ bool take_smaller(const CampaignContext& context, std::vector<Crash>& crashes) {
     return true;
 }
 
-/// The first, which is the smallest, of each bug; the others are counted in `times`.
+/// Returns the first crash of each bug, which has the smallest input. `times` receives the number of crashes per bug.
 std::vector<Crash> distinct(const std::vector<Crash>& crashes, std::map<std::string, std::size_t>& times) {
     std::vector<Crash> first;
     for (const Crash& crash : crashes) {

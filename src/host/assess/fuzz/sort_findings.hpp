@@ -1,11 +1,12 @@
-// Inputs that ended a run, as findings.
+// Turns inputs that ended a run into findings.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"
 
 namespace canproof::host {
 
-/// One finding a bug, as small as it gets, with what replays it. False when it was interrupted; may be repeated.
+/// Stores one finding per bug, minimised, with the files to replay it. Returns false when interrupted; the call may be
+/// repeated.
 bool sort_findings(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -28,7 +28,7 @@ double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A program in a process group of its own: a terminal's interrupt comes to us, and we pass it on.
+/// A program in its own process group. This program receives the terminal's interrupt and passes it on.
 class Child {
   public:
     explicit Child(Task task) : task_{std::move(task)}, start_{Clock::now()} {
@@ -48,7 +48,7 @@ class Child {
         if (gone) {
             end_.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
             end_.seconds = since(start_);
-            kill(-pid_, SIGKILL);  // what it may have left behind in its group
+            kill(-pid_, SIGKILL);  // ends processes that the program has left behind
             if (task_.ended) {
                 task_.ended(end_);
             }

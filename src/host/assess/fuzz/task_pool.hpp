@@ -1,4 +1,4 @@
-// Runs programs beside each other, a few at a time, each with its output in a file.
+// Runs a limited number of programs in parallel, each with its output in a file.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +11,28 @@ namespace canproof::host {
 
 /// How a program ended.
 struct TaskEnd {
-    int status{0};          ///< exit status, or 128 plus the signal's number
-    bool timed_out{false};  ///< was ended because of its limit
+    int status{0};          ///< exit status, or 128 plus the number of the signal
+    bool timed_out{false};  ///< ended because of its time limit
     bool interrupted{false};
     double seconds{0.0};
 };
 
 struct Task {
     std::vector<std::string> command;
-    std::map<std::string, std::string> environment{};  ///< in addition to ours
+    std::map<std::string, std::string> environment{};  ///< in addition to the environment of this program
     std::filesystem::path log{};                       ///< stdout and stderr
-    double limit_seconds{0.0};                         ///< 0: none
+    double limit_seconds{0.0};                         ///< time limit; 0: none
     std::function<void()> began{};
-    std::function<void(const std::string&)> line{};  ///< each whole line of the output, as it comes
+    std::function<void(const std::string&)> line{};  ///< called for each complete line of the output
     std::function<void(const TaskEnd&)> ended{};
 };
 
-/// Asked again and again; true ends everything.
+/// Polled repeatedly; true ends all programs.
 using Interrupted = std::function<bool()>;
 
-/// Runs all, `width` beside each other, in their order. `tick` is called some times a second. On an interrupt each
-/// running program gets SIGINT, some seconds to end, and then SIGKILL; those not begun are not begun. Returns whether
-/// all ran. Throws InputError when a program cannot be started.
+/// Runs all tasks in their order, up to `width` in parallel. Calls `tick` several times a second. After an interrupt,
+/// each running program gets SIGINT and, some seconds later, SIGKILL; no other task starts. Returns whether all ran.
+/// Throws InputError when a program cannot be started.
 bool run_tasks(std::vector<Task> tasks, unsigned width, const Interrupted& interrupted,
                const std::function<void()>& tick);
 

@@ -1,4 +1,4 @@
-// Where the passages of a manual stand that marks name.
+// Finds the passages of a manual that marks identify.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// The positions in `text.letters()` at which the passage of each mark begins; a mark that is not found is left out. A
-/// passage begins with a word. One that ends with a word hides the places of the same mark that do not.
+/// Returns the positions in `text.letters()` at which the passage of each mark begins; marks that are not found are
+/// left out. A passage begins with a word. If a mark has places that end with a word, its other places are left out.
 std::map<Mark, std::vector<std::size_t>> find_marks(const ManualText& text, const std::set<Mark>& marks);
 
 }  // namespace canproof::host

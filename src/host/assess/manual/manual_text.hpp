@@ -1,4 +1,4 @@
-// The text of a manual as marks see it: its ASCII letters and digits, and where they stand.
+// The text of a manual in the form that marks use: its ASCII letters and digits with their positions.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ class ManualText {
     explicit ManualText(const std::string& text);
 
     const std::vector<std::string>& lines() const { return lines_; }
-    /// The letters and digits of all lines, in lower case.
+    /// Returns the letters and digits of all lines in lower case.
     const std::string& letters() const { return letters_; }
-    /// Where words begin in it, ascending: a word follows the begin of the text or a character that is no letter or
-    /// digit.
+    /// Returns the positions at which words begin, ascending. A word follows the start of the text or a character that
+    /// is neither a letter nor a digit.
     const std::vector<std::size_t>& word_begins() const { return word_begins_; }
-    /// Whether a word ends before this position.
+    /// Returns whether a word ends before this position.
     bool is_word_end(std::size_t at) const { return word_end_[at]; }
-    /// Positions of the letters and digits of a line, which counts from 0: [first, last).
+    /// Return the positions of the letters and digits of a line, [first, last). Lines count from 0.
     std::size_t begin_of(std::size_t line) const { return line_begins_[line]; }
     std::size_t end_of(std::size_t line) const { return line_begins_[line + 1]; }
 
@@ -27,11 +27,11 @@ class ManualText {
     std::vector<std::string> lines_;
     std::string letters_;
     std::vector<std::size_t> word_begins_;
-    std::vector<bool> word_end_;  ///< one more than letters and digits
+    std::vector<bool> word_end_;  ///< one element more than letters and digits
     std::vector<std::size_t> line_begins_;
 };
 
-/// The line without `#`, `*`, `<b>` and spaces in front.
+/// Returns the line without leading `#`, `*`, `<b>` and spaces.
 std::string without_markup(const std::string& line);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// "7.10.2" → {7, 10, 2}; empty for any other text.
+/// Returns {7, 10, 2} for "7.10.2"; empty for a text that is no such number.
 std::vector<unsigned> number_of(const std::string& ref) {
     std::vector<unsigned> number;
     std::istringstream in{ref};
@@ -25,7 +25,7 @@ std::vector<unsigned> number_of(const std::string& ref) {
     return number;
 }
 
-/// Words of letters and digits in lower case.
+/// Returns the words of letters and digits in lower case.
 std::vector<std::string> words_of(const std::string& text) {
     std::vector<std::string> words;
     bool within = false;
@@ -42,7 +42,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// The number that a line begins with: `7.10.2` of "## 7.10.2. Write Analog Output"; empty when there is none.
+/// Returns the number at the start of a line: `7.10.2` for "7.10.2. Write Analog Output"; empty when there is none.
 std::string leading_number(const std::string& line) {
     std::string number = line.substr(0, line.find_first_not_of("0123456789."));
     while (!number.empty() && number.back() == '.') {
@@ -51,8 +51,8 @@ std::string leading_number(const std::string& line) {
     return number;
 }
 
-/// Whether a line, without the section's number in front, is its heading. A number of three parts is enough: nothing
-/// but a heading begins with 7.10.2, and the register may paraphrase its title.
+/// Returns whether a line, from which the section's number was removed, is the heading of the section. A number of
+/// three parts suffices: only a heading begins with 7.10.2, and the register may paraphrase its title.
 bool is_heading(const std::string& line, const Section& section) {
     const std::vector<std::string> wanted = words_of(section.title);
     const std::vector<std::string> words = words_of(line);

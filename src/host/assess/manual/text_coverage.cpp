@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Which letters and digits of the text are in a passage with a mark.
+/// Returns which letters and digits of the text belong to a passage with a mark.
 std::vector<bool> covered_characters(const Manual& manual, const ManualText& text, TextCoverage& coverage) {
     std::set<Mark> marks;
     for (const Statement& statement : manual.statements) {
@@ -35,13 +35,13 @@ std::vector<bool> covered_characters(const Manual& manual, const ManualText& tex
     return covered;
 }
 
-/// Whether the line is a heading of Markdown without a number, or the caption of a table or figure.
+/// Returns whether the line is a Markdown heading without a number, or the caption of a table or figure.
 bool is_title(const std::string& line) {
     const std::string words = without_markup(line);
     return line.rfind('#', 0) == 0 || words.rfind("Table ", 0) == 0 || words.rfind("Figure ", 0) == 0;
 }
 
-/// The first words of a line from its first letter or digit that is not covered.
+/// Returns the first words of a line from its first letter or digit that is not covered.
 std::string words_from(const ManualText& text, const std::size_t line, const std::vector<bool>& covered) {
     const auto begin = covered.begin() + static_cast<std::ptrdiff_t>(text.begin_of(line));
     const auto end = covered.begin() + static_cast<std::ptrdiff_t>(text.end_of(line));

@@ -1,5 +1,4 @@
-// What the evidence pack shows of the mutants of code: figures by file, and each survivor with its
-// reason.
+// The exhibit of the evidence pack for the mutants of code: figures by file, and each survivor with its reason.
 #pragma once
 
 #include <map>
@@ -10,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Files of an exhibit (see host/evidence/exhibit.hpp) by name.
+/// Returns the files of the exhibit by name (see host/assess/evidence/exhibit.hpp).
 std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcome>& outcomes);
 
 }  // namespace canproof::host

@@ -20,16 +20,16 @@ namespace canproof::host {
 
 namespace {
 
-/// Of processor time, unmutated.
+/// Longest processor time of the tests for one mutant, in seconds of their unmutated run.
 constexpr double most_seconds = 1.5;
-/// Tests that take no longer together run before the others: most mutants need no more.
+/// Longest processor time of the tests that run first, in seconds; they suffice for most mutants.
 constexpr double quick_seconds = 0.1;
-/// What the program told before its first test.
+/// Name of the entry for the time before the first test.
 const char* const startup = "startup";
-/// What starting a test costs at least.
+/// Least cost in seconds of starting a test.
 constexpr double least_seconds = 0.001;
 
-/// Tests, and how long a mutant may keep them: one that runs without end is killed soon.
+/// Tests to run, and the processor time after which a mutant is killed.
 struct Stage {
     std::string filter;
     unsigned seconds{0U};
@@ -45,7 +45,7 @@ Stage stage(const std::string& filter, const std::map<std::string, double>& seco
     return {filter, 1U + static_cast<unsigned>(5.0 * all)};
 }
 
-/// What noticed the mutant: the first of these stages with a test that fails. Empty: it survives.
+/// Returns the test that notices the mutant, from the first stage with a failing test; empty when the mutant survives.
 std::string killer(TestServer& server, std::size_t mutant, const std::vector<Stage>& stages) {
     std::string test;
     for (auto one = stages.begin(); one != stages.end() && test.empty(); ++one) {

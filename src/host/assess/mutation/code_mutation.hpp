@@ -1,5 +1,5 @@
-// Mutants of the firmware's code: the program built by tests/mutation/code has all of them, and
-// knows which tests would compute something else with which.
+// Mutation of the firmware's code. The program built by tests/mutation/code contains all mutants. It reports which
+// mutants would change a computation in which test.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace canproof::host {
 
-/// A test of the unmutated program: what it costs, and the mutants that would compute something else in it.
+/// A test of the unmutated program: its duration, and the mutants that would change a computation in it.
 struct ToldTest {
     std::string name;
     double seconds{0.0};
@@ -21,32 +21,34 @@ struct ToldTest {
     std::string file{};  ///< source of the test
 };
 
-/// Runs the program unmutated, and returns the file in `folder` that its tests leave for read_told(). What a run left
-/// that is newer than the program serves again. Throws InputError when a test fails.
+/// Runs the program unmutated. Returns the file in `folder` that its tests write for read_told(). A file that is newer
+/// than the program is used again. Throws InputError when a test fails.
 std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder);
 
-/// Lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
+/// Reads lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 
-/// Takes what was told before any test out of the list: for each of `count` mutants whether it would compute something
-/// else when the program starts. It then shows in a program that starts with it.
+/// Removes the entry for the time before the first test from the list. Returns for each of `count` mutants whether it
+/// would change a computation at program start. Such a mutant shows only in a program that starts with it.
 std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
 
-/// For each of `count` mutants the tests that can notice it, as places in `tests`, quickest first, as many as take
-/// `budget` seconds and one at least; empty when none can. A test counts for a millisecond at least.
+/// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first: as many
+/// as take `budget` seconds, and at least one; empty when no test can notice it. A test counts as at least a
+/// millisecond.
 std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
                                                         double budget);
 
-/// These tests as a filter of GoogleTest.
+/// Returns these tests as a GoogleTest filter.
 std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std::uint32_t>& places);
 
 struct CodeMutationSetup {
     std::filesystem::path program;
-    std::filesystem::path folder;  ///< for what the unmutated program leaves
+    std::filesystem::path folder;  ///< for the files that the unmutated program writes
     unsigned jobs{2};
 };
 
-/// Runs the program unmutated, then each of the mutants. Throws InputError when a test fails unmutated.
+/// Runs the program unmutated, then with each of the mutants. `progress` receives the number of judged mutants. Throws
+/// InputError when a test fails unmutated.
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress);
 

@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A mutant of a source: where it is, and the name of its function without that of the class.
+/// The place of a mutant in a source, and the name of its function without the class.
 struct Place {
     std::size_t line{0};
     std::size_t number{0};
@@ -30,7 +30,7 @@ Place place_of(const AlteredCell& mutant) {
             colons == std::string::npos ? function : function.substr(colons + 2)};
 }
 
-/// The names in front of a parenthesis.
+/// Adds the names that stand before an opening parenthesis.
 void add_calls(const std::string& code, Words& words) {
     for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
         std::size_t first = at;
@@ -51,7 +51,7 @@ class Sources {
         }
     }
 
-    /// The mutants of the function below a link, and of what it calls.
+    /// Adds the mutants of the function below a link, and of the functions that it calls.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
         const auto [first, last] = function_below(lines(file), link);
         Words called;
@@ -69,7 +69,7 @@ class Sources {
     }
 
   private:
-    /// Without comments and the contents of literals; none of a file that is not there.
+    /// Returns the lines of a file without comments and contents of literals; none when the file does not exist.
     const std::vector<std::string>& lines(const std::string& file) {
         auto& all = lines_[file];
         if (all.empty() && std::filesystem::is_regular_file(root_ / file)) {
@@ -78,7 +78,7 @@ class Sources {
         return all;
     }
 
-    /// Adds the mutants of functions with these names; the names that they call.
+    /// Adds the mutants of functions with these names. Returns the names that the mutated lines call.
     Words add_named(const std::string& file, const Words& names, std::set<std::size_t>& numbers) {
         Words called;
         const auto found = places_.find(file);
@@ -94,7 +94,7 @@ class Sources {
         return called;
     }
 
-    /// The file itself and those that it includes, with their sources.
+    /// Returns the file itself, the headers that it includes, and their sources.
     std::set<std::string> units_of(const std::string& file) {
         static const std::string include = "#include \"";
         std::set<std::string> files{file};

@@ -1,4 +1,4 @@
-// The mutants of code that lie in the functions that implement an item.
+// The mutants of code in the functions that implement an item.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@
 
 namespace canproof::host {
 
-/// By item the numbers of the mutants, sorted: those in the function below a link, in the functions that it calls of
-/// its own file and of files that this includes, and in those that these call of their own file. An item that a shared
-/// requirement does for a device has the mutants of that requirement. `root` is the project's folder.
+/// Returns the sorted numbers of the mutants by item. They lie in the function below a link and in the functions that
+/// it calls, in its own file or in files that this file includes. Functions called by those, in their own file, count
+/// as well. An item that a shared requirement implements for a device has the mutants of that requirement. `root` is
+/// the project's folder.
 std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::filesystem::path& root,
                                                                      const Register& content, const Evidence& evidence,
                                                                      const std::vector<AlteredCell>& mutants);

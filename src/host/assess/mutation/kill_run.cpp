@@ -21,14 +21,14 @@ namespace canproof::host {
 
 namespace {
 
-/// Mutants of one item, spread over all, that a test is tried with before the others.
+/// Number of mutants of one item that a test meets first, evenly spread over all its mutants.
 constexpr std::size_t first_tries = 24;
-/// Of processor time, for one test and one item.
+/// Processor time in seconds for one test and one item.
 constexpr double most_seconds = 3.0;
 
 using Numbers = std::vector<std::size_t>;
 
-/// Mutants by item.
+/// Numbers of the mutants by item.
 struct Mutants {
     std::map<std::string, Numbers> cells;
     std::map<std::string, Numbers> code;  ///< sorted
@@ -42,7 +42,7 @@ struct Task {
     std::set<std::string> claims;
 };
 
-/// All of them, first some that are spread over all.
+/// Returns all numbers, beginning with some that are evenly spread.
 Numbers spread(const Numbers& all) {
     Numbers ordered;
     const std::size_t step = 1 + all.size() / first_tries;
@@ -62,7 +62,7 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         if (id.find('-') == std::string::npos) {
-            continue;  // a rule that no item states
+            continue;  // a rule that is no item of the register
         }
         for (const Verdict& verdict : verdicts) {
             Task& task = tasks[verdict.test];
@@ -89,7 +89,7 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
     return open;
 }
 
-/// Runs single tests with mutants; one for each thread.
+/// Runs single tests with mutants. Each thread has its own object.
 class Judge {
   public:
     Judge(const KillSetup& setup, const Mutants& mutants, const std::map<std::string, ToldTest>& told)
@@ -175,10 +175,10 @@ class Judge {
     TestServer code_;
     const Mutants& mutants_;
     const std::map<std::string, ToldTest>& told_;
-    std::map<std::size_t, bool> noticed_;  ///< by mutant of code: whether the test at hand notices it
+    std::map<std::size_t, bool> noticed_;  ///< for each mutant of code, whether the current test notices it
 };
 
-/// Runs the programs with cells unaltered, and reads what they left.
+/// Runs the programs with unaltered cells. Returns the evidence from their results.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);

@@ -1,5 +1,5 @@
-// Which tests notice a mutant of what they claim: each test runs alone with mutants of its items, until it notices one
-// of each.
+// Determines which tests notice a mutant of the items that they claim. Each test runs alone with mutants of its items,
+// until it has noticed one mutant of each item.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,15 @@
 namespace canproof::host {
 
 struct KillSetup {
-    std::filesystem::path root;      ///< of the project
+    std::filesystem::path root;      ///< folder of the project
     std::filesystem::path programs;  ///< folder of canproof_tests, canproof_properties and code_mutants
     unsigned jobs{2};
 };
 
-/// Judges the tests that `known` does not hold as they are, and forgets those that are gone. A mutant of an item is an
-/// altered cell of it, or a mutant of a function that implements it (implementing_mutants.hpp). `progress` is told how
-/// many of how many are judged, and what is known by then. Throws InputError when a test fails without any mutant.
+/// Judges the tests whose present form is not in `known`, and removes tests that no longer exist. A mutant of an item
+/// is an altered cell of it, or a mutant of a function that implements it (implementing_mutants.hpp). `progress`
+/// receives the number of judged tests, the number of all tests to judge, and the record so far. Throws InputError when
+/// a test fails without any mutant.
 KillRecord record_kills(const KillSetup& setup, const Register& content, KillRecord known,
                         const std::function<void(std::size_t, std::size_t, const KillRecord&)>& progress);
 

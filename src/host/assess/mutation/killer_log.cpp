@@ -6,7 +6,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Without the line, which every edit above it moves.
+/// Returns the key of a mutant without its line number, which changes with every edit above it.
 std::string key_of(const std::string& file, const std::string& place, const std::string& change) {
     return file + "\t" + place.substr(0, place.rfind(", line ")) + "\t" + change;
 }
@@ -21,7 +21,7 @@ KillerLog::KillerLog(const std::filesystem::path& file) {
     std::ifstream in{file};
     for (std::string line; std::getline(in, line);) {
         const auto parts = tab_separated(line);
-        // What ended by a signal has no test to ask first.
+        // A mutant that a signal ended has no test to run first.
         if (parts.size() == 4 && parts[3].find('.') != std::string::npos) {
             std::string& filter = filters_[key_of(parts[0], parts[1], parts[2])];
             if (!holds(filter, parts[3])) {

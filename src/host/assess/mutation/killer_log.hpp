@@ -1,5 +1,5 @@
-// Which test noticed a mutant last time: asked first the next time, it spares most of the others. No verdict rests on
-// it.
+// Records which test noticed each mutant. The next run starts with this test and so avoids most others. No verdict
+// depends on the record.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,14 @@ namespace canproof::host {
 
 class KillerLog {
   public:
-    /// Reads what earlier runs left in the file, and goes on with it. Lines `file TAB place TAB change TAB test`.
+    /// Reads the results of earlier runs from the file and appends to it. Lines are `file TAB place TAB change TAB
+    /// test`.
     explicit KillerLog(const std::filesystem::path& file);
 
-    /// Tests that noticed this mutant, or one of the same change in its function, as a filter of GoogleTest; empty when
-    /// none is known.
+    /// Returns the tests that noticed this mutant, or a mutant with the same change in its function, as a GoogleTest
+    /// filter; empty when none is known.
     std::string filter(const AlteredCell& mutant) const;
-    /// Thread-safe.
+    /// Appends an outcome. Thread-safe.
     void note(const MutationOutcome& outcome);
 
   private:

@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-/// One program with the filters of its tests.
+/// A test program with the filter of its tests for each item.
 struct Program {
     std::filesystem::path path;
     std::map<std::string, std::string> filters;
@@ -46,7 +46,8 @@ MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& progr
             outcome.killed_by = servers[i]->run(cell.number, *filter);
         }
     }
-    // What a program computed from the cell when it started shows only when it starts again.
+    // A value that a program computes from the cell at its start changes only when the program starts with the altered
+    // cell.
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
         const std::string* filter = programs[i].filter(cell.item);
         if (filter != nullptr && fails_when_started_altered(programs[i].path, cell.number, *filter)) {
@@ -77,7 +78,7 @@ std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::s
     std::vector<AlteredCell> rest = cells;
     std::mt19937_64 random{seed};
     for (std::size_t i = 0; i < std::min(count, rest.size()); ++i) {
-        // A modulo's slight preference does not matter here; std::uniform_int_distribution differs between libraries.
+        // The slight bias of the modulo is harmless here; std::uniform_int_distribution differs between libraries.
         std::swap(rest[i], rest[i + static_cast<std::size_t>(random() % (rest.size() - i))]);
     }
     rest.resize(std::min(count, rest.size()));

@@ -1,5 +1,4 @@
-// A requirement is proven when breaking it is noticed: each generated cell is altered, and the tests that claim its
-// requirement have to fail.
+// Mutation of generated cells: each cell is altered, and the tests that claim its requirement must fail.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +15,28 @@
 
 namespace canproof::host {
 
-/// The tests of one program by the item they claim, quickest first, as a filter of GoogleTest.
+/// Returns the tests of one program by the item they claim, quickest first, as a GoogleTest filter.
 std::map<std::string, std::string> filters_by_item(const Evidence& evidence);
 
-/// `count` of them by a seed, in their order; the same for the same seed.
+/// Returns `count` random cells in their original order; the same seed gives the same cells.
 std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::size_t count, std::uint64_t seed);
 
 struct MutationSetup {
-    std::filesystem::path tests;       ///< program
-    std::filesystem::path properties;  ///< program; empty: none
-    std::filesystem::path verdicts;    ///< folder to which both write their unaltered verdicts
+    std::filesystem::path tests;       ///< path of the program
+    std::filesystem::path properties;  ///< path of the program; empty: none
+    std::filesystem::path verdicts;    ///< folder for the verdicts of both programs with unaltered cells
     unsigned jobs{2};
 };
 
-/// Runs both programs unaltered, then each of the cells altered. Throws InputError when a test fails unaltered.
-/// `progress` is told how many are done.
+/// Runs both programs unaltered, then with each cell altered. `progress` receives the number of judged cells. Throws
+/// InputError when a test fails unaltered.
 std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
                                           const std::function<void(std::size_t)>& progress);
 
 using Servers = std::vector<std::unique_ptr<TestServer>>;
 
-/// Has each cell judged, `jobs` at a time, each by servers of its own, one a program. `progress` is told how many are
-/// done. Throws InputError when a server is lost.
+/// Lets `judge` assess each cell, with `jobs` threads. Each thread has its own servers, one per program. `progress`
+/// receives the number of judged cells. Throws InputError when a server ends unexpectedly.
 std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
                                        const std::vector<std::filesystem::path>& programs, unsigned jobs,
                                        const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,

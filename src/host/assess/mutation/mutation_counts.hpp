@@ -1,4 +1,4 @@
-// How many alterations of each item were noticed.
+// Counts by item how many alterations the tests notice.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace canproof::host {
 
-/// Alterations, those noticed, and those that survive with a reason.
+/// Number of alterations, of noticed ones, and of survivors with a reason.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};
     std::size_t justified{0};
     std::size_t open() const { return altered - noticed - justified; }
-    /// In percent of all; 100 where there are none.
+    /// Returns the noticed share of all alterations in per cent; 100 when there are none.
     double share_noticed() const;
     MutationCount& operator+=(const MutationCount& more);
 };
@@ -24,7 +24,7 @@ struct MutationCount {
 using CountsByItem = std::map<std::string, MutationCount>;
 CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes);
 MutationCount total(const CountsByItem& counts);
-/// Of mutants of code by file: those of the host's buses and replay, or the others.
+/// Returns the sum over the mutants of code in the host's buses and replay, or over the others.
 MutationCount total_of(const CountsByItem& counts, bool host);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// What a run of `canproof mutate` leaves for the audit and the pack.
+// The results of `canproof mutate` as JSON, for the audit and the pack.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace canproof::host {
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
-/// Empty when there is no such file. Throws InputError when it is something else.
+/// Reads the counts; returns none when the file does not exist. Throws InputError for other content.
 CountsByItem read_mutation_json(const std::filesystem::path& file);
 
 }  // namespace canproof::host

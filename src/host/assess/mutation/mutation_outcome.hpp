@@ -1,4 +1,4 @@
-// What came of one alteration.
+// The outcome of one alteration.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// Why alterations may survive: a record of reports/mutation.toml. `item` and `cell` may hold * and ?.
+/// The reason why alterations may survive: a record of reports/mutation.toml. `item` and `cell` may contain the
+/// wildcards * and ?.
 struct SurvivorRecord {
     std::string item;
     std::string cell;
@@ -18,10 +19,10 @@ struct SurvivorRecord {
 
 struct MutationOutcome {
     AlteredCell cell;
-    std::string killed_by;                  ///< a test, or how it died; empty: survived
-    bool claimed{false};                    ///< some test claims the item
-    const SurvivorRecord* record{nullptr};  ///< why it may survive
-    std::string killer_file{};              ///< source of that test; empty: not known
+    std::string killed_by;                  ///< the failing test, or how the process ended; empty: survived
+    bool claimed{false};                    ///< at least one test claims the item
+    const SurvivorRecord* record{nullptr};  ///< record that explains the survival
+    std::string killer_file{};              ///< source of the test in `killed_by`; empty: unknown
     bool open() const { return killed_by.empty() && record == nullptr; }
 };
 

@@ -15,7 +15,7 @@ bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
 
-/// The part of a path after `before`, to the next slash.
+/// Returns the part of a path after `before`, up to the next slash.
 std::string folder_after(const std::string& file, const std::string& before) {
     const auto at = file.find(before);
     if (at == std::string::npos) {

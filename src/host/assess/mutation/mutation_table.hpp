@@ -1,4 +1,4 @@
-// Mutants of code by layer and operator, and which harness noticed them.
+// Counts the mutants of code by layer and operator, and by the test suite that noticed them.
 #pragma once
 
 #include <array>
@@ -12,18 +12,19 @@
 
 namespace canproof::host {
 
-/// What kind of change a mutant of code is: condition, operator, statement, assignment, order, variable, index or
-/// literal.
+/// Returns the kind of change of a mutant of code: condition, operator, statement, assignment, order, variable, index
+/// or literal.
 std::string operator_of(const std::string& change);
 
-/// `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for src/devices/ax130751/firmware/relay.cpp, `host/bus` for
-/// src/host/sim/bus/candump.cpp.
+/// Returns `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for src/devices/ax130751/firmware/relay.cpp,
+/// `host/bus` for src/host/sim/bus/candump.cpp.
 std::string layer_of(const std::string& file);
 
-/// Of the host's buses and replay, not of the firmware.
+/// Returns whether the file belongs to the host's buses and replay instead of the firmware.
 bool is_host(const std::string& file);
 
-/// `conformance`, `units` or `properties`, from the source of the test that noticed; `otherwise` without one.
+/// Returns `conformance`, `units` or `properties`, from the source of the test that noticed the mutant; `otherwise` for
+/// an empty path.
 std::string harness_of(const std::string& test_file);
 
 /// One line of the table.
@@ -34,12 +35,12 @@ struct OperatorCount {
     std::size_t open{0};
 };
 
-/// By layer and operator. The operator `all` holds the sums, and so do the layers `all` of the firmware, `host` of the
-/// host's buses and replay.
+/// Returns the counts by layer and operator. The operator `all` contains the sums over the operators. The layer `all`
+/// contains the sums over the firmware, the layer `host` those over the host's buses and replay.
 std::map<std::pair<std::string, std::string>, OperatorCount> count_by_operator(
     const std::vector<MutationOutcome>& outcomes);
 
-/// The table with a line of headings.
+/// Returns the table as CSV with a header line.
 std::string operators_csv(const std::vector<MutationOutcome>& outcomes);
 
 }  // namespace canproof::host

@@ -23,7 +23,8 @@ std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& f
 }
 
 bool matches(const std::string& pattern, const std::string& text) {
-    // Position after the last star, and where its match began: on a mismatch the star takes one more character.
+    // `star` is the position after the last star in the pattern, `from` the start of its match in the text. After a
+    // mismatch the star matches one more character.
     std::size_t p = 0;
     std::size_t t = 0;
     std::size_t star = std::string::npos;

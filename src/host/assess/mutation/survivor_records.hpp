@@ -1,4 +1,4 @@
-// The records of reports/mutation.toml: why alterations may survive.
+// The records of reports/mutation.toml: reasons why alterations may survive.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace canproof::host {
 
-/// Throws InputError with file, line and remedy.
+/// Reads the records. Throws InputError with file, line and fix.
 std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file);
-/// `*` any characters, `?` one.
+/// Returns whether the text matches the pattern: `*` matches any characters, `?` one character.
 bool matches(const std::string& pattern, const std::string& text);
 
-/// Gives survivors their records. The records that no survivor needs.
+/// Assigns the records to the survivors. Returns the records that no survivor needs.
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 
-/// The records that are about none of these alterations: what they justified is no longer there.
+/// Returns the records that match none of these alterations, because the code or table has changed.
 std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
                                                       const std::vector<AlteredCell>& cells);
 

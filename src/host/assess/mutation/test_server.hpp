@@ -1,5 +1,5 @@
-// A test program built with changeable cells, kept running: it alters a cell in a copy of itself and runs tests there.
-// See tests/mutation/main.cpp.
+// A running test program with changeable cells. It alters a cell in a copy of its process and runs tests there. See
+// tests/mutation/main.cpp.
 #pragma once
 
 #include <sys/types.h>
@@ -13,7 +13,7 @@ namespace canproof::host {
 
 std::vector<std::string> tab_separated(const std::string& line);
 
-/// One line of `--cells`.
+/// One line of the program's `--cells` output.
 struct AlteredCell {
     std::size_t number{0};
     std::string item;
@@ -21,7 +21,7 @@ struct AlteredCell {
     std::string change;
 };
 
-/// Throws InputError when the program cannot be run or prints something else.
+/// Returns the cells of the program. Throws InputError when it cannot be run or its output is invalid.
 std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 
 class TestServer {
@@ -31,8 +31,8 @@ class TestServer {
     TestServer& operator=(const TestServer&) = delete;
     ~TestServer();
 
-    /// Runs the tests of the filter with the cell altered. The test that failed, or how the process died; empty when
-    /// all passed. It dies after so many seconds of processor time. Throws InputError when the server has gone.
+    /// Runs the tests of the filter with the cell altered, for at most `seconds` of processor time. Returns the failed
+    /// test, or how the process ended; empty when all passed. Throws InputError when the server has ended.
     std::string run(std::size_t number, const std::string& filter, unsigned seconds = 10U);
 
   private:
@@ -41,10 +41,11 @@ class TestServer {
     std::FILE* from_{nullptr};
 };
 
-/// Runs the program anew with the cell altered before anything is computed from it; whether a test failed.
+/// Starts the program with the cell altered before it computes anything from it. Returns whether a test failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
-/// Runs all tests unaltered and leaves their verdicts; whether all passed. `more_environment`: `NAME=value`.
+/// Runs all tests unaltered and writes their verdicts. Returns whether all passed. An element of `more_environment` is
+/// `NAME=value`.
 bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
                    const std::vector<std::string>& more_environment = {});
 

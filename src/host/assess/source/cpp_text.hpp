@@ -6,17 +6,17 @@
 
 namespace canproof::host {
 
-/// Whether `c` may stand in a name or a number.
+/// Returns whether `c` can be part of a name or a number.
 bool is_word(char c);
 
-/// A source with its comments and the contents of its literals as spaces; each line keeps its place and length.
+/// Returns the source with spaces in place of comments and contents of literals; each line keeps its place and length.
 std::string code_only(const std::string& source);
 
-/// A source without comments and without spaces outside literals; a space stays between two words.
+/// Returns the source without comments and without spaces outside literals; one space stays between two words.
 std::string without_layout(const std::string& source);
 
-/// Where the first block in braces at or after `at` ends, behind its brace; the end of the text when none does.
-/// Braces in literals do not count. `text` has no comments.
+/// Returns the position after the closing brace of the first block in braces at or after `at`; the end of the text when
+/// there is none. Braces in literals do not count. `text` has no comments.
 std::size_t block_end(const std::string& text, std::size_t at);
 
 }  // namespace canproof::host

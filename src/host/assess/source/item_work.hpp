@@ -1,4 +1,4 @@
-// What the code and the tests of an item are now, as short marks: a review was of these.
+// Short marks of the code and the tests of an item. A review records them, so that a later change shows.
 #pragma once
 
 #include <filesystem>
@@ -11,32 +11,33 @@
 
 namespace canproof::host {
 
-/// What implements and what shows an item now, as marks of eight digits; empty where there is nothing.
+/// The present marks, eight digits each, of the code that implements an item and of the tests that show it. A mark is
+/// empty when there is no code or no test.
 struct ItemWork {
     std::string code;
     std::string tests;
 };
 
-/// By id of the item; what has neither code nor tests is left out.
+/// The marks by id of the item; an item with neither code nor tests is left out.
 using WorkByItem = std::map<std::string, ItemWork>;
 
-/// Marks code and tests with eight digits each. Comments and layout do not count. Reads each source once.
+/// Computes marks of code and tests, eight digits each. Comments and layout do not change them. Reads each source once.
 class WorkMarks {
   public:
     explicit WorkMarks(const std::filesystem::path& root) : root_{root}, bodies_{root} {}
 
-    /// Marks the functions below links at these places (`src/…:line`), in any order. Empty when there is no place.
-    /// Throws InputError for a source that cannot be read.
+    /// Returns the mark of the functions below links at these places (`src/…:line`); their order does not matter. Empty
+    /// when there is no place. Throws InputError for a source that cannot be read.
     std::string of_code(const std::vector<std::string>& places);
 
-    /// Marks the bodies of tests, each a source and Suite.Name, in any order and with any number of instances. Empty
-    /// when there is none.
+    /// Returns the mark of the bodies of tests, each given as source and Suite.Name. Their order and the number of
+    /// instances do not matter. Empty when there is no test.
     std::string of_tests(const std::vector<std::pair<std::string, std::string>>& tests);
 
   private:
     struct Source {
         std::vector<std::string> lines;
-        std::vector<std::string> code;  ///< of code_only()
+        std::vector<std::string> code;  ///< result of code_only()
     };
 
     std::string function_at(const std::string& place);

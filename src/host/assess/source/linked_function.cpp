@@ -6,13 +6,13 @@ namespace canproof::host {
 
 namespace {
 
-/// Braces that open less those that close.
+/// Returns the number of opening braces minus that of closing braces.
 int depth_of(const std::string& line) {
     return static_cast<int>(std::count(line.begin(), line.end(), '{')) -
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// The line behind a static_assert that begins at `at`; `at` when none does.
+/// Returns the line after a static_assert that begins at `at`; `at` when none begins there.
 std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
     if (lines[at].find("static_assert(") == std::string::npos) {
         return at;
@@ -27,7 +27,7 @@ std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
 
 std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link) {
     std::size_t first = link == 0 ? lines.size() : link - 1;
-    // The link itself may be a later line of its statement.
+    // The link itself can be a later line of its statement.
     while (first < lines.size() && lines[first].find(';') == std::string::npos) {
         ++first;
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t hash_digits = 16;
 
-/// `Suite,Name` for Suite.Name and for One/Suite.Name/3, an instance of a test with parameters.
+/// Returns `Suite,Name` for Suite.Name and for One/Suite.Name/3, an instance of a parameterized test.
 std::string defined_as(const std::string& test) {
     const auto dot = test.find('.');
     const std::string suite = test.substr(0, dot);

@@ -1,4 +1,4 @@
-// The bodies of tests in the sources of a project, as marks that change with them.
+// Hashes of the bodies of tests in the sources of a project.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ class TestBodies {
   public:
     explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
 
-    /// Sixteen digits that change with the words of the test's body, and not with its comments, spaces and line breaks.
-    /// Empty when the source does not define such a test. `file` is named from the project's folder.
+    /// Returns sixteen digits that change with the words of the test's body, but not with comments, spaces and line
+    /// breaks. Empty when the source does not define the test. `file` is relative to the project's folder.
     const std::string& hash(const std::string& file, const std::string& test);
 
   private:

@@ -1,4 +1,4 @@
-// One thread of the web that the audit looks at, told from any of its ends.
+// The story of one item, section, statement, file or test: everything that the audit links to it.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,9 @@ class StoryTeller {
     StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
                 const CountsByItem& mutations);
 
-    /// By the id of an item or a decision, a section ("AX130751:1.3"), a statement of it ("AX130751:1.3/2"), a file of
-    /// the code or a test ("Suite.Name"); nothing when it is none of them.
+    /// Returns the story of an item or a decision by its id, of a section ("AX130751:1.3"), a statement
+    /// ("AX130751:1.3/2"), a file of the code, or a test ("Suite.Name"). Returns nothing when `subject` is none of
+    /// them.
     std::optional<Story> tell(const std::string& subject) const;
 
   private:
@@ -31,7 +32,7 @@ class StoryTeller {
     Story statement(const AuditedStatement& audited) const;
     std::optional<Story> file(const std::string& subject) const;
     std::optional<Story> test(const std::string& subject) const;
-    /// `  ID  status  text`, a line an id.
+    /// Returns `  ID  status  text`, one line per id.
     Story list(const std::string& head, const std::vector<std::string>& ids) const;
     std::string sections_of(const AuditedItem& audited) const;
     std::string verdicts_of(const std::string& id) const;
@@ -47,9 +48,9 @@ class StoryTeller {
     std::map<std::string, const PartAudit*> audits_;  ///< by key of the manual
 };
 
-/// One line of a list of items.
+/// Returns the line of an item in a list.
 std::string item_line(const AuditedItem& audited);
-/// One line of a list of statements.
+/// Returns the line of a statement in a list.
 std::string statement_line(const AuditedStatement& audited);
 
 }  // namespace canproof::host

@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Kinds of passed runs that claim an id, and whether one of them failed.
+/// Returns the kinds of passed runs that claim an id, and whether one of them failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;
@@ -45,7 +45,8 @@ DecisionsByItem decisions_by_item(const Register& content) {
     return all;
 }
 
-/// Data is code by itself: an object is a row of the dictionary, a signal a member of the device's inputs or outputs.
+/// Returns whether an item needs hand-written code. An object is a row of the dictionary and a signal a member of the
+/// device's inputs or outputs, so neither does.
 bool needs_code(const AuditedItem& audited) {
     if (audited.word == "object" || audited.word == "signal") {
         return false;
@@ -102,7 +103,7 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// The item that the code must name: a shared one where the register says so.
+    /// Returns the item that the code must name: the shared item where the register says so.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();

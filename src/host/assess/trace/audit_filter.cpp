@@ -13,13 +13,13 @@ namespace canproof::host {
 
 namespace {
 
-/// Whether the manual has that section, or one below it.
+/// Returns whether the manual has that section or one below it.
 bool has_section(const Manual& manual, const std::string& ref) {
     return std::any_of(manual.sections.begin(), manual.sections.end(),
                        [&](const Section& section) { return is_within(section.ref, ref); });
 }
 
-/// `AX130751:1.3` for `1.3`.
+/// Returns `AX130751:1.3` for `1.3`.
 std::string with_key(const std::string& ref, const Register& content, const std::vector<PartAudit>& audits) {
     std::vector<std::string> found;
     for (const auto& audit : audits) {
@@ -86,7 +86,7 @@ bool passes(const AuditedItem& item, const AuditFilter& filter) {
     const auto from_section = [&](const std::string& source) {
         const std::string& wanted = filter.section;
         const auto colon = source.find(':');
-        // One source may name several places: "AX130751:1.3 Table 7".
+        // One source can name several places: "AX130751:1.3 Table 7".
         for (auto at = colon; at != std::string::npos; at = source.find(' ', at + 1)) {
             const std::string place = source.substr(0, colon + 1) + source.substr(at + 1);
             const char next = place.size() > wanted.size() ? place[wanted.size()] : ' ';

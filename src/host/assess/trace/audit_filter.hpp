@@ -1,4 +1,4 @@
-// Which items and statements an audit lists.
+// Selects the items and statements that an audit lists.
 #pragma once
 
 #include <string>
@@ -8,23 +8,25 @@
 
 namespace canproof::host {
 
-/// An empty field takes all.
+/// An empty field accepts everything.
 struct AuditFilter {
-    std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" takes 1.3 as well
-    std::string kind;     ///< of a requirement, or the word of another item; `statement`: statements alone
-    std::string status;   ///< failed, open, suspect or shown; of a statement `explained` too
+    std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" also selects 1.3
+    std::string kind;     ///< kind of a requirement, or the word of another item; `statement`: only statements
+    std::string status;   ///< failed, open, suspect or shown; for a statement also `explained`
     bool empty() const { return section.empty() && kind.empty() && status.empty(); }
 };
 
-/// Returns the manual with this key. Throws InputError, which names those that there are.
+/// Returns the manual with this key. Throws InputError with the existing keys.
 const Manual& manual_with(const std::string& key, const Register& content);
 
 bool passes(const AuditedItem& item, const AuditFilter& filter);
-/// The same for a statement of that manual. One about an object is in the section that describes it as well.
+/// Returns the same for a statement of that manual. A statement about an object also belongs to the section that
+/// describes the object.
 bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter);
 
-/// Returns the filter with the manual's key in front of a section that only one manual of these audits has.
-/// Throws InputError for a section that no manual has, or several have without a key, and for a kind that no item has.
+/// Returns the filter with a complete section: the key of the manual is added when only one manual of these audits has
+/// the section. Throws InputError for an unknown section, for one that several manuals have, and for a kind that no
+/// item has.
 AuditFilter resolved(AuditFilter filter, const Register& content, const std::vector<PartAudit>& audits);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// The audit as JSON, for other programs.
+// The audit as JSON for other programs.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace canproof::host {
 
-/// `parts`, each with its `items`, `sections` (normative ones), `statements`, `gaps` and `suspects`; `counts_by` says
-/// whether the manual is covered by `statement` or by `section`. With a filter the items and statements that pass it,
-/// and nothing else of a part. `findings` are sentences about the whole by their name: orphans, regressions. An item
-/// names its code and tests by `evidence`, whose `tests` and `failed` say how many ran.
+/// Returns `parts`, each with its `items`, `sections` (normative ones), `statements`, `gaps` and `suspects`.
+/// `counts_by` is `statement` or `section`, depending on how the manual is covered. With a filter, a part contains only
+/// the items and statements that pass it. `findings` are sentences about the whole by name: orphans, regressions. The
+/// numbers of tests and of failed tests come from `evidence`.
 std::string write_audit_json(const Register& content, const std::vector<PartAudit>& audits, const AuditFilter& filter,
                              const std::map<std::string, std::vector<std::string>>& findings,
                              const Evidence& evidence = {});

@@ -31,14 +31,14 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
+/// Returns `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
 }
 
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
-    static const std::string written = "#include \\\"";  // by the compiler of the register, as a string
+    static const std::string written = "#include \\\"";  // an include in a string literal of the register's compiler
     std::vector<std::string> all;
     for (const auto& line : read_lines(file)) {
         if (line.rfind(word, 0) == 0) {
@@ -52,7 +52,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// Which part and item a generated name stands for.
+/// The part and item that each generated name represents.
 using Names = std::map<std::string, std::string>;
 
 Names generated_names(const Part& part) {
@@ -94,7 +94,7 @@ void for_each_name(const std::string& line, const Visit& visit) {
     }
 }
 
-/// `o2340_…` is a field of object 2340h.
+/// Returns the id of object 2340h for a field `o2340_…`.
 std::string object_of(const std::string& name, const Part& part) {
     if (name.size() < 6 || name[0] != 'o' || name[5] != '_') {
         return "";
@@ -131,7 +131,7 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     }
     for (const auto& [unit, others] : included) {
         if (unit.rfind("host/codegen/write_", 0) == 0) {
-            open.insert(open.end(), others.begin(), others.end());  // what generated code includes
+            open.insert(open.end(), others.begin(), others.end());  // units that generated code includes
         }
     }
     while (!open.empty()) {
@@ -158,12 +158,12 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
     std::map<std::string, std::vector<std::string>> uses;
     for (const auto& file : sources_below(root / "src")) {
         const std::string name = file.lexically_relative(root).generic_string();
-        std::string path_word = name;  // src/devices/cbx-ao412/… is code of cbx_ao412
+        std::string path_word = name;  // src/devices/cbx-ao412/… is code of the part cbx_ao412
         std::replace(path_word.begin(), path_word.end(), '-', '_');
         const std::string all = read_file(file);
         const std::vector<std::string> lines = split_lines(all);
         for (const auto& part : content.parts) {
-            // Only code that names the part can mean its names.
+            // Only code that names the part can refer to its names.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&
                 all.find("generated/" + part.cpp_name()) == std::string::npos &&
                 path_word.find(part.cpp_name()) == std::string::npos) {

@@ -19,7 +19,7 @@ std::string id_of(std::string cpp_name) {
     return cpp_name;
 }
 
-/// `../../tests/NAME_test.cpp`, as the build names it, to `tests/NAME_test.cpp`.
+/// Returns `tests/NAME_test.cpp` for the build's path `../../tests/NAME_test.cpp`.
 std::string from_project(std::string file) {
     for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
         const auto at = file.find(folder);
@@ -62,7 +62,7 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
     }
 }
 
-/// The ids named by implements<req::…> in a line, comments apart.
+/// Adds the ids in implements<req::…> of a line, without its comment.
 void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
     static const std::string link = "implements<req::";
     const auto comment = line.find("//");
@@ -98,7 +98,8 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     return all;
 }
 
-/// Marks the code and the tests of each item of the register. Shared code stands for an item that says `by`.
+/// Computes the marks of code and tests of each item of the register. An item with `by` has the mark of the shared
+/// item's code.
 WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence) {
     WorkMarks marks{root};
     std::map<std::string, std::string> by;

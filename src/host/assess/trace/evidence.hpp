@@ -1,4 +1,4 @@
-// What shows that a requirement holds: test verdicts of this build, and the places in code that name it.
+// The evidence that a requirement holds: test verdicts of this build, and the places in code that name it.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,8 @@ struct Verdict {
     std::string kind;  ///< test, property or fuzz
     bool passed{false};
     double seconds{0.0};
-    std::string file{};  ///< source of the test, from the project's folder; empty where the runner does not tell
+    std::string file{};  ///< source of the test relative to the project's folder; empty when the runner does not report
+                         ///< it
 };
 
 /// One test case of the last run.
@@ -25,41 +26,44 @@ struct TestRun {
     std::string name;
     std::string file;
     bool passed{false};
-    bool claims{false};  ///< that it shows some item
+    bool claims{false};  ///< the test claims to show at least one item
 };
 
 struct TestCase {
     std::string suite;
     std::string name;
     bool passed{false};
-    std::string failure;  ///< first message of a case that failed
+    std::string failure;  ///< first message of a failed case
     double seconds{0.0};
-    std::string file{};                ///< source, from the project's folder; empty where the runner does not tell
-    std::vector<std::string> items{};  ///< ids that it claims to show
+    std::string file{};                ///< source relative to the project's folder; empty when the runner does not
+                                       ///< report it
+    std::vector<std::string> items{};  ///< ids that the case claims to show
 };
 
 struct Evidence {
     std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/…:line`
-    std::map<std::string, std::vector<std::string>> used;  ///< by id: where code names what was generated from it
-    WorkByItem work;                                       ///< what a review of each item is about
+    std::map<std::string, std::vector<std::string>> used;  ///< by id: places where code names the result generated from
+                                                           ///< the item
+    WorkByItem work;                                       ///< marks of the code and tests that a review of each item
+                                                           ///< covers
     std::vector<TestRun> runs;
     std::vector<std::string> untraced;   ///< files of the firmware that serve no requirement, directly or by inclusion
-    std::vector<std::string> misplaced;  ///< links that stand where they say little, each a sentence
+    std::vector<std::string> misplaced;  ///< badly placed links, one sentence each
     std::size_t tests{0};
     std::size_t failed{0};
 };
 
-/// Where the last run of the tests left its verdicts: build/NAME/verdicts of the presets release, debug and coverage,
-/// the newest of them.
+/// Returns the folder with the verdicts of the last test run: the newest build/NAME/verdicts of the presets release,
+/// debug and coverage.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
-/// The verdicts in one folder alone. Throws InputError for what is no XML.
+/// Reads the verdicts in one folder. Throws InputError for a file that is no XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
-/// Reads the XML that the test binaries leave (a property of a test case named like a requirement is its claim) and
-/// scans src/ for implements<>. Throws InputError when there are no verdicts.
+/// Reads the XML of the test programs and scans src/ for implements<>. A property of a test case with the name of a
+/// requirement is the case's claim to show it. Throws InputError when there are no verdicts.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Tests that a line names, where they may be many.
+/// Greatest number of tests that a line names.
 constexpr std::size_t most_names = 40;
 
 enum class Judgement { never, changed, as_it_was };

@@ -1,4 +1,5 @@
-// Which tests notice a mutant of what they claim: reports/kills.csv, which `canproof mutate --kills` writes.
+// The record of which tests notice a mutant of the items that they claim: reports/kills.csv, which `canproof mutate
+// --kills` writes.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +9,20 @@
 
 namespace canproof::host {
 
-/// What the mutation runs found of one test.
+/// The result of the mutation runs for one test.
 struct KillLine {
-    std::string body;                          ///< hash of the test's body as it was then
-    std::vector<std::string> kills;            ///< claimed items of which it notices a mutant, sorted
-    std::vector<std::string> without_mutants;  ///< claimed items that have no mutant, sorted
+    std::string body;                          ///< hash of the test's body when it was judged
+    std::vector<std::string> kills;            ///< claimed items of which the test notices a mutant, sorted
+    std::vector<std::string> without_mutants;  ///< claimed items without mutants, sorted
 };
 
-/// By Suite.Name.
+/// Lines by Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
-/// Empty when there is no such file. Throws InputError with the line for what is no record.
+/// Reads the record; returns an empty one when the file does not exist. Throws InputError with the line of invalid
+/// content.
 KillRecord read_kill_record(const std::filesystem::path& file);
-/// One line a test, sorted: `test,body,kills,without mutants`; items stand with spaces between them.
+/// Returns one line per test, sorted: `test,body,kills,without mutants`; spaces separate the items.
 std::string write_kill_record(const KillRecord& record);
 
 }  // namespace canproof::host

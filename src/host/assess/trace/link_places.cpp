@@ -32,8 +32,8 @@ std::size_t links_of(const std::string& line) {
     return count;
 }
 
-/// What comes below a link can do something: it is no empty line, no begin or end of a block or of a section of a
-/// class, no name for something else.
+/// Returns whether the line below a link can implement something. An empty line, the begin or end of a block, a section
+/// of a class or an alias cannot.
 bool can_do(const std::string& code) {
     static const std::array<std::string, 12> others{{"}", "{", "#", "namespace ", "using ", "friend ", "public:",
                                                      "protected:", "private:", "case ", "default:", "break;"}};
@@ -51,7 +51,7 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
         }
         const std::size_t first = i + 1;
         std::size_t links = 0;
-        bool inside = false;  // a statement that has not ended
+        bool inside = false;  // inside a statement that has not ended
         for (; i < lines.size(); ++i) {
             const std::string code = trimmed(lines[i]);
             if (!inside && !begins(code, statement) && !begins(code, "//")) {

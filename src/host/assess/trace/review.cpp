@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fingerprints of what is in force.
+/// Returns the fingerprints of the items in force.
 std::map<std::string, std::string> prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {
@@ -28,7 +28,7 @@ ItemWork work_of(const std::string& id, const WorkByItem& work) {
     return found == work.end() ? ItemWork{} : found->second;
 }
 
-/// `ITEM CODE TESTS` with `-` for nothing; the item alone when it has neither.
+/// Returns `ITEM CODE TESTS`, with `-` for a missing mark; only ITEM when both are missing.
 std::string marks_of(const std::string& item, const std::string& code, const std::string& tests) {
     if (code.empty() && tests.empty()) {
         return item;
@@ -40,7 +40,7 @@ bool is_of_today(const Review& review, const std::string& print, const ItemWork&
     return review.fingerprint == print && review.code == now.code && review.tests == now.tests;
 }
 
-/// Writes reviews.toml: a block for each session.
+/// Returns the text of reviews.toml with one block per session.
 std::string text_of(const std::map<std::string, Review>& reviews) {
     using Head = std::tuple<std::string, std::string, std::string, std::string>;
     std::map<Head, std::string> blocks;

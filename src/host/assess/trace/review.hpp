@@ -1,4 +1,4 @@
-// Reviews: whether an item, its code and its tests are still what someone read together.
+// Reviews: whether an item, its code and its tests still have the form in which someone reviewed them.
 #pragma once
 
 #include <map>
@@ -11,20 +11,21 @@
 
 namespace canproof::host {
 
-/// Who reads, when, and whether they made the change themselves.
+/// The reviewer, the date, and whether the reviewer made the change.
 struct ReviewSession {
     std::string date;  ///< 2026-11-21
     std::string by;
     std::string role;     ///< author or independent
-    bool wording{false};  ///< the items alone were read; their code and tests are marked as they are
+    bool wording{false};  ///< only the items were read; the marks of code and tests are the present ones
 };
 
 class ReviewState {
   public:
-    /// `work` must outlive it.
+    /// `work` must outlive the object.
     ReviewState(const Register& content, const WorkByItem& work);
 
-    /// Empty when the item, its code, its tests and these decisions, which affect it, are as they were reviewed.
+    /// Returns the reason why an item is suspect. Empty when the item, its code, its tests and these decisions, which
+    /// affect it, are unchanged since the review.
     std::string suspicion(const std::string& id, const std::vector<std::string>& decisions) const;
 
   private:
@@ -36,27 +37,28 @@ class ReviewState {
     const WorkByItem& work_;
 };
 
-/// `spec/devices/NAME/reviews.toml` with these ids reviewed in a session, the part's other reviews kept; those of
-/// retired or vanished items are left out.
+/// Returns the text of `spec/devices/NAME/reviews.toml`. The items `ids` have the review of this session; the part's
+/// other reviews stay. Reviews of retired or removed items are left out.
 std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
                           const WorkByItem& work);
 
-/// The same file with the marks of code and tests as they are now in each review of an item whose text and decisions
-/// have not changed. `date` says when; who, when and in which role stays. It does not say that anybody has read them.
+/// Returns the text of the same file with the present marks of code and tests, for each review of an item whose text
+/// and decisions are unchanged. `date` is the date of the marks. Reviewer, review date and role stay; the new marks are
+/// no claim that someone has read the code.
 std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work);
 
-/// Ids of the part, decisions too, that are in force.
+/// Returns the ids of the part's items and decisions that are in force.
 std::set<std::string> reviewable(const Part& part);
-/// Those of them that have no review of what they, their code and their tests say now.
+/// Returns those of them whose item, code and tests in their present form have no review.
 std::set<std::string> unreviewed(const Part& part, const WorkByItem& work);
 
-/// Items and decisions in force with a review of today's state: by authors of the change, by others, and by people who
-/// did not say.
+/// Number of items and decisions in force with a current review: by authors of the change, by others, and by reviewers
+/// without a stated role.
 struct ReviewCounts {
     std::size_t author{0};
     std::size_t independent{0};
     std::size_t unsaid{0};
-    std::size_t marked{0};  ///< of all of them: code and tests were marked, not read
+    std::size_t marked{0};  ///< number of all these whose code and tests were marked but not read
 };
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
 

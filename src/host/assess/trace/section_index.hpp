@@ -1,4 +1,4 @@
-// Which items have which section, table, figure or object of a manual as their source.
+// The items that have a section, table, figure or object of a manual as their source.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ class SectionIndex {
   public:
     explicit SectionIndex(const Register& content);
 
-    /// Ids, in the register's order: those that name the section or an object that it describes.
+    /// Returns the ids, in the register's order, of items that name the section or an object that it describes.
     std::vector<std::string> items_of(const std::string& manual, const Section& section) const;
 
   private:

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Of two states the one that shows less.
+/// Returns the worse of two states.
 const std::string& worse(const std::string& one, const std::string& other) {
     static const std::array<std::string, 4> order{"failed", "open", "suspect", "shown"};
     return std::find(order.begin(), order.end(), one) < std::find(order.begin(), order.end(), other) ? one : other;
@@ -19,8 +19,8 @@ const std::string& worse(const std::string& one, const std::string& other) {
 
 const std::string shown = "shown";
 
-/// The state of each item, and of each decision: the worst of what it affects. What is shown elsewhere, as the shared
-/// rules of an outside project are, is not in it.
+/// Returns the state of each item, and of each decision: the worst state of its affected items. It does not contain
+/// items that are shown in another project, such as its shared rules.
 std::map<std::string, std::string> states_of(const std::vector<PartAudit>& audits) {
     std::map<std::string, std::string> states;
     for (const auto& audit : audits) {

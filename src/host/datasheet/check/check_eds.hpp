@@ -1,5 +1,5 @@
-// Checks an electronic data sheet (CiA 306) against CiA 306 and CiA 301: each finding names its rule, its line and how
-// to fix it. XDD files are not checked.
+// Checks an electronic data sheet against CiA 306 and CiA 301. Each finding names its rule, its line and its fix. XDD
+// files are not checked.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace canproof::host {
 
-/// Every rule, in the order of the groups: text, lists, objects, entries, values, mapping, PDO, services, sections.
+/// Returns every rule, in the order of the groups: text, lists, objects, entries, values, mapping, PDO, services,
+/// sections.
 std::vector<EdsRule> eds_rules();
 
-/// Finds what the rules find, ascending by line. `name` is the file's name without folder; empty: what depends on it is
-/// not checked. A name that ends in .dcf, or [DeviceComissioning] unless the name ends in .eds, makes the text a device
-/// configuration file, which has keys of its own. At most Faults::most findings are returned. Throws InputError for a
-/// text that is no EDS at all: XML, more than most_strange_lines lines of another form, more than a million lines, or
-/// no section.
+/// Returns the findings of all rules, ascending by line, at most Faults::most. `name` is the file's name without
+/// folder; when it is empty, checks that depend on it are left out. The text is a device configuration file, which has
+/// keys of its own, if the name ends in .dcf, or if it contains [DeviceComissioning] and the name does not end in .eds.
+/// Throws InputError for a text that is no EDS: XML, more than most_strange_lines invalid lines, more than a million
+/// lines, or no section.
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

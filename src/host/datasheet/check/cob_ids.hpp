@@ -1,4 +1,4 @@
-// COB-ID entries of CiA 301.
+// The bits of COB-ID entries (CiA 301).
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace canproof::host {
 
-/// Bit 31: the service is switched off.
+/// Returns whether bit 31 is set: the service is switched off.
 bool is_off(std::uint64_t cob_id);
-/// Bit 29: an identifier of 29 bits.
+/// Returns whether bit 29 is set: the identifier has 29 bits.
 bool is_extended(std::uint64_t cob_id);
-/// The identifier of 11 bits at this node-ID.
+/// Returns the identifier of 11 bits at this node-ID.
 unsigned identifier(const EdsNumber& cob_id, unsigned node_id);
-/// CiA 301: identifiers that no PDO, SYNC, TIME or EMCY may take.
+/// Returns whether CiA 301 reserves the identifier: no PDO, SYNC, TIME or EMCY may use it.
 bool is_reserved(unsigned identifier);
 
 }  // namespace canproof::host

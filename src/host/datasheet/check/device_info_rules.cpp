@@ -1,4 +1,4 @@
-// [DeviceInfo]: what the device can do, against its objects.
+// Checks the features in [DeviceInfo] against the objects of the device.
 #include "host/datasheet/check/device_info_rules.hpp"
 
 #include <fmt/format.h>
@@ -154,7 +154,7 @@ class DeviceInfoCheck {
         }
     }
 
-    /// CiA 305: vendor-ID, product code, revision number and serial number together are the address of LSS.
+    /// CiA 305: vendor-ID, product code, revision number and serial number together form the LSS address.
     void check_lss() {
         if (number("LSS_Supported").value_or(0) != 1) {
             return;

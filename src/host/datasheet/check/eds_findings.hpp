@@ -1,4 +1,4 @@
-// Where the rules put what they find.
+// Collects the findings of the rules.
 #pragma once
 
 #include <map>
@@ -12,14 +12,14 @@ namespace canproof::host {
 
 class EdsFindings {
   public:
-    /// `rules` by id; they outlive the findings.
+    /// `rules` are the rules by id; they must outlive the findings.
     explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
 
-    /// Adds a finding of the rule. Throws std::out_of_range for a rule that no table has. Beyond Faults::most, findings
-    /// are dropped.
+    /// Adds a finding of the rule. Throws std::out_of_range for an unknown rule. Findings beyond Faults::most are
+    /// dropped.
     void add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits = {});
     void add(const std::string& rule, unsigned line, std::string what, EdsEdits edits);
-    /// The findings, ascending by line.
+    /// Returns the findings, ascending by line.
     std::vector<EdsFinding> take();
 
   private:
@@ -27,7 +27,7 @@ class EdsFindings {
     std::vector<EdsFinding> all_;
 };
 
-/// Edits of one line.
+/// The following functions return edits of one line.
 inline std::vector<EdsEdit> replace_line(unsigned line, std::string text) {
     return {{EdsEdit::Kind::replace, line, std::move(text)}};
 }

@@ -14,9 +14,9 @@ namespace canproof::host {
 namespace {
 
 constexpr unsigned highest_subindex = 0xFE;
-/// Entries beyond what a dictionary can hold are not expanded.
+/// Greatest number of entries; a dictionary cannot contain more, so further entries are not expanded.
 constexpr std::size_t most_entries = 0x10000;
-/// The entries that a dictionary can hold take fewer lines.
+/// Greatest number of lines; a full dictionary needs fewer.
 constexpr std::size_t most_lines = 1000000;
 
 EdsLine read_line(std::string_view raw) {
@@ -108,7 +108,7 @@ EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
             fmt::format("{} is XML; only EDS and DCF files are checked", name_.empty() ? "the text" : name_)};
     }
     Faults faults;
-    Faults notes;  // the rules say the same with more words
+    Faults notes;  // unused: the rules report the same in more detail
     ini_ = read_ini(std::string{text}, EdsTelling{name_, faults, notes});
     if (!faults.empty() || ini_.sections.empty()) {
         throw InputError{fmt::format("{} is no EDS: {}", name_.empty() ? "the text" : name_,

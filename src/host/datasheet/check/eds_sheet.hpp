@@ -1,4 +1,4 @@
-// A data sheet as the checks see it: its lines as they stand, its sections, and its objects with their entries.
+// A data sheet in the form that the checks use: its unchanged lines, its sections, and its objects with their entries.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@
 namespace canproof::host {
 
 struct EdsLine {
-    /// empty: a comment as well, and what read_ini() passes over: control characters, too long a line.
+    /// `empty` includes comments and lines that read_ini() ignores, which contain control characters or are too long.
     enum class Kind { empty, section, value, strange };
     Kind kind{Kind::empty};
-    std::string text;    ///< as it stands, without its end
-    std::string name;    ///< of the section, or the key, as written
-    std::string behind;  ///< behind the section, or the value
+    std::string text;    ///< unchanged text without its line break
+    std::string name;    ///< name of the section, or the key, as written
+    std::string behind;  ///< text after the section, or the value
     bool crlf{false};    ///< ends with CR LF
 };
 
-/// A number of the sheet: its value, or the sum of it and the node-ID.
+/// A number of the sheet: a value, or the sum of a value and the node-ID.
 struct EdsNumber {
     std::uint64_t bits{0};
     bool node_id{false};
@@ -33,44 +33,44 @@ struct EdsNumber {
 struct EdsSheetEntry {
     std::uint16_t index{0};
     std::uint8_t sub{0};
-    const IniSection* section{nullptr};  ///< describes it
-    const IniValue* value{nullptr};      ///< its default; nullptr: it has none
-    const EdsDataType* type{nullptr};    ///< nullptr: it is missing or unknown
-    std::string access;                  ///< in lower case; empty: none is given
+    const IniSection* section{nullptr};  ///< section that describes the entry
+    const IniValue* value{nullptr};      ///< its default; nullptr: none
+    const EdsDataType* type{nullptr};    ///< nullptr: missing or unknown
+    std::string access;                  ///< in lower case; empty: missing
     bool mappable{false};                ///< PDOMapping is not 0
     bool compact{false};                 ///< described by CompactSubObj
 
-    /// Default of an entry that holds an unsigned number.
+    /// Returns the default of an entry that holds an unsigned number.
     std::optional<EdsNumber> number() const;
-    /// Line of a key, or of the section when it lacks the key.
+    /// Returns the line of a key; without the key, that of the section.
     unsigned line_of(const char* key) const;
-    /// Line of the default, or of the section.
+    /// Returns the line of the default; without one, that of the section.
     unsigned value_line() const { return value == nullptr ? section->line : value->line; }
-    /// `1018h` or `1018h:01`.
+    /// Returns `1018h` or `1018h:01`.
     std::string title() const;
-    bool is_single{false};  ///< it is the whole object
+    bool is_single{false};  ///< the entry is the whole object
 };
 
 struct EdsSheetObject {
     std::uint16_t index{0};
-    const IniSection* section{nullptr};              ///< nullptr: sub-sections alone describe it
-    std::optional<std::uint64_t> code{7};            ///< ObjectType; nothing when it is no number
+    const IniSection* section{nullptr};              ///< nullptr: only sub-sections describe the object
+    std::optional<std::uint64_t> code{7};            ///< ObjectType; nothing when it is not a number
     std::uint64_t compact{0};                        ///< CompactSubObj
     std::map<std::uint8_t, const IniSection*> subs;  ///< [XXXXsubY]
     std::vector<EdsSheetEntry> entries;              ///< ascending by sub-index
 
     bool is_single() const { return code == std::uint64_t{7} || code == std::uint64_t{2}; }
     bool is_several() const { return code == std::uint64_t{8} || code == std::uint64_t{9}; }
-    /// Line of its section, or of the first sub-section.
+    /// Returns the line of its section, otherwise that of the first sub-section.
     unsigned line() const;
-    /// nullptr when there is none.
+    /// Returns the entry; nullptr when there is none.
     const EdsSheetEntry* entry(unsigned sub) const;
     std::string title() const;
 };
 
 class EdsSheet {
   public:
-    /// Throws InputError for a text that is no EDS at all.
+    /// Throws InputError for a text that is no EDS.
     EdsSheet(std::string_view text, std::string_view name);
     EdsSheet(const EdsSheet&) = delete;
     EdsSheet& operator=(const EdsSheet&) = delete;
@@ -84,7 +84,7 @@ class EdsSheet {
     const std::map<std::uint16_t, EdsSheetObject>& objects() const { return objects_; }
     const EdsSheetObject* object(unsigned index) const;
     const EdsSheetEntry* entry(unsigned index, unsigned sub) const;
-    /// Line of a key of a section that is there.
+    /// Returns the line with this number, which counts from 1.
     const EdsLine& line(unsigned number) const { return lines_[number - 1]; }
 
   private:
@@ -101,7 +101,7 @@ class EdsSheet {
     std::size_t entries_{0};
 };
 
-/// What a section's name describes: [1018], [1018sub1], [1018Name], [1018Value]. Nothing for any other name.
+/// The meaning of a section's name: [1018], [1018sub1], [1018Name] or [1018Value].
 struct EdsObjectName {
     enum class Kind { object, sub, name, value } kind{Kind::object};
     std::uint16_t index{0};
@@ -109,7 +109,7 @@ struct EdsObjectName {
 };
 std::optional<EdsObjectName> eds_object_name(const std::string& section);
 
-/// `1018h`.
+/// Returns an index such as `1018h`.
 std::string eds_index_text(unsigned index);
 
 }  // namespace canproof::host

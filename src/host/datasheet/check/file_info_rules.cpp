@@ -1,4 +1,4 @@
-// [FileInfo]: versions, dates, times.
+// Checks versions, dates and times in [FileInfo].
 #include "host/datasheet/check/file_info_rules.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, [FileInfo]";
 
-/// `text` as the numbers between its separators; empty when there is anything else.
+/// Returns the numbers between the separators of `text`; none when it contains anything else.
 std::vector<unsigned> numbers_of(const std::string& text, char separator, std::size_t most_digits) {
     std::vector<unsigned> all;
     std::string digits;
@@ -52,7 +52,7 @@ struct Day {
 };
 
 struct Minute {
-    unsigned hour{0};  ///< of 24
+    unsigned hour{0};  ///< 0 to 23
     unsigned minute{0};
 
     std::string text() const {
@@ -61,7 +61,7 @@ struct Minute {
     }
 };
 
-/// mm-dd-yyyy, and forms that mean one day only: the same without leading zeros, yyyy-mm-dd, dd.mm.yyyy.
+/// Parses mm-dd-yyyy, and unambiguous variants: without leading zeros, yyyy-mm-dd, dd.mm.yyyy.
 std::optional<Day> read_day(const std::string& text) {
     const auto dashes = numbers_of(text, '-', 4);
     if (dashes.size() == 3 && dashes[0] > 31) {
@@ -74,7 +74,7 @@ std::optional<Day> read_day(const std::string& text) {
     return dots.size() == 3 && dots[2] > 31 ? std::optional{Day{dots[2], dots[1], dots[0]}} : std::nullopt;
 }
 
-/// hh:mmAM, and forms that mean one minute only: with a blank or in small letters, and hh:mm of 24 hours.
+/// Parses hh:mmAM, and unambiguous variants: with a blank, in lower case, and hh:mm in 24 hours.
 std::optional<Minute> read_minute(const std::string& given) {
     std::string text = lower_case(given);
     const bool morning = text.size() > 2 && text.compare(text.size() - 2, 2, "am") == 0;

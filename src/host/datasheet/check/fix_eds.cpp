@@ -11,16 +11,16 @@ namespace canproof::host {
 
 namespace {
 
-/// A fix may uncover the next finding; more rounds than this mean that two rules contradict each other.
+/// Greatest number of rounds. A fix can uncover another finding; more rounds mean that two rules contradict each other.
 constexpr int most_rounds = 20;
 
-/// Edits of one round: of each line those of one finding.
+/// The edits of one round. All edits of a line belong to the same fix.
 class Round {
   public:
-    /// False when another finding changes one of these lines otherwise.
+    /// Adds the edits of a finding. Returns false when another fix already changes one of these lines.
     bool take(const EdsFinding& finding) {
         if (taken_.count(finding.edits) != 0) {
-            return true;  // one fix of several findings, as of a list
+            return true;  // several findings share this fix, for example those of a list
         }
         const std::vector<EdsEdit>& edits = *finding.edits;
         if (std::any_of(edits.begin(), edits.end(),
@@ -34,7 +34,7 @@ class Round {
         return true;
     }
 
-    /// The text with all edits.
+    /// Returns the text with all edits.
     std::string text(std::string_view old) const {
         const EdsSheet sheet{old, {}};
         const auto& lines = sheet.lines();

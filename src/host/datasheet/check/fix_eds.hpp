@@ -1,4 +1,4 @@
-// Fixes in a data sheet what can be fixed without a change of meaning.
+// Fixes the faults of a data sheet whose fix keeps its meaning.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< what was fixed; lines are those of the moment
+    std::vector<EdsFinding> done;  ///< the fixed findings; their lines refer to the text at that moment
 };
 
-/// Applies the edits of all findings that have some, and checks again until none is left. A sheet that is read as a
-/// device gives the same device before and after. Throws InputError as check_eds() does.
+/// Applies the edits of all findings that have some, and checks again until none is left. If the sheet can be read as a
+/// device, the fixed sheet gives the same device. Throws InputError as check_eds() does.
 EdsFixed fix_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

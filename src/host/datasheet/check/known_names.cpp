@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Words as CiA 306 spells them, by the same in lower case.
+/// Words in the spelling of CiA 306, by their lower-case form.
 struct Words {
     Words(std::initializer_list<const char*> all) {
         for (const char* word : all) {
@@ -27,7 +27,7 @@ struct Section {
 
 const Words dcf_keys{"ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"};
 
-/// Sections with fixed names. A word that ends in # stands for itself with any number behind it.
+/// Returns the sections with fixed names. A final # in a word stands for any number.
 const std::map<std::string, Section>& sections() {
     static const std::vector<Section> listed{
         {"FileInfo",
@@ -90,7 +90,7 @@ std::string in_words(const Words& words, const std::string& key) {
     return "";
 }
 
-/// Sections of a modular device and of tools: [M1ModuleInfo], [Tool1], [1018ObjectLinks].
+/// Returns whether the section belongs to a modular device or a tool: [M1ModuleInfo], [Tool1], [1018ObjectLinks].
 bool is_of_modules(const std::string& lower) {
     const bool module = lower.size() > 2 && lower[0] == 'm' && lower[1] >= '0' && lower[1] <= '9';
     const bool tool = lower.size() > 4 && lower.rfind("tool", 0) == 0 &&
@@ -133,7 +133,7 @@ std::string known_key(const std::string& section, const std::string& key) {
     }
     const auto object = eds_object_name(section);
     if (!object) {
-        return key;  // an unknown section is reported by itself
+        return key;  // an unknown section is reported separately
     }
     const bool compact = object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
     return in_words(compact ? compact_keys : object_keys, key);

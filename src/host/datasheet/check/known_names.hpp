@@ -1,17 +1,18 @@
-// Sections and keys that CiA 306 knows, as it spells them.
+// Sections and keys of CiA 306 in its spelling.
 #pragma once
 
 #include <string>
 
 namespace canproof::host {
 
-/// The section as CiA 306 spells it, [1018sub1] and the like included; empty: CiA 306 has none.
+/// Returns the section in the spelling of CiA 306, also for [1018sub1] and similar names; empty when CiA 306 has none.
 std::string known_section(const std::string& name);
 
-/// The key of a section as CiA 306 spells it; empty: CiA 306 has none there. Both in any case.
+/// Returns the key of a section in the spelling of CiA 306; empty when the section has no such key. The case of both
+/// names does not matter.
 std::string known_key(const std::string& section, const std::string& key);
 
-/// Keys of an object that only a device configuration file has.
+/// Returns whether the key of an object exists only in device configuration files.
 bool is_dcf_key(const std::string& key);
 
 }  // namespace canproof::host

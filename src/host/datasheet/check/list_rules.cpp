@@ -1,4 +1,4 @@
-// The three lists of objects.
+// Checks the three lists of objects.
 #include "host/datasheet/check/list_rules.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, object lists";
 
 constexpr std::array<const char*, 3> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
-constexpr unsigned first_object = 0x1000;  // below lie data types
+constexpr unsigned first_object = 0x1000;  // lower indices are data types
 
-/// Which list an object belongs to.
+/// Returns the number of the list that contains an object.
 std::size_t list_of(unsigned index) {
     const bool mandatory = index == 0x1000 || index == 0x1001 || index == 0x1018;
     return mandatory ? 0 : index >= 0x2000 && index <= 0x5FFF ? 2 : 1;
@@ -36,7 +36,7 @@ struct ListEntry {
 struct List {
     const IniSection* section{nullptr};
     std::vector<ListEntry> entries;  ///< ascending by key
-    bool all_known{true};            ///< every line was understood: the list can be written again
+    bool all_known{true};            ///< all lines are valid, so the list can be rewritten
 };
 
 class ListCheck {
@@ -87,7 +87,7 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// All three lists as they should be. One fix serves every finding of the lists.
+    /// Makes the fix that rewrites all three lists. All findings of the lists share it.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {
@@ -205,7 +205,7 @@ class ListCheck {
     EdsFindings& findings_;
     std::array<List, 3> lists_;
     std::map<unsigned, Listed> listed_;
-    EdsEdits fix_;  ///< of every finding that it ends; nullptr: there is none
+    EdsEdits fix_;  ///< the common fix; nullptr: none
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Rules of one kind: see the table in list_rules.cpp.
+// Rules for the lists of objects; list_rules.cpp contains their table.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace canproof::host {
 
-/// The rules of this group.
+/// Returns the rules of this group.
 const std::vector<EdsRule>& list_rules();
-/// Adds what they find in the sheet.
+/// Adds the findings of these rules in the sheet.
 void check_list(const EdsSheet& sheet, EdsFindings& findings);
 
 }  // namespace canproof::host

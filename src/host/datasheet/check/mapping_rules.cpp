@@ -1,4 +1,4 @@
-// The default mapping of each PDO: does every entry exist, may it be there, has it the right length?
+// Checks the default mapping of each PDO: every entry exists, may be mapped, and has the right length.
 #include "host/datasheet/check/mapping_rules.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +61,7 @@ class MappingCheck {
     void check_mapped(const EdsSheetEntry& at) {
         const auto value = at.number();
         if (!value || value->bits > UINT32_MAX) {
-            return;  // told with the value
+            return;  // the rules for values report it
         }
         const auto index = static_cast<unsigned>(value->bits >> 16U);
         const auto sub = static_cast<unsigned>((value->bits >> 8U) & 0xFFU);

@@ -1,4 +1,4 @@
-// Objects and their sub-objects: ObjectType, SubNumber, sub-index 0, CompactSubObj.
+// Checks objects and their sub-objects: ObjectType, SubNumber, sub-index 0, CompactSubObj.
 #include "host/datasheet/check/object_rules.hpp"
 
 #include <fmt/format.h>
@@ -116,7 +116,7 @@ class ObjectCheck {
         }
     }
 
-    /// Values of the object itself say something of CompactSubObj alone.
+    /// Values in the section of an ARRAY or RECORD have a meaning only with CompactSubObj.
     void check_own_values(const EdsSheetObject& object) {
         if (!object.is_several() || object.compact != 0 || object.subs.empty()) {
             return;
@@ -212,7 +212,7 @@ class ObjectCheck {
         }
     }
 
-    /// Names and keys of every section of an object.
+    /// Checks names and keys of every section of an object.
     void check_sections() {
         for (const auto& [name, section] : sheet_.ini().sections) {
             const auto object = eds_object_name(name);
@@ -247,7 +247,7 @@ class ObjectCheck {
         }
     }
 
-    /// [1018Name] and [1018Value]
+    /// Checks [1018Name] and [1018Value].
     void check_compact_lists() {
         for (const auto& [name, section] : sheet_.ini().sections) {
             const auto found = eds_object_name(name);

@@ -1,4 +1,4 @@
-// PDO communication parameters: 1400h to 15FFh, 1800h to 19FFh.
+// Checks the PDO communication parameters: 1400h to 15FFh, 1800h to 19FFh.
 #include "host/datasheet/check/pdo_rules.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +77,7 @@ class PdoCheck {
                           fmt::format("{} has an identifier of 29 bits", entry->title()));
             return;
         }
-        // Reserved whatever the node-ID: try the lowest and the highest.
+        // An identifier is reserved for all node-IDs or for none: the lowest and the highest are tried.
         for (const unsigned node : {1U, 127U}) {
             const unsigned id = identifier(*value, node);
             if (is_reserved(id)) {

@@ -1,4 +1,4 @@
-// Objects of the communication area other than PDOs: 1000h to 12FFh.
+// Checks the objects of the communication area without the PDOs: 1000h to 12FFh.
 #include "host/datasheet/check/service_rules.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +61,7 @@ class ServiceCheck {
             }
             for (const EdsSheetEntry& one : object->entries) {
                 if (one.sub == 0 && standard.code != 7) {
-                    continue;  // see the rules of sub-index 0
+                    continue;  // the rules for sub-index 0 check it
                 }
                 if (standard.type != 0 && one.type != nullptr && one.type->number != standard.type) {
                     findings_.add("standard-type", one.line_of("DataType"),

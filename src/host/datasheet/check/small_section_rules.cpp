@@ -1,4 +1,4 @@
-// [DummyUsage], [Comments], and what only a device configuration file has.
+// Checks [DummyUsage], [Comments], and the keys of device configuration files.
 #include "host/datasheet/check/small_section_rules.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr const char* comments_source = "CiA 306, [Comments]";
 constexpr const char* dummy_source = "CiA 306, [DummyUsage]; CiA 301, dummy mapping";
 constexpr const char* dcf_source = "CiA 306, device configuration file";
 
-/// Number behind `stem`, both in lower case; nothing when there is none.
+/// Returns the number after `stem`; nothing when there is none. Both texts are in lower case.
 std::optional<unsigned> number_behind(const std::string& key, const std::string& stem) {
     const bool fits = key.size() > stem.size() && key.size() <= stem.size() + 4 && key.rfind(stem, 0) == 0 &&
                       key.find_first_not_of("0123456789", stem.size()) == std::string::npos;
@@ -118,7 +118,7 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
     }
 }
 
-/// Keys of objects that only a device configuration file has, anywhere in an EDS.
+/// Reports keys of objects that only a device configuration file may have, anywhere in an EDS.
 void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
     if (sheet.is_dcf()) {
         return;

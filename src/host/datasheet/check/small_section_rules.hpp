@@ -1,4 +1,4 @@
-// Rules of one kind: see the table in small_section_rules.cpp.
+// Rules for small sections; small_section_rules.cpp contains their table.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace canproof::host {
 
-/// The rules of this group.
+/// Returns the rules of this group.
 const std::vector<EdsRule>& small_section_rules();
-/// Adds what they find in the sheet.
+/// Adds the findings of these rules in the sheet.
 void check_small_section(const EdsSheet& sheet, EdsFindings& findings);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Objects of the communication area as CiA 301 describes them.
+// Objects of the communication area in CiA 301.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ struct StandardObject301 {
 
     unsigned index;
     unsigned code;  ///< 7 VAR, 8 ARRAY, 9 RECORD
-    unsigned type;  ///< of the value, or of each entry from sub-index 1 on; 0: several
-    Access access;  ///< the same
+    unsigned type;  ///< data type of the value, or of each entry from sub-index 1 on; 0: several types
+    Access access;  ///< access to the value, or to each entry from sub-index 1 on
 };
 
 const std::vector<StandardObject301>& standard_objects_301();

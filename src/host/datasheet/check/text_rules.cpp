@@ -1,4 +1,4 @@
-// Lines, sections and keys as they are spelled.
+// Checks the spelling of lines, sections and keys.
 #include "host/datasheet/check/text_rules.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ class TextCheck {
         const auto& lines = sheet_.lines();
         const auto crlf = static_cast<std::size_t>(
             std::count_if(lines.begin(), lines.end(), [](const EdsLine& line) { return line.crlf; }));
-        // The last line may have no end at all.
+        // The last line may have no line break.
         const std::size_t ended = lines.empty() || lines.back().crlf ? lines.size() : lines.size() - 1;
         if (crlf == 0 || crlf == ended || lines.size() < 2) {
             return;
@@ -101,7 +101,7 @@ class TextCheck {
     void check_section_name(const EdsLine& line) {
         const auto object = eds_object_name(line.name);
         const std::string known = known_section(line.name);
-        // An entry without ParameterName is called by its section.
+        // An entry without ParameterName is named after its section.
         const IniSection* section = sheet_.ini().find(line.name);
         const bool named = !object || (section != nullptr && section->filled("ParameterName") != nullptr) ||
                            object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
@@ -146,7 +146,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
-    bool skips_{false};  ///< below what is no section
+    bool skips_{false};  ///< inside an invalid section
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;

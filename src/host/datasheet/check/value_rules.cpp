@@ -1,4 +1,4 @@
-// DefaultValue, LowLimit and HighLimit against the data type and each other.
+// Checks DefaultValue, LowLimit and HighLimit against the data type and each other.
 #include "host/datasheet/check/value_rules.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr const char* number_source = "CiA 306, numbers";
 
 using Kind = EdsDataType::Kind;
 
-/// A number of any type: whole numbers keep their sign apart from 64 bits.
+/// A number of any type: whole numbers have a sign and a magnitude of 64 bits.
 struct Number {
     bool negative{false};
     std::uint64_t magnitude{0};
@@ -46,7 +46,7 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Any whole number; nothing when the text is none.
+/// Parses any whole number; returns nothing for another text.
 std::optional<Number> whole(const std::string& given) {
     const std::string text = without_blanks(given);
     const bool negative = !text.empty() && text.front() == '-';
@@ -54,8 +54,8 @@ std::optional<Number> whole(const std::string& given) {
     return magnitude ? std::optional{Number{negative && *magnitude != 0, *magnitude, 0.0, false}} : std::nullopt;
 }
 
-/// The whole number as a value of the type; nothing when it does not fit. A hexadecimal number may be the bits of a
-/// negative one.
+/// Returns the whole number as a value of the type; nothing when it does not fit. A hexadecimal number can be the bit
+/// pattern of a negative value.
 std::optional<Number> fitted(Number number, const EdsDataType& type, bool hexadecimal) {
     const std::uint64_t top = type.bits == 64 ? UINT64_MAX : (std::uint64_t{1} << type.bits) - 1;
     if (type.kind != Kind::integer) {
@@ -167,7 +167,7 @@ class ValueCheck {
         }
     }
 
-    /// The default written otherwise, where the entry's own line has it.
+    /// Reports the default with the right spelling as fix.
     void respell(const char* rule, std::string what, const std::string& right) {
         const EdsLine& line = sheet_.line(entry_.value->line);
         findings_.add(rule, entry_.value->line, std::move(what),
@@ -192,7 +192,7 @@ class ValueCheck {
         }
     }
 
-    /// A limit as a number; reports one that is none.
+    /// Returns a limit as a number; reports a limit that is no number.
     std::optional<Number> limit(const char* key) {
         const IniValue* given = entry_.section->filled(key);
         if (given == nullptr) {
@@ -227,7 +227,7 @@ class ValueCheck {
         return term->has_node_id ? std::nullopt : value;
     }
 
-    /// The default as a number without node-ID.
+    /// Returns the default as a number; nothing for a default with the node-ID.
     std::optional<Number> plain_default() const {
         if (entry_.value == nullptr || entry_.value->text.find('$') != std::string::npos) {
             return std::nullopt;

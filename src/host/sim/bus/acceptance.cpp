@@ -22,7 +22,7 @@ class FilterList {
     explicit FilterList(const ObjectDictionary& objects) : objects_{objects} {}
 
     void add(std::uint32_t id) { add(AcceptanceFilter{id, 0x7FFU, false}); }
-    /// The identifier that a COB-ID entry holds, unless it says that the object does not exist.
+    /// Adds the identifier of a COB-ID entry, unless `not_in_use` is set in the entry: the message then does not exist.
     void add_entry(std::uint16_t index, std::uint8_t subindex, std::uint32_t not_in_use) {
         if (!objects_.has(index, subindex)) {
             return;
@@ -63,7 +63,7 @@ std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects
     }
     list.add(generated::canopen::guarding_cob_id_base + node_id);
     list.add(sdo_request_base + node_id);
-    list.add_entry(index::sync_cob_id, 0U, 0U);  // consumed whatever its bit 30 says
+    list.add_entry(index::sync_cob_id, 0U, 0U);  // bit 30 concerns only the producer: SYNC is always received
     list.add_entry(index::guarding_identifier, 0U, 0U);
     list.add_entry(index::time_cob_id, 0U, 0U);
     const TableView<ObjectRow>& rows = objects.tables().objects;

@@ -1,4 +1,4 @@
-// Which identifiers a node listens to: what its kernel filters let through.
+// Acceptance filters: the identifiers that the kernel filters of a node let through.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Accepts a frame whose identifier equals `id` in the bits of `mask`. Remote frames pass as data frames do.
+/// Accepts a frame whose identifier equals `id` in the bits of `mask`. Remote frames are treated as data frames.
 struct AcceptanceFilter {
     std::uint32_t id{0U};
     std::uint32_t mask{0x7FFU};
@@ -22,11 +22,11 @@ inline bool operator==(const AcceptanceFilter& a, const AcceptanceFilter& b) {
     return a.id == b.id && a.mask == b.mask && a.extended == b.extended;
 }
 
-/// A filter that lets every frame through, and its extended twin.
+/// Returns two filters that accept every frame, one for base and one for extended identifiers.
 const std::vector<AcceptanceFilter>& accept_everything();
 
-/// By the COB-IDs that stand in a dictionary now: NMT, LSS, SYNC, TIME, the SDO servers, the PDOs (a transmit PDO for
-/// its RTR), error control of the node and of those that it watches. Without a node-ID only NMT and LSS.
+/// Returns the filters for the present COB-IDs in a dictionary: NMT, LSS, SYNC, TIME, SDO servers, PDOs (a transmit PDO
+/// for its RTR), and error control of the node and of the nodes that it monitors. Without a node-ID, only NMT and LSS.
 std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects, std::uint8_t node_id);
 
 }  // namespace canproof::host

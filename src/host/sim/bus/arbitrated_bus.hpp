@@ -1,5 +1,5 @@
-// The in-process bus: one frame at a time, the lowest identifier first, each as long as its bits take. Deterministic:
-// the same frames at the same times, and the same seed, give the same traffic.
+// The in-process bus. It transmits one frame at a time, the lowest identifier first; each frame takes the time of its
+// bits. It is deterministic: the same frames at the same times and the same seed give the same traffic.
 #pragma once
 
 #include <map>
@@ -17,27 +17,27 @@
 
 namespace canproof::host {
 
-/// Up to 127 nodes and any number of gateways. Nodes whose controller works at another bit rate than the bus hear and
-/// say nothing; the bus has the rate that most of its nodes have, and keeps what it has on a tie. Every frame is
-/// acknowledged: the world outside is one more station. Of two nodes that send the same identifier at once the one that
-/// was attached first goes first; CANopen forbids it, and a real bus would punish it with bit errors.
+/// A bus with up to 127 nodes and any number of gateways. The bit rate of the bus is that of most of its nodes; on a
+/// tie it keeps its present one. A node with another bit rate neither sends nor receives. Every frame is acknowledged,
+/// because the outside is a further station. If two nodes send the same identifier at once, the node attached first
+/// wins; CANopen forbids this case, and a real bus would answer it with bit errors.
 ///
-/// A node gets the frames that its filters let through. What a frame costs follows its receivers, not the number of
-/// nodes: a node that tells its changes is looked at after a change only.
+/// A node gets the frames that its filters accept. The effort for a frame depends on its receivers and not on the
+/// number of nodes, because a node that reports its changes is inspected only after a change.
 class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
 
-    /// `bit_rate` in bit/s holds until a node says otherwise.
+    /// `bit_rate` in bit/s applies until a node has another one.
     ArbitratedBus(std::string interface, std::uint32_t bit_rate, const BusFaultRates& faults);
 
     /// Throws InputError for a 128th node.
     void attach(BusNode& node) override;
-    /// A door to the outside may come and go at any time. Behaves as an error-passive node does: after each frame it
-    /// leaves eight bit times to the others. One that goes while its frame is on the wire leaves an error frame behind.
+    /// Adds a gateway, at any time. It waits eight bit times after each of its frames, as an error-passive node does.
+    /// Detaching a gateway during its transmission causes an error frame.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
-    /// A frame of that door is on the wire, or must be repeated: it would be lost with the door.
+    /// Returns whether a frame of that gateway is on the wire or must be repeated. Detaching the gateway would lose it.
     bool is_sending(const Gateway& gateway) const;
 
     bool put(const Frame& frame, Instant now) override;
@@ -48,25 +48,25 @@ class ArbitratedBus final : public Bus {
     BusReport report(Instant now) const override;
     const std::string& interface() const override { return interface_; }
 
-    /// From `now` on the controller of that node is bus-off, for 128 × 11 bit times. Its frame on the wire is lost, and
-    /// the others see an error.
+    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. Its frame on the wire is lost,
+    /// and the other nodes see an error.
     void switch_off(const BusNode& node, Instant now);
 
   private:
     using Nanoseconds = std::uint64_t;
     struct Port {
         BusNode* node{nullptr};
-        std::size_t number{0};  ///< ascends in order of attachment
+        std::size_t number{0};  ///< ascending in order of attachment
         bool gateway{false};
-        std::optional<Frame> repeated;  ///< was corrupted, and is sent again
+        std::optional<Frame> repeated;  ///< a corrupted frame, to be sent again
         FaultConfinement counters;
         CanState told{CanState::error_active};
         bool overrun{false};
-        std::uint32_t rate{0};       ///< of the node, when last looked at
-        Nanoseconds first_since{0};  ///< when the frame that is sent next became so
+        std::uint32_t rate{0};       ///< bit rate of the node at the last inspection
+        Nanoseconds first_since{0};  ///< when the next frame to send became the first
         Nanoseconds may_send_from{0};
-        Nanoseconds back_on_bus{0};  ///< while bus-off
-        bool changed{false};         ///< stands in changed_
+        Nanoseconds back_on_bus{0};  ///< end of the bus-off state
+        bool changed{false};         ///< the port is in changed_
 
         const Frame* next() const { return repeated ? &*repeated : node->next_frame(); }
     };
@@ -101,15 +101,15 @@ class ArbitratedBus final : public Bus {
     std::string interface_;
     std::uint32_t bit_rate_;
     BusFaults faults_;
-    std::map<std::size_t, Port> ports_;  ///< by number; that of put() first
+    std::map<std::size_t, Port> ports_;  ///< by number; the port of put() is the first
     std::size_t next_number_{0};
-    std::vector<Port*> changed_;  ///< of nodes that tell changes: to be looked at
-    std::vector<Port*> watched_;  ///< of nodes that do not
-    std::vector<Port*> off_;      ///< bus-off
+    std::vector<Port*> changed_;  ///< nodes that report changes, to be inspected
+    std::vector<Port*> watched_;  ///< nodes that do not report changes
+    std::vector<Port*> off_;      ///< bus-off nodes
     WaitingLine waiting_;         ///< by number
     FrameReaders readers_;        ///< by number
-    bool rates_differ_{false};    ///< a node has another bit rate than was told
-    bool troubled_{false};        ///< an error counter of a receiver is not 0, or one has lost a frame
+    bool rates_differ_{false};    ///< a node has another bit rate than was last reported
+    bool troubled_{false};        ///< an error counter of a receiver is not 0, or a receiver has lost a frame
     Gateway outside_;
     std::optional<Transmission> running_;
     Nanoseconds advanced_to_{0};

@@ -1,4 +1,4 @@
-// Which bit rate a bus has whose nodes disagree.
+// Determines the bit rate of a bus whose nodes have different bit rates.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Each node votes for the rate of its controller, in bit/s; 0 is no vote.
+/// Counts votes. Each node votes for the rate of its controller in bit/s; 0 is no vote.
 class BitRateVote {
   public:
     void add(std::uint32_t rate) {
@@ -15,7 +15,7 @@ class BitRateVote {
             ++votes_[rate];
         }
     }
-    /// The rate that most nodes have; `present` on a tie with it, or when nobody votes.
+    /// Returns the rate of most nodes; `present` on a tie with it, or without any vote.
     std::uint32_t outcome(std::uint32_t present) const {
         std::uint32_t best = present;
         for (const auto& [rate, count] : votes_) {

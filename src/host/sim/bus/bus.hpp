@@ -1,4 +1,4 @@
-// A bus as the run loop sees it: nodes on the one side, descriptors and deadlines on the other.
+// The interface of a bus for the run loop: nodes on one side, descriptors and deadlines on the other.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,29 @@
 
 namespace canproof::host {
 
-/// What a bus asks and tells one of its nodes.
+/// The interface of a node for its bus.
 class BusNode {
   public:
     virtual ~BusNode() = default;
 
     virtual const std::string& name() const = 0;
-    /// The frame to be sent next; nullptr when there is none.
+    /// Returns the next frame to send; nullptr when there is none.
     virtual const Frame* next_frame() const = 0;
-    /// That frame is on its way: the node forgets it.
+    /// Removes the next frame, whose transmission has started.
     virtual void take_frame() = 0;
     virtual void receive(const Frame& frame, Instant now) = 0;
     virtual void set_can_state(CanState state, Instant now) = 0;
-    /// A frame for this node was lost for want of room; false when that has ended.
+    /// Reports whether the last frame for this node was lost because there was no room.
     virtual void set_overrun(bool lost, Instant now) = 0;
-    /// The frames that the node may react to; changes as it is configured.
+    /// Returns the filters for the frames to which the node can react; its configuration changes them.
     virtual const std::vector<AcceptanceFilter>& filters() const = 0;
-    /// bit/s that its CAN controller works at; 0: whatever the bus has.
+    /// Returns the bit rate of its CAN controller in bit/s; 0 when the node has no bit rate of its own.
     virtual std::uint32_t bit_rate() const = 0;
-    /// Whether it says when its next frame, its filters or its bit rate may be others. A bus looks at another node
-    /// again and again.
+    /// Returns whether the node calls its listeners when its next frame, its filters or its bit rate may have changed.
+    /// A bus inspects any other node in every step.
     virtual bool tells_changes() const { return false; }
 
-    /// Has `listener` called at each such change; as long as the node lives.
+    /// Adds a listener for each such change, for the lifetime of the node.
     void on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }
 
   protected:
@@ -47,25 +47,25 @@ class BusNode {
     std::vector<std::function<void()>> listeners_;
 };
 
-/// A frame that went over the bus.
+/// A frame that the bus has transmitted.
 struct BusFrame {
     Instant time{};
     Frame frame{};
     const BusNode* sender{nullptr};  ///< nullptr: it came from outside
 };
 
-/// What has happened on a bus so far.
+/// The statistics of a bus since its start.
 struct BusReport {
     std::uint64_t frames{0};
     std::uint64_t errors{0};     ///< error frames
-    std::uint64_t lost{0};       ///< frames that came faster than they were read: neither logged nor counted
-    std::uint64_t missed{0};     ///< the same, of frames meant for nodes here
-    double load{0.0};            ///< 0…1, over the last second
-    Duration worst_latency{};    ///< from when a frame stood first in its node's queue until its last bit
-    std::uint32_t bit_rate{0U};  ///< bit/s; 0: not known
+    std::uint64_t lost{0};       ///< frames that arrived faster than they were read: neither logged nor counted
+    std::uint64_t missed{0};     ///< the same for frames to nodes here
+    double load{0.0};            ///< 0 to 1, over the last second
+    Duration worst_latency{};    ///< from the moment at which a frame became the first of its node until its last bit
+    std::uint32_t bit_rate{0U};  ///< bit/s; 0: unknown
 };
 
-/// A descriptor that a bus waits for.
+/// A descriptor on whose readiness a bus waits.
 struct Watch {
     int descriptor{-1};
     bool readable{true};
@@ -75,28 +75,28 @@ struct Watch {
 using FrameListener = std::function<void(const BusFrame&)>;
 using NoticeListener = std::function<void(const std::string&)>;
 
-/// Everything happens in advance(), in order of time; poll() only takes in what has arrived. Neither waits.
+/// A bus. All events happen in advance() in order of time; poll() only reads arrived data. Neither waits.
 class Bus {
   public:
     virtual ~Bus() = default;
 
-    /// `node` must outlive the bus. Before the first advance().
+    /// Adds a node before the first advance(). `node` must outlive the bus.
     virtual void attach(BusNode& node) = 0;
-    /// Sends a frame of nobody's (a line on standard input). False when it cannot be taken now.
+    /// Sends a frame that belongs to no node (a line on standard input). Returns false when the bus cannot take it now.
     virtual bool put(const Frame& frame, Instant now) = 0;
     virtual std::vector<Watch> watches() const = 0;
-    /// Reads the descriptors; what came is due at the time at which it came. Gives the time up to which everything that
-    /// came is known: `now`, or earlier when there was more than one turn reads.
+    /// Reads the descriptors. Arrived data are due at their time of arrival. Returns the time up to which all arrivals
+    /// are known: `now`, or an earlier time when more arrived than one call reads.
     virtual Instant poll(Instant now) = 0;
     virtual void advance(Instant now) = 0;
     virtual Instant next_deadline() const = 0;
     virtual BusReport report(Instant now) const = 0;
-    /// Name of the interface as a log shows it.
+    /// Returns the name of the interface for a log.
     virtual const std::string& interface() const = 0;
 
-    /// Is told every frame once, in order of time.
+    /// Sets the listener, which receives every frame once, in order of time.
     void listen(FrameListener listener) { listener_ = std::move(listener); }
-    /// Is told what the user should know: "vcan0 is down; waiting for it".
+    /// Sets the listener for messages to the user: "vcan0 is down; waiting for it".
     void on_notice(NoticeListener listener) { notice_ = std::move(listener); }
 
   protected:

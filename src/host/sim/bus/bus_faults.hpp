@@ -1,4 +1,4 @@
-// What goes wrong on the in-process bus, drawn from a seed: the same seed breaks the same frames.
+// Random faults of the in-process bus; the same seed gives the same faults.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace canproof::host {
 
-/// Probabilities 0…1, each drawn once a frame.
+/// Probabilities from 0 to 1 per frame.
 struct BusFaultRates {
-    double corrupted{0.0};  ///< a bit flips: an error frame, and the frame is sent again
+    double corrupted{0.0};  ///< a bit error: an error frame follows, and the frame is sent again
     double lost{0.0};       ///< one receiver has no room for the frame
     double bus_off{0.0};    ///< the sender's controller goes bus-off after the frame
     std::uint64_t seed{1U};
@@ -17,7 +17,7 @@ struct BusFaultRates {
     bool any() const { return corrupted > 0.0 || lost > 0.0 || bus_off > 0.0; }
 };
 
-/// `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`, any of them. Throws InputError.
+/// Parses `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`, in which each part is optional. Throws InputError.
 BusFaultRates parse_bus_faults(const std::string& text);
 
 class BusFaults {
@@ -27,11 +27,11 @@ class BusFaults {
     bool corrupts() { return happens(rates_.corrupted); }
     bool loses() { return happens(rates_.lost); }
     bool switches_off() { return happens(rates_.bus_off); }
-    /// 0 … count − 1
+    /// Returns a number from 0 to count − 1.
     std::size_t pick(std::size_t count) { return static_cast<std::size_t>(generator_() % count); }
 
   private:
-    // Standard distributions differ between libraries; the generator's own numbers do not.
+    // The numbers of the generator are the same everywhere; those of the standard distributions depend on the library.
     bool happens(double probability) {
         constexpr double numbers = 4294967296.0;
         return probability > 0.0 && static_cast<double>(generator_() >> 32U) < probability * numbers;

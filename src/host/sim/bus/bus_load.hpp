@@ -1,4 +1,4 @@
-// How busy a bus has been over the last second.
+// The load of a bus over the last second.
 #pragma once
 
 #include <algorithm>
@@ -12,16 +12,16 @@ class BusLoad {
   public:
     static constexpr std::uint64_t window = 1000000000;
 
-    /// The bus was busy from `start` to `end`; one after another.
+    /// Adds a busy period from `start` to `end`; the periods are ascending and do not overlap.
     void add(std::uint64_t start, std::uint64_t end) { busy_.push_back({start, end}); }
-    /// What ended more than a second before `now` counts no more.
+    /// Removes the periods that ended more than a second before `now`.
     void forget_before(std::uint64_t now) {
         while (!busy_.empty() && busy_.front().end + window < now) {
             busy_.pop_front();
         }
     }
-    /// 0…1, over the second before `now` or the time since 0 when that is shorter. `running_since`: the start of a
-    /// frame that is on the wire still; `now` when there is none.
+    /// Returns the load from 0 to 1 over the second before `now`, or over the time since 0 when that is shorter.
+    /// `running_since` is the start of the present transmission; `now` when there is none.
     double at(std::uint64_t now, std::uint64_t running_since) const {
         const std::uint64_t length = std::min(now, window);
         const std::uint64_t begin = now - length;

@@ -9,7 +9,7 @@ constexpr unsigned extension_bits = 18U;
 constexpr unsigned crc_bits = 15U;
 constexpr std::uint16_t crc_polynomial = 0x4599U;
 constexpr unsigned stuff_after = 5U;
-/// CRC delimiter, acknowledge slot, its delimiter, seven bits end of frame: never stuffed.
+/// Bits without stuffing: CRC delimiter, acknowledge slot, its delimiter, seven bits end of frame.
 constexpr unsigned tail_bits = 1U + 1U + 1U + 7U;
 
 void append(std::vector<bool>& bits, std::uint32_t value, unsigned count) {

@@ -25,7 +25,7 @@ constexpr bool is_blank(char c) {
     return c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
 }
 
-/// Cuts the next word off a line; empty when there is none.
+/// Removes and returns the next word of a line; empty when there is none.
 std::string_view next_word(std::string_view& line) {
     std::size_t begin = 0;
     while (begin < line.size() && is_blank(line[begin])) {

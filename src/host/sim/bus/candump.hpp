@@ -1,4 +1,4 @@
-// candump's log format: `(seconds.micros) iface ID#DATA`, `ID#R` for a remote frame.
+// The log format of candump: `(seconds.micros) iface ID#DATA`, `ID#R` for a remote frame.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// What a log says of who has sent a frame: T for whoever wrote the log, R for others.
+/// The direction of a frame in a log: T for the program that wrote the log, R for others.
 enum class LogMark : std::uint8_t { none, transmitted, received };
 
 struct LoggedFrame {
@@ -20,25 +20,25 @@ struct LoggedFrame {
     std::string interface;
     Frame frame{};
     LogMark mark{LogMark::none};
-    bool error{false};  ///< an error frame, as candump logs it: no frame that a node receives
-    bool coded{false};  ///< with a length code of 9 to 15 behind the data: eight bytes all the same
+    bool error{false};  ///< an error frame in candump's form; no node receives it
+    bool coded{false};  ///< has a length code of 9 to 15 after the data: the length is still eight bytes
 };
 
-/// One line of a log; `candump -L -x` marks frames with T and R. Throws InputError, which names `where` ("file:line").
+/// Parses one line of a log; `candump -L -x` marks frames with T and R. Throws InputError with `where` ("file:line").
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where);
-/// What stands in a log beside frames as a node receives them.
+/// Numbers of unusual lines in a log.
 struct LogCounts {
     std::uint64_t error_frames{0};
     std::uint64_t coded_lengths{0};
 };
 
-/// The frames of a log one after another, in ascending time. Empty lines and error frames are passed over.
+/// Reads the frames of a log one after another, in ascending time. Skips empty lines and error frames.
 class CandumpReader {
   public:
     /// `name` is for messages.
     CandumpReader(std::istream& in, std::string name) : lines_{in, std::move(name)} {}
 
-    /// False at the end. Throws InputError.
+    /// Reads the next frame. Returns false at the end. Throws InputError.
     bool next(LoggedFrame& frame);
     const LogCounts& counts() const { return counts_; }
 
@@ -48,12 +48,13 @@ class CandumpReader {
     LogCounts counts_;
 };
 
-/// All frames of a log.
+/// Reads all frames of a log.
 std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& name);
 std::string format_candump_line(const LoggedFrame& logged);
-/// `703#00`
+/// Returns the text of a frame: `703#00`.
 std::string format_frame(const Frame& frame);
-/// `703#00` to a frame, also with a length code behind eight bytes (`303#0102030405060708_F`); throws InputError.
+/// Parses a frame such as `703#00`, also with a length code after eight bytes (`303#0102030405060708_F`). Throws
+/// InputError.
 Frame parse_frame(const std::string& text, const std::string& where);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Which frames of a record are a node's own: those that it has sent and that have not yet been seen coming back.
+// Recognises a node's own frames in a record: frames that it has sent and that have not come back yet.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class EchoMatcher {
         }
         open.push_back({frame, owner});
     }
-    /// Whose this frame is; `nobody` when nobody has sent it. Each frame sent is recognised once.
+    /// Returns the sender of the frame; `nobody` when no node has sent it. Each sent frame is recognised once.
     Owner match(const Frame& frame, Owner nobody) {
         const auto of_identifier = open_.find(key(frame));
         if (of_identifier == open_.end()) {
@@ -37,8 +37,7 @@ class EchoMatcher {
     }
 
   private:
-    // Of one identifier: more than wait unread in a socket, all sent on requests that stand before them. Older ones
-    // never came back.
+    // Greatest number of open frames per identifier: more than can be unread in a socket. Older frames never came back.
     static constexpr std::size_t most_open = 1U << 17U;
     struct Sent {
         Frame frame;

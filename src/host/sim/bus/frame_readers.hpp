@@ -1,4 +1,4 @@
-// Who reads which frame: a frame finds its receivers by its identifier, however many nodes there are.
+// Finds the receivers of a frame by its identifier, with an effort independent of the number of nodes.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace canproof::host {
 
-/// Readers are numbers that their owner gives. A filter for one identifier costs nothing when another identifier comes;
-/// a filter for several is looked at for each frame.
+/// A map from frames to readers. A reader is a number that the owner chooses. Filters for one identifier are found in a
+/// hash table; a filter for several identifiers is compared with each frame.
 class FrameReaders {
   public:
-    /// From now on `reader` reads what one of `filters` lets through, and nothing else. An empty list removes it.
+    /// Sets the filters of `reader`, which replace its former ones. An empty list removes the reader.
     void set(std::size_t reader, const std::vector<AcceptanceFilter>& filters);
-    /// The readers of this frame, each once, in ascending order.
+    /// Returns the readers of this frame, each once, in ascending order.
     std::vector<std::size_t> of(const Frame& frame) const;
 
   private:

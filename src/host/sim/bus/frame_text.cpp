@@ -12,7 +12,8 @@ constexpr std::size_t base_digits = 3;
 constexpr std::size_t extended_digits = 8;
 constexpr std::uint32_t highest_base = 0x7FFU;
 constexpr std::uint32_t highest_extended = 0x1FFFFFFFU;
-constexpr std::uint32_t error_flag = 0x20000000U;  // of an error frame's identifier the only bit above the 29
+constexpr std::uint32_t error_flag = 0x20000000U;  // an error frame's identifier has only this bit above the lower 29
+                                                   // bits
 constexpr unsigned no_digit = 16;
 
 unsigned digit_of(char c) {
@@ -22,7 +23,7 @@ unsigned digit_of(char c) {
                                   : no_digit;
 }
 
-/// Up to eight hexadecimal digits; nothing when there is another character.
+/// Parses up to eight hexadecimal digits; returns nothing for another character.
 std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
     std::uint32_t value = 0;
     for (const char c : digits) {
@@ -51,7 +52,8 @@ TextFault read_data(Frame& frame, std::string_view data) {
     return sound ? TextFault{} : fmt::format("data `{}` is not up to eight bytes in hexadecimal", data);
 }
 
-/// Classic CAN has codes from 9 to 15 for a length of eight as well: candump writes one of those behind `_`.
+/// Removes a length code after `_`. Classic CAN also has the codes 9 to 15 for a length of eight, which candump writes
+/// in this form.
 TextFault cut_length_code(std::string_view& data, bool& coded) {
     const auto at = data.find('_');
     coded = at != std::string_view::npos;
@@ -77,7 +79,7 @@ TextFault read_remote(Frame& frame, std::string_view length) {
     return std::nullopt;
 }
 
-/// By hand: a log has thousands of frames a second.
+/// Appends digits without a formatting library, because a log can have thousands of frames a second.
 void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
     for (unsigned left = digits; left > 0U; --left) {
         text += "0123456789ABCDEF"[(value >> (4U * (left - 1U))) & 0xFU];

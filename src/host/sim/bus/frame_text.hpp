@@ -1,5 +1,5 @@
-// A frame as candump writes it: `603#2B116401B33E0000`, `703#R` for a remote frame. Read character by character and
-// without memory of its own: a log has millions of them.
+// Frames in the text form of candump: `603#2B116401B33E0000`, `703#R` for a remote frame. The parser reads single
+// characters and allocates no memory, because a log can have millions of frames.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace canproof::host {
 
-/// What is wrong with a text; nothing when it is sound.
+/// The fault of a text; nothing for a valid text.
 using TextFault = std::optional<std::string>;
 
 struct FrameText {
     Frame frame{};
-    bool error{false};  ///< an error frame, as candump logs it
-    bool coded{false};  ///< with a length code of 9 to 15 behind the data: eight bytes all the same
+    bool error{false};  ///< an error frame in candump's form
+    bool coded{false};  ///< has a length code of 9 to 15 after the data: the length is still eight bytes
 };
 
-/// Reads a frame as a node receives it.
+/// Parses a frame that a node can receive.
 TextFault read_frame_text(std::string_view text, FrameText& read);
-/// The same, or an error frame: `20000004#0000000000000000`.
+/// Parses such a frame or an error frame: `20000004#0000000000000000`.
 TextFault read_logged_frame(std::string_view text, FrameText& read);
 
-/// Whether both are written the same.
+/// Returns whether both frames have the same text.
 bool are_alike(const Frame& a, const Frame& b);
-/// `703#00`, behind what stands in `text`.
+/// Appends a frame such as `703#00` to `text`.
 void append_frame(std::string& text, const Frame& frame);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// A door between a bus and something outside: frames go in by order of arrival, never more than it holds.
+// A gateway between a bus and the outside. It sends frames in order of arrival and stores a limited number of them.
 #pragma once
 
 #include <deque>
@@ -13,11 +13,11 @@ class Gateway final : public BusNode {
   public:
     using Outlet = std::function<void(const Frame&, Instant)>;
 
-    /// `outlet` gets each frame that another node sent; it may be empty.
+    /// `outlet` receives each frame that another node has sent; it may be empty.
     Gateway(std::string name, std::size_t capacity, Outlet outlet)
         : name_{std::move(name)}, capacity_{capacity}, outlet_{std::move(outlet)} {}
 
-    /// False when the door is full: the frame must wait outside.
+    /// Stores a frame to send. Returns false when the gateway is full: the caller must wait.
     bool put(const Frame& frame) {
         if (is_full()) {
             return false;

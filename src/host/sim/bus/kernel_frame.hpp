@@ -1,4 +1,4 @@
-// Frames, filters and error frames as the kernel writes them (linux/can.h, linux/can/error.h).
+// Converts frames, filters and error frames to and from the kernel's form (linux/can.h, linux/can/error.h).
 #pragma once
 
 #include <linux/can.h>
@@ -12,16 +12,16 @@
 namespace canproof::host {
 
 can_frame to_kernel(const Frame& frame);
-/// Of a data or remote frame; more than eight bytes cannot be.
+/// Converts a data or remote frame; a length above eight bytes becomes eight.
 Frame from_kernel(const can_frame& frame);
 bool is_error_frame(const can_frame& frame);
 
-/// For CAN_RAW_FILTER. More than the kernel takes become one that lets all through.
+/// Returns the filters for CAN_RAW_FILTER. If there are more than the kernel accepts, one filter accepts every frame.
 std::vector<can_filter> kernel_filters(const std::vector<AcceptanceFilter>& filters);
 
-/// What an error frame says about the controller.
+/// The state of the controller in an error frame.
 struct ControllerNews {
-    std::optional<CanState> state;  ///< nothing: as it was
+    std::optional<CanState> state;  ///< nothing: unchanged
     bool overrun{false};
 };
 

@@ -1,4 +1,4 @@
-// Raw CAN sockets of Linux; the interface's controller through libsocketcan.
+// Raw CAN sockets of Linux; libsocketcan controls the interface.
 #include "host/sim/bus/linux_can_system.hpp"
 
 #include <fcntl.h>
@@ -21,9 +21,9 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t batch = 64;  // frames a system call
+constexpr std::size_t batch = 64;  // frames per system call
 
-/// Room for the time stamp and the drop counter of one frame.
+/// Memory for the time stamp and the drop counter of one frame.
 struct Control {
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t))> bytes{};
 };
@@ -32,7 +32,8 @@ bool set(int descriptor, int level, int option, int value) {
     return setsockopt(descriptor, level, option, &value, sizeof value) == 0;
 }
 
-/// Past the system's limit for those who may, up to the limit for others. True when all of it was given.
+/// Enlarges the receive buffer: beyond the system's limit if permitted, otherwise up to it. Returns whether the buffer
+/// has the full size.
 bool make_room(int descriptor) {
     if (set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {
         return true;
@@ -68,7 +69,8 @@ void read_control(msghdr& message, CanReception& got) {
     }
 }
 
-/// libsocketcan prints what it does not find, such as the bit rate of a vcan; what matters is told by the bus.
+/// Silences standard error: libsocketcan prints a message for missing data, such as the bit rate of a vcan. The bus
+/// itself reports the relevant errors.
 class Hush {
   public:
     Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {

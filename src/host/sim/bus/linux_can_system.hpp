@@ -1,11 +1,11 @@
-// The kernel's raw CAN sockets.
+// The raw CAN sockets of the kernel.
 #pragma once
 
 #include "host/sim/bus/can_system.hpp"
 
 namespace canproof::host {
 
-/// One for the whole program.
+/// Returns the only object of the program.
 CanSystem& linux_can_system();
 
 }  // namespace canproof::host

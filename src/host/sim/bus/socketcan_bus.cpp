@@ -18,9 +18,9 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t reads_at_once = 4096;  // a socket, in one turn: a flood on one cannot starve the others
+constexpr std::size_t reads_at_once = 4096;  // per socket and turn, so that one busy socket cannot block the others
 constexpr std::size_t lines_held = 256;
-constexpr Duration clock_tolerance = milliseconds(50);  // beyond that somebody has set the clock
+constexpr Duration clock_tolerance = milliseconds(50);  // a larger difference means that the clock was set
 
 bool is_gone(int error) {
     return error == ENETDOWN || error == ENODEV || error == ENXIO || error == ENOENT;
@@ -34,7 +34,7 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     open_socket(ports_.front());
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
-    lose_interface(now);  // unless it is up
+    lose_interface(now);  // returns without effect when the interface is up
 }
 
 SocketCanBus::~SocketCanBus() {
@@ -78,14 +78,14 @@ Instant SocketCanBus::poll(Instant now) {
         clock_is_known_ = true;
     }
     if (arrived_.size() >= most_arrived && arrived_.front().time <= known_) {
-        return known_;  // the run is behind: the rest waits in the kernel, which counts what it cannot hold
+        return known_;  // the run is late: further frames wait in the kernel, which counts those that it drops
     }
     known_ = now;
     const auto held = static_cast<std::ptrdiff_t>(arrived_.size());
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    // What was held is in order already: a run that is behind holds much of it, turn after turn.
+    // The earlier arrivals are already sorted; a late run keeps many of them from turn to turn.
     const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
     };
@@ -97,7 +97,7 @@ Instant SocketCanBus::poll(Instant now) {
     return known_;
 }
 
-/// Gives the time up to which this socket has been read.
+/// Reads a socket. Returns the time up to which it has been read.
 Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     Port& from = ports_[port];
     Instant last = now;
@@ -120,8 +120,8 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     return last;
 }
 
-/// The kernel's stamp on the run's clock, now when there is none; one that lies before what was already delivered is
-/// due at once.
+/// Returns the kernel's time stamp on the run's clock; `now` without a time stamp. A time before delivered frames
+/// becomes the present one.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
     const std::int64_t us = static_cast<std::int64_t>(stamp_ns / 1000) + clock_offset_us_;
     const Instant stamped = us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
@@ -135,7 +135,7 @@ void SocketCanBus::advance(Instant now) {
         arrived_.pop_front();
         take(arrival);
         if (ports_[arrival.port].node != nullptr) {
-            // Frames of the same time must not pile up their answers in the node.
+            // The answers to several frames of the same time must not accumulate in the node.
             send_when_due(ports_[arrival.port], now);
         }
     }
@@ -180,15 +180,16 @@ void SocketCanBus::take(const Arrival& arrival) {
     }
     set_overrun(port, arrival.lost_before, arrival.time);
     port.node->receive(frame, arrival.time);
-    follow_node(port);  // new filters before the answer to what changed them goes out
+    follow_node(port);  // the new filters must apply before the node answers
 }
 
 void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
     if (port.node == nullptr || down_) {
-        return;  // an interface that is down has been told as bus-off, whatever its controller said before
+        return;  // an interface that is down is already reported as bus-off
     }
     const ControllerNews news = read_error_frame(frame);
-    errors_ += &port == &ports_[1] ? 1U : 0U;  // each node hears of it
+    errors_ += &port == &ports_[1] ? 1U : 0U;  // every node gets each error frame, so only those of the first are
+                                               // counted
     if (news.overrun) {
         set_overrun(port, true, now);
     }
@@ -239,7 +240,7 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             port.node->take_frame();
         } else {
             port.waiting.pop_front();
-            count(frame, now);  // a socket does not hear itself
+            count(frame, now);  // a socket does not receive its own frames
             tell(BusFrame{now, frame, nullptr});
         }
         port.pause = Duration{};

@@ -1,4 +1,5 @@
-// A SocketCAN interface: each node has a raw socket of its own with its own kernel filters; one more hears everything.
+// A bus on a SocketCAN interface. Each node has its own raw socket with kernel filters; one further socket receives
+// everything.
 #pragma once
 
 #include <deque>
@@ -12,24 +13,25 @@
 
 namespace canproof::host {
 
-/// Whether the run may change the interface itself, which others use too.
+/// Whether the run may change the interface itself, which other programs use as well.
 enum class InterfaceControl {
-    none,    ///< says what it would have done
-    granted  ///< sets the bit rate that LSS asks for, restarts the controller after bus-off
+    none,    ///< only reports what it would have done
+    granted  ///< sets the bit rate that LSS requests, restarts the controller after bus-off
 };
 
-/// Frames count from when the kernel stamped them. A node is told bus-off while the interface is down: it can send
-/// nothing, and what it wanted to send then is out of date. A full device queue (ENOBUFS) is waited for, frame in hand.
+/// A bus of the kernel. A frame has the time of its kernel time stamp. While the interface is down, a node has the
+/// state bus-off: it cannot send, and its waiting frames become out of date. When the device queue is full (ENOBUFS),
+/// the bus keeps the frame and tries again.
 class SocketCanBus final : public Bus {
   public:
-    /// After ENOBUFS the next try comes after this, then after twice as long, up to the second.
+    /// First pause after ENOBUFS; each further pause doubles, up to `longest_pause`.
     static constexpr Duration first_pause = milliseconds(1);
     static constexpr Duration longest_pause = milliseconds(16);
-    /// How often an interface that is down or gone is looked for.
+    /// Period of the search for an interface that is down or gone.
     static constexpr Duration search_period = milliseconds(100);
-    /// A controller that has not recovered from bus-off by itself is restarted after this.
+    /// Time after which a controller that has not recovered from bus-off is restarted.
     static constexpr Duration restart_after = milliseconds(500);
-    /// A run that is behind keeps about so many frames; then it leaves them in the kernel.
+    /// Approximate number of frames that a late run keeps; further frames stay in the kernel.
     static constexpr std::size_t most_arrived = 65536;
 
     /// `now` is the time at which the bus is opened. Throws InputError when the interface cannot be opened.
@@ -49,24 +51,24 @@ class SocketCanBus final : public Bus {
 
   private:
     struct Port {
-        BusNode* node{nullptr};  ///< nullptr: the socket that hears everything, and sends what put() gets
+        BusNode* node{nullptr};  ///< nullptr: the socket that receives everything and sends the frames of put()
         int descriptor{-1};
         std::vector<AcceptanceFilter> filters;
-        std::uint32_t dropped{0};  ///< the socket's own count
-        std::uint64_t lost{0};     ///< of all its sockets
+        std::uint32_t dropped{0};  ///< the count of the socket
+        std::uint64_t lost{0};     ///< sum over all its sockets
         bool overrun{false};
         CanState told{CanState::error_active};
         Instant retry{never};
         Duration pause{};
         std::uint32_t bit_rate{0};
-        std::deque<Frame> waiting;  ///< from put()
+        std::deque<Frame> waiting;  ///< frames of put()
     };
     struct Arrival {
         Instant time{};
         std::size_t port{0};
         can_frame frame{};
         bool lost_before{false};
-        std::uint64_t order{0};  ///< of reading: equal times keep it
+        std::uint64_t order{0};  ///< order of reading, kept for equal times
     };
 
     void open_sockets(Instant now);
@@ -102,9 +104,9 @@ class SocketCanBus final : public Bus {
     bool clock_is_known_{false};
     std::int64_t clock_offset_us_{0};  ///< run time minus real time
     std::deque<Arrival> arrived_;
-    Instant known_{};  ///< everything that came up to then is read
+    Instant known_{};  ///< all arrivals up to this time have been read
     std::uint64_t arrivals_{0};
-    std::vector<CanReception> received_;  ///< of one system call
+    std::vector<CanReception> received_;  ///< frames of one system call
     bool roomy_{true};
     bool losses_are_news_{false};
     Instant losses_told_{never};

@@ -1,4 +1,4 @@
-// What the SocketCanBus counts and reports: frames, load, losses.
+// The statistics of SocketCanBus: frames, load, losses.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ constexpr Duration losses_period = milliseconds(1000);
 }  // namespace
 
 void SocketCanBus::count_losses(Port& port, std::uint32_t dropped) {
-    port.lost += dropped - port.dropped;  // the kernel's count may wrap
+    port.lost += dropped - port.dropped;  // correct even after an overflow of the kernel's counter
     losses_are_news_ = losses_are_news_ || dropped != port.dropped;
     port.dropped = dropped;
 }

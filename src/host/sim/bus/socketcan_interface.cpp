@@ -1,4 +1,4 @@
-// The interface below the SocketCanBus: its sockets, its bit rate, and its coming and going.
+// The interface of SocketCanBus: its sockets, its bit rate, and its loss and return.
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ void SocketCanBus::close_sockets() {
     }
 }
 
-/// Without node-ID or with another configuration a node listens to other frames, at another rate.
+/// Follows a change of the node: another node-ID or configuration changes its filters and can change its bit rate.
 void SocketCanBus::follow_node(Port& port) {
     if (port.descriptor >= 0) {
         const std::vector<AcceptanceFilter>& wanted = port.node->filters();
@@ -85,7 +85,7 @@ void SocketCanBus::change_bit_rate(const Port& port) {
     }
 }
 
-/// The kernel reports a change of the interface even when it is over: what counts is how things are now.
+/// Handles a loss of the interface. The kernel reports a change even when it is over, so the present state decides.
 void SocketCanBus::lose_interface(Instant now) {
     const bool same = system_.interface_number(interface_) == number_;
     if (same && system_.is_up(interface_)) {
@@ -119,10 +119,10 @@ void SocketCanBus::look_for_interface(Instant now) {
                 open_socket(port);
             }
         } catch (const InputError&) {
-            return;  // gone again: the next look will tell
+            return;  // the interface is gone again: the next search reports it
         }
         number_ = number;
-        own_ = EchoMatcher<Sender>{};  // what went out of the old sockets does not come back in the new ones
+        own_ = EchoMatcher<Sender>{};  // frames sent through the old sockets do not arrive at the new ones
     }
     down_ = false;
     look_at_ = never;

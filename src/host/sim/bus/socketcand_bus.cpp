@@ -23,8 +23,8 @@ namespace canproof::host {
 namespace {
 
 constexpr int waiting_connections = 8;
-constexpr int kernel_room =
-    64 * 1024;  // bytes a client, beside the session's own bound: who does not read is found out
+constexpr int kernel_room = 64 * 1024;  // bytes per client, in addition to the session's own limit: a client that does
+                                        // not read must be detected
 
 [[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
     throw InputError{
@@ -32,7 +32,7 @@ constexpr int kernel_room =
                     address.host, address.port, why)};
 }
 
-/// A listening socket, non-blocking.
+/// Returns a non-blocking listening socket.
 int listen_at(const ListenAddress& address) {
     addrinfo wish{};
     wish.ai_socktype = SOCK_STREAM;
@@ -44,7 +44,7 @@ int listen_at(const ListenAddress& address) {
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    // Best effort: without it a port is free again a minute later.
+    // Best effort: without this option, the port is blocked for about a minute after use.
     static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on));
     const bool sound = descriptor >= 0 && bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
                        listen(descriptor, waiting_connections) == 0;
@@ -59,7 +59,7 @@ int listen_at(const ListenAddress& address) {
     return descriptor;
 }
 
-/// Best effort: a socket without one of them works as well.
+/// Sets socket options, best effort: the socket works without them as well.
 void set_options(int descriptor) {
     const auto set = [&](int level, int option, int value) {
         static_cast<void>(setsockopt(descriptor, level, option, &value, sizeof value));
@@ -72,7 +72,7 @@ void set_options(int descriptor) {
     set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
 }
 
-/// The port of a bound socket; IPv4 and IPv6 keep it at the same place.
+/// Returns the port of a bound socket; IPv4 and IPv6 have it in the same place.
 std::uint16_t port_of(int descriptor) {
     sockaddr_storage general{};
     socklen_t size = sizeof general;
@@ -181,7 +181,7 @@ void SocketcandBus::take_client(int descriptor, Instant now) {
     clients_.push_back(std::move(client));
 }
 
-/// Of those that have not opened the bus the one that came first.
+/// Frees a place: dismisses the oldest client that has not opened the bus. Returns false when there is none.
 bool SocketcandBus::make_place(Instant now) {
     const auto idle = std::find_if(clients_.begin(), clients_.end(),
                                    [&](const Client& one) { return one.is_idle() && one.joined_at + patience <= now; });
@@ -224,7 +224,7 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     }
 }
 
-/// One piece a client and turn: who sends without end takes no more than this from the others.
+/// Reads one piece per client and turn, so that a client that sends continuously cannot block the others.
 void SocketcandBus::read_client(Client& client, Instant now) {
     std::string_view got;
     std::array<char, SocketcandSession::input_limit> piece{};
@@ -246,7 +246,7 @@ void SocketcandBus::write_client(Client& client) {
     if (client.deaf) {
         client.session->sent(text.size());
     } else if (client.leaves() && text.empty()) {
-        shutdown(client.descriptor, SHUT_WR);  // it reads why, and closes
+        shutdown(client.descriptor, SHUT_WR);  // lets the client read the reason and then close
     }
     if (client.session->is_dropped()) {
         notice(fmt::format("{} was dropped: {}", client.name, client.session->dropped_because()));
@@ -275,7 +275,7 @@ void SocketcandBus::advance(Instant now) {
     bool any = false;
     for (Client& client : clients_) {
         client.session->advance(now);
-        any = client.session->receive({}, now) || any;  // the bus may have made room for what waits
+        any = client.session->receive({}, now) || any;  // the bus may have room for waiting frames now
     }
     if (any) {
         bus_.advance(now);

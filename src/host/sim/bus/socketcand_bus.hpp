@@ -1,4 +1,4 @@
-// The in-process bus with a socketcand server: machines and tools without SocketCAN join over TCP.
+// The in-process bus with a socketcand server: machines and tools without SocketCAN can join over TCP.
 #pragma once
 
 #include <memory>
@@ -10,33 +10,35 @@
 
 namespace canproof::host {
 
-/// Host and port to listen at. Port 0: any that is free.
+/// Host and port of the server. Port 0 selects any free port.
 struct ListenAddress {
     std::string host{"127.0.0.1"};
     std::uint16_t port{29536};
 };
 
-/// `127.0.0.1:29536`, `[::1]:29536`, `:0`; what is left out is as in ListenAddress. Throws InputError.
+/// Parses `127.0.0.1:29536`, `[::1]:29536`, `:0`; a missing part has the default of ListenAddress. Throws InputError.
 ListenAddress parse_listen_address(const std::string& text);
 
-/// Nobody locks others out: a client that does not open the bus is sent away, one whose machine is gone is found out by
-/// TCP keepalive, and one for whom there is no place is told so. A client that has opened the bus may be silent.
+/// A bus with clients, none of which can exclude others. A client that does not open the bus is dismissed. TCP
+/// keepalive detects a lost machine. A client without a place gets an error message. A client that has opened the bus
+/// may be silent.
 class SocketcandBus final : public Bus {
   public:
     static constexpr std::size_t most_clients = 32;
-    /// A client that has not opened the bus after this is sent away.
+    /// Time after which a client that has not opened the bus is dismissed.
     static constexpr Duration open_limit = milliseconds(10000);
-    /// Where all places are taken, a client that has not opened the bus after this gives way to a new one.
+    /// When all places are taken: time after which a client that has not opened the bus must give its place to a new
+    /// one.
     static constexpr Duration patience = milliseconds(1000);
-    /// A client that was sent away has so long to read why.
+    /// Time for a dismissed client to read the reason.
     static constexpr Duration leave_limit = milliseconds(1000);
-    /// Seconds of silence after which the kernel asks whether a peer is still there; between questions; how many.
+    /// Seconds of silence before the first keepalive probe, seconds between probes, and number of probes.
     static constexpr int keepalive_idle = 30;
     static constexpr int keepalive_interval = 10;
     static constexpr int keepalive_questions = 3;
 
-    /// Listens from here on. Throws InputError when the address cannot be had. `epoch_us`: real time at the run's time
-    /// 0.
+    /// Starts to listen. `epoch_us` is the real time at the run's time 0. Throws InputError when the address cannot be
+    /// opened.
     SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
                   std::uint64_t epoch_us);
     ~SocketcandBus() override;
@@ -52,9 +54,9 @@ class SocketcandBus final : public Bus {
     BusReport report(Instant now) const override { return bus_.report(now); }
     const std::string& interface() const override { return bus_.interface(); }
 
-    /// The port that it listens at.
+    /// Returns the port of the server.
     std::uint16_t port() const { return port_; }
-    /// Those that were sent away do not count.
+    /// Returns the number of clients without the dismissed ones.
     std::size_t clients() const;
 
   private:
@@ -63,9 +65,9 @@ class SocketcandBus final : public Bus {
         std::string name;
         std::unique_ptr<SocketcandSession> session;
         Instant joined_at{};
-        Instant closes_at{never};  ///< it was sent away
-        bool ended{false};         ///< sends no more; what it has sent still goes onto the bus
-        bool deaf{false};          ///< takes no more
+        Instant closes_at{never};  ///< time at which a dismissed client is closed
+        bool ended{false};         ///< sends no more; its buffered frames are still sent to the bus
+        bool deaf{false};          ///< receives no more
         bool gone{false};
 
         bool leaves() const { return closes_at != never; }

@@ -46,7 +46,7 @@ void SocketcandClient::go_on() {
     }
 }
 
-/// `frame ID SECONDS BYTES`; some servers leave blanks between the bytes.
+/// Parses `frame ID SECONDS BYTES`; some servers put blanks between the bytes.
 void SocketcandClient::read_frame(const std::string& text) {
     const auto words = words_of(text);
     Frame frame{};

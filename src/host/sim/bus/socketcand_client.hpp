@@ -1,4 +1,4 @@
-// What a client says to a socketcand server, and what it makes of the answers. Knows no socket.
+// The client side of the socketcand protocol, without a socket.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace canproof::host {
 
-/// Opens the bus, enters raw mode, then frames go both ways.
+/// Opens the bus and enters raw mode; then it sends and receives frames.
 class SocketcandClient {
   public:
-    /// What the server has not taken yet: beyond this frames must wait.
+    /// Limit in bytes of text that the server has not taken yet; beyond it frames must wait.
     static constexpr std::size_t output_limit = 16 * 1024;
     static constexpr std::size_t longest_command = 256;
 
@@ -20,19 +20,19 @@ class SocketcandClient {
 
     SocketcandClient(std::string bus, Receiver receiver) : bus_{std::move(bus)}, receiver_{std::move(receiver)} {}
 
-    /// What the server sent; pieces of any size.
+    /// Parses text from the server, in pieces of any size.
     void take(std::string_view text);
     bool has_joined() const { return state_ == State::joined; }
     bool may_send() const { return has_joined() && output_.size() < output_limit; }
-    /// While may_send(). A remote frame has no form in the protocol.
+    /// Sends a frame; allowed while may_send(). The protocol has no remote frames.
     void send(const Frame& frame);
 
     const std::string& output() const { return output_; }
-    /// The first `count` characters have reached the server.
+    /// Removes the first `count` characters, which have reached the server.
     void sent(std::size_t count) { output_.erase(0, count); }
-    /// The server's last word of what it does not like; empty when there was none.
+    /// Returns the server's last error message; empty when there was none.
     const std::string& complaint() const { return complaint_; }
-    /// It would not let the client join.
+    /// Returns whether the server has refused the client.
     bool is_refused() const { return !has_joined() && !complaint_.empty(); }
     std::size_t held() const { return input_.size(); }
 

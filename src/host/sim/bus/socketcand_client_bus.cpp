@@ -22,7 +22,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t lines_held = 256;  // frames that put() keeps
+constexpr std::size_t lines_held = 256;  // frames that put() stores
 constexpr std::size_t piece_size = 16384;
 constexpr Duration load_window = milliseconds(1000);
 
@@ -149,7 +149,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     return now;
 }
 
-/// A connection is there as soon as something can be written to it.
+/// Completes a connection, which exists when the socket becomes writable without an error.
 void SocketcandClientBus::finish_connecting() {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
@@ -180,7 +180,7 @@ void SocketcandClientBus::read_server(Instant now) {
 }
 
 void SocketcandClientBus::look_at_joining(Instant now) {
-    if (join_by_ == never) {  // no server is asked to
+    if (join_by_ == never) {  // no connection attempt is active
         return;
     }
     if (client_->has_joined()) {
@@ -246,7 +246,7 @@ void SocketcandClientBus::advance(Instant now) {
     write_server();
 }
 
-/// By arbitration, as on a bus of its own; the user's frames count like a node's.
+/// Sends the frame that wins the arbitration, as on a real bus; frames of the user take part like those of a node.
 void SocketcandClientBus::send_one(Instant now) {
     BusNode* const sender = next_sender();
     const bool from_outside = !outside_.empty() && (sender == nullptr || arbitration_rank(outside_.front()) <

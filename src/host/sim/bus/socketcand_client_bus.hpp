@@ -1,4 +1,4 @@
-// The bus of a socketcand server that others run: the devices join it together, as one client.
+// A bus on another program's socketcand server: the devices join it together as one client.
 #pragma once
 
 #include <netinet/in.h>
@@ -13,29 +13,30 @@
 
 namespace canproof::host {
 
-/// Where a server is, and which of its buses is meant.
+/// The address of a server and the name of its bus.
 struct SocketcandPlace {
     std::string host{"127.0.0.1"};
     std::uint16_t port{29536};
     std::string bus{"can0"};
 };
 
-/// `HOST:PORT/BUS`, `[::1]:29536`, `:29536`; what is left out is as in SocketcandPlace. Throws InputError.
+/// Parses `HOST:PORT/BUS`, `[::1]:29536`, `:29536`; a missing part has the default of SocketcandPlace. Throws
+/// InputError.
 SocketcandPlace parse_socketcand_place(const std::string& text);
 
-/// The devices hear each other here, for a server tells a client nothing of its own frames; one frame follows another
-/// as the bit rate allows. Until the server has let them join, frames wait. A server that is gone is bus-off to the
-/// devices, and is looked for.
+/// A bus behind a server. A server does not return a client's own frames, so the devices receive each other's frames
+/// here. Frames are spaced according to the bit rate. They wait until the server has accepted the client. When the
+/// server is lost, the devices get the state bus-off, and the bus searches for the server.
 class SocketcandClientBus final : public Bus {
   public:
-    /// How long a server may take to let the client join.
+    /// Time within which a server must accept the client.
     static constexpr Duration join_limit = milliseconds(5000);
     static constexpr Duration search_period = milliseconds(1000);
-    /// A run that is behind keeps about so many frames; then the server must wait.
+    /// Approximate number of frames that a late run keeps; beyond it the bus does not read from the server.
     static constexpr std::size_t most_arrived = 65536;
 
-    /// Connects without waiting. Throws InputError when there is no such server; poll() does when it does not let the
-    /// client join at first.
+    /// Starts to connect without waiting. Throws InputError when there is no such server; poll() throws it when the
+    /// first attempt to join fails.
     SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now);
     ~SocketcandClientBus() override;
     SocketcandClientBus(const SocketcandClientBus&) = delete;
@@ -88,13 +89,13 @@ class SocketcandClientBus final : public Bus {
     std::optional<SocketcandClient> client_;
     bool joined_once_{false};
     Instant join_by_{never};
-    Instant look_at_{never};  ///< for a server that is gone
+    Instant look_at_{never};  ///< next search for a lost server
     Instant polled_at_{};
     std::vector<Node> nodes_;
     std::deque<Frame> outside_;
     std::deque<Arrival> arrived_;
     Instant may_send_from_{};
-    std::deque<Busy> busy_;  ///< of the last second
+    std::deque<Busy> busy_;  ///< within the last second
     std::uint64_t frames_{0};
     bool remote_frame_told_{false};
     std::string complaint_told_;

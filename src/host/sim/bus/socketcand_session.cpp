@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t micros = 1000000;
 constexpr std::uint64_t longest_period_ms = 3600000;
 
-/// `ID LENGTH BYTE …`, all in hexadecimal; the bytes may stand together.
+/// Parses `ID LENGTH BYTE …` in hexadecimal; blanks between the bytes are optional.
 std::optional<Frame> read_frame(const std::string& text) {
     const std::vector<std::string> words = words_of(text);
     Frame frame{};
@@ -29,7 +29,7 @@ std::optional<Frame> read_frame(const std::string& text) {
         if (!together && words[i].size() > 2) {
             return std::nullopt;
         }
-        bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5, not 05
+        bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5 instead of 05
     }
     if (!length || bytes.size() != 2U * *length || !read_bytes(bytes, frame)) {
         return std::nullopt;
@@ -94,7 +94,7 @@ void SocketcandSession::obey(const std::string& command, Instant now) {
     if (word == "echo") {
         say("< echo >");
     } else if (word == "open") {
-        // There is one bus, by whatever name a client is set up for.
+        // There is only one bus: any name opens it.
         const bool named = !words_of(rest).empty();
         mode_ = named ? Mode::bcm : mode_;
         say(named ? "< ok >" : "< error could not open bus >");
@@ -142,7 +142,7 @@ void SocketcandSession::send_frame(const std::string& rest) {
     }
 }
 
-/// `SECONDS MICROSECONDS ID`: the least time between two frames is not kept, every frame is sent.
+/// Handles `SECONDS MICROSECONDS ID`. It ignores the least time between two frames: every frame is sent.
 void SocketcandSession::subscribe(const std::string& rest, bool on) {
     const std::vector<std::string> words = words_of(rest);
     Frame frame{};

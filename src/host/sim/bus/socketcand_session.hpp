@@ -1,4 +1,4 @@
-// One client of the socketcand protocol: text in, frames onto the bus, text out. Knows no socket.
+// One client of the socketcand server, without a socket: text in, frames to the bus, text out.
 #pragma once
 
 #include <cstdint>
@@ -10,44 +10,45 @@
 
 namespace canproof::host {
 
-/// The commands that python-can, SavvyCAN and socketcand's own client use: open, rawmode, bcmmode, controlmode, send,
-/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames: a client neither hears nor sends them.
-/// What is not understood gets `< error … >`.
+/// Handles the commands of python-can, SavvyCAN and socketcand's own client: open, rawmode, bcmmode, controlmode, send,
+/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames: a client neither receives nor sends
+/// them. An unknown command gets `< error … >`.
 class SocketcandSession {
   public:
-    /// Unread text that is held while the bus is busy; then the client must wait.
+    /// Limit in bytes of unprocessed text while the bus is busy; beyond it the client must wait.
     static constexpr std::size_t input_limit = 4096;
-    /// A command that is longer than this is none.
+    /// Greatest length of a command in bytes.
     static constexpr std::size_t longest_command = 256;
-    /// A client that leaves so much unread is dropped.
+    /// Limit in bytes of text that the client has not read; beyond it the client is dropped.
     static constexpr std::size_t output_limit = 256 * 1024;
     static constexpr std::size_t gateway_room = 32;
     static constexpr std::size_t most_subscriptions = 256;
 
-    /// `epoch_us` is added to times that the client sees. Greets at once.
+    /// `epoch_us` is added to the times that the client gets. Sends the greeting.
     SocketcandSession(std::string name, std::uint64_t epoch_us);
     SocketcandSession(const SocketcandSession&) = delete;
     SocketcandSession& operator=(const SocketcandSession&) = delete;
 
     Gateway& gateway() { return gateway_; }
-    /// Appends what the client sent and obeys as much of it as the bus takes now. True when a frame went onto the bus.
+    /// Appends text from the client and executes as many commands as the bus can take now. Returns true when it sent a
+    /// frame to the bus.
     bool receive(std::string_view text, Instant now);
-    /// Whether more may be read from the client.
+    /// Returns whether more text may be read from the client.
     bool wants_input() const { return !is_dropped() && input_.size() < input_limit; }
-    /// Sends the statistics that are due.
+    /// Sends the due statistics.
     void advance(Instant now);
     Instant next_deadline() const { return next_statistics_; }
 
     const std::string& output() const { return output_; }
-    /// The first `count` characters have reached the client.
+    /// Removes the first `count` characters, which have reached the client.
     void sent(std::size_t count) { output_.erase(0, count); }
-    /// Why the connection must end; empty while it may last.
+    /// Returns the reason why the connection must end; empty while it may continue.
     const std::string& dropped_because() const { return dropped_; }
     bool is_dropped() const { return !dropped_.empty(); }
 
-    /// Whether it has opened the bus.
+    /// Returns whether the client has opened the bus.
     bool has_joined() const { return mode_ != Mode::no_bus; }
-    /// Tells the client why it must go. From then on nothing that it sends counts.
+    /// Sends the reason of its dismissal to the client, whose further text is ignored.
     void send_away(const std::string& why);
 
   private:

@@ -1,4 +1,4 @@
-// Who waits for the bus, in the order in which arbitration lets them go.
+// The senders that wait for the bus, in the order of arbitration.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 
 namespace canproof::host {
 
-/// Senders are numbers; of two with the same identifier the lower number goes first.
+/// Senders are numbers; of two senders with the same identifier the lower number wins.
 class WaitingLine {
   public:
     using Place = std::pair<std::uint32_t, std::size_t>;  ///< arbitration rank, sender
 
-    /// `frame` is what the sender sends next; nullptr: nothing.
+    /// Sets the next frame of a sender; nullptr: none.
     void set(std::size_t sender, const Frame* frame) {
         const auto known = ranks_.find(sender);
         if (known != ranks_.end()) {
@@ -31,7 +31,7 @@ class WaitingLine {
         }
     }
     bool has(std::size_t sender) const { return ranks_.count(sender) != 0U; }
-    /// The winner first.
+    /// Returns the waiting senders, the winner first.
     const std::set<Place>& places() const { return places_; }
 
   private:

@@ -22,7 +22,7 @@ constexpr std::uint16_t most_pdos = 0x200U;
 constexpr std::uint16_t to_mapping = co::index::rpdo_mapping - co::index::rpdo_communication;
 constexpr std::uint32_t highest_node_id = 127U;
 
-/// The node-ID that `id` holds above `base`; 0 when it holds none.
+/// Returns the node-ID, which is the difference of `id` and `base`; 0 when it is no node-ID.
 std::uint8_t node_above(std::uint32_t base, std::uint32_t id) {
     return id > base && id <= base + highest_node_id ? static_cast<std::uint8_t>(id - base) : std::uint8_t{0};
 }
@@ -38,7 +38,7 @@ std::string name_of(std::uint8_t node_id, const std::vector<KnownNode>& nodes) {
     return node == nullptr ? fmt::format("node {}", node_id) : node->name;
 }
 
-/// Number of the PDO from `first` on that has this identifier and is valid; 0 when none has.
+/// Returns the number of the valid PDO with this identifier, among those from object `first` on; 0 when there is none.
 int pdo_number(const KnownNode& node, std::uint16_t first, std::uint32_t id) {
     for (std::uint16_t i = 0; i < most_pdos && node.objects->has(static_cast<std::uint16_t>(first + i), 1U); ++i) {
         const std::uint32_t entry = node.objects->read(static_cast<std::uint16_t>(first + i), 1U);
@@ -57,7 +57,7 @@ bool decode_pdo(const Frame& frame, const std::vector<KnownNode>& nodes, FrameWo
             if (number == 0) {
                 continue;
             }
-            // One frame may be the TPDO of one node and the RPDO of several.
+            // One frame can be the TPDO of one node and the RPDO of several nodes.
             words.node += (words.node.empty() ? "" : ", ") + node.name;
             const auto mapping = static_cast<std::uint16_t>(first + to_mapping + number - 1);
             const std::string values = frame.remote ? "asked for" : mapped_words(node, mapping, frame.payload());
@@ -88,7 +88,7 @@ std::string bytes_of(ByteView data) {
     return value_words(nullptr, data);
 }
 
-/// The classes of emergency codes that CiA 301 gives names (7.2.7.1, Table 26), the narrower first.
+/// Returns the name of the class of an emergency code (CiA 301, 7.2.7.1, Table 26); narrower classes have priority.
 std::string emcy_class(std::uint32_t code) {
     struct Class {
         std::uint32_t mask;
@@ -196,7 +196,7 @@ std::string mapped_words(const KnownNode& node, std::uint16_t index, ByteView da
     return text.empty() ? bytes_of(data) : text;
 }
 
-/// The register's word for a value of an enumeration of `part`, else of the shared part; empty when it has none.
+/// Returns the register's word for a value of an enumeration in `part` or in the shared part; empty when there is none.
 std::string FrameDecoder::word(const Part* part, const char* enumeration, std::uint64_t value) const {
     for (const Part* one : {part, register_.part("canopen")}) {
         if (one == nullptr) {
@@ -232,7 +232,8 @@ std::string FrameDecoder::emcy(ByteView data, const KnownNode* node) const {
     const std::string state = fmt::format(", error register {:02X}h", data[2]);
     const std::string description = word(node == nullptr ? nullptr : node->part, "ErrorDescription", data[4]);
     if (!description.empty()) {
-        // A device whose register names descriptions tells the channel in byte 3 and the description in byte 4.
+        // For a device whose register has descriptions of errors, byte 3 contains the channel and byte 4 the
+        // description.
         return named + (code == 0U ? "" : fmt::format(", channel {}, {}", data[3], description)) + state;
     }
     const ByteView details = data.part(3U, 5U);

@@ -1,4 +1,4 @@
-// A frame in words: which CANopen service it belongs to, whose it is, what it says (CiA 301, 7.2 and 7.3.3; CiA 305).
+// Decodes a frame: its CANopen service, its node and its content (CiA 301, 7.2 and 7.3.3; CiA 305).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// A node whose dictionary is at hand: its PDOs are told apart and their values named.
+/// A node with its dictionary, which identifies its PDOs and names their values.
 struct KnownNode {
     std::string name;
     std::uint8_t node_id{0};
@@ -23,16 +23,18 @@ enum class FrameService { nmt, sync, time, emcy, pdo, sdo, error_control, lss, o
 
 struct FrameWords {
     FrameService service{FrameService::other};
-    std::string node;  ///< name of a known node, else `node 5`; empty when it is nobody's or everybody's
+    std::string node;  ///< name of a known node, otherwise `node 5`; empty when the frame belongs to no node or to all
+                       ///< nodes
     std::string text;
 };
 
 class FrameDecoder {
   public:
-    /// `content` has the words of the shared services; it must outlive the decoder.
+    /// `content` contains the words of the shared services; it must outlive the decoder.
     explicit FrameDecoder(const Register& content) : register_{content} {}
 
-    /// Never fails: what is not understood is `other` with its bytes, or its service with what is wrong.
+    /// Decodes any frame. An unknown frame has the service `other` and its bytes; an invalid frame has its service and
+    /// a description of the fault.
     FrameWords decode(const Frame& frame, const std::vector<KnownNode>& nodes) const;
 
   private:
@@ -48,10 +50,10 @@ class FrameDecoder {
     const Register& register_;
 };
 
-/// `NMT`, `PDO` …
+/// Returns the word of a service: `NMT`, `PDO` …
 const char* service_word(FrameService service);
 
-/// What the mapping object `index` of the node makes of the data: `name = value, …`.
+/// Returns the data according to the mapping object `index` of the node: `name = value, …`.
 std::string mapped_words(const KnownNode& node, std::uint16_t index, ByteView data);
 
 }  // namespace canproof::host

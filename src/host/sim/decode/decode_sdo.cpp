@@ -1,4 +1,4 @@
-// SDO frames in words (CiA 301, 7.2.4.3). A frame is read by itself: a segment does not say which object it belongs to.
+// Decodes SDO frames (CiA 301, 7.2.4.3). Each frame is decoded alone, so the object of a segment is not known.
 #include <fmt/format.h>
 
 #include "firmware/canopen/sdo_protocol.hpp"
@@ -17,7 +17,7 @@ std::string object_of(ByteView data, const Part* part) {
                        data[sdo::subindex_position]);
 }
 
-/// The value of an expedited transfer; its length stands in the bits above, all four bytes where it does not.
+/// Returns the value of an expedited transfer. Its length is in the command byte; without one, all four bytes count.
 std::string expedited_value(ByteView data, const Part* part) {
     const bool sized = (data[0] & sdo::size_flag) != 0U;
     const std::size_t unused = sized ? (data[0] >> 2U) & 3U : 0U;

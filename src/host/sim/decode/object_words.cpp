@@ -26,7 +26,7 @@ std::string digits(ByteView bytes) {
     return text;
 }
 
-/// Two's complement of `size` bytes.
+/// Returns the two's complement of `size` bytes.
 std::int64_t signed_value(std::uint64_t bits, std::size_t size) {
     const unsigned spare = 64U - 8U * static_cast<unsigned>(size);
     return static_cast<std::int64_t>(bits << spare) >> spare;
@@ -83,7 +83,7 @@ std::string value_words(const Entry* entry, ByteView bytes) {
     if (entry->type.rfind("INTEGER", 0) == 0) {
         return std::to_string(signed_value(bits, bytes.size()));
     }
-    // Identifiers, mappings and device types read best in hexadecimal.
+    // Identifiers, mappings and device types are most readable in hexadecimal.
     return entry->type == "UNSIGNED32" && bits > 0xFFFFU ? fmt::format("{:08X}h", bits) : std::to_string(bits);
 }
 

@@ -1,4 +1,4 @@
-// Entries of an object dictionary in words: what they are called, what their bytes mean.
+// Describes entries of an object dictionary in words: their names and values.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace canproof::host {
 
-/// An entry of the register; nullptr when `part` is, or when it has none there.
+/// Returns an entry of the register; nullptr when `part` is nullptr or has no such entry.
 const Entry* entry_at(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
-/// `4020h:1 TC 1 High Shutdown Threshold`; the numbers alone when the entry is unknown, without `:0` for an object of
-/// one value.
+/// Returns `4020h:1 TC 1 High Shutdown Threshold`; only the numbers for an unknown entry; without `:0` for an object
+/// with one value.
 std::string entry_words(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
-/// Little-endian bytes as the entry's type reads them; as hexadecimal digits where the type is unknown or another
-/// length.
+/// Returns the value of little-endian bytes for the entry's type; hexadecimal digits when the type is unknown or has
+/// another length.
 std::string value_words(const Entry* entry, ByteView bytes);
 
 }  // namespace canproof::host

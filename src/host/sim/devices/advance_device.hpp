@@ -1,4 +1,4 @@
-// Lets a device do what is due, and refuses one that does not: a session would ask it for ever.
+// Advances a device, and reports a device whose deadline does not move: a session would call it endlessly.
 #pragma once
 
 #include <stdexcept>
@@ -8,14 +8,14 @@
 
 namespace canproof::host {
 
-/// A device with something due that stays due however often it is told the time.
+/// The error of a device whose deadline stays in the past after advance().
 class StuckDevice : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Advances `device` to `now`. Throws StuckDevice, which names the device by `name`, when its next deadline is not
-/// later than `now` afterwards.
+/// Advances `device` to `now`. Throws StuckDevice with `name` when its next deadline is not later than `now`
+/// afterwards.
 void advance_device(SimulatedDevice& device, const std::string& name, Instant now);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// What belongs to one simulated unit and left the factory with it, by the names of `--factory`.
+// The factory values of one simulated unit by their names in `--factory`.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,8 @@ class FactoryValues {
     void set_number(const std::string& key, double value) { numbers_[key] = value; }
     void set_text(const std::string& key, const std::string& value) { texts_[key] = value; }
 
-    /// Leaves `into` as it is where nothing is given for the key. Throws InputError for what its type cannot hold.
+    /// Stores the value of the key in `into`; leaves `into` unchanged without a value. Throws InputError for a value
+    /// that does not fit the type.
     template <typename Number>
     void take(const std::string& key, Number& into) const {
         const auto found = numbers_.find(key);
@@ -44,7 +45,7 @@ class FactoryValues {
             into = value;
         }
     }
-    /// ASCII with zeros behind.
+    /// Stores the text of the key as ASCII, padded with zeros. Throws InputError for a text that is too long.
     template <std::size_t Length>
     void take(const std::string& key, std::array<std::uint8_t, Length>& into) const {
         const auto given = text(key);
@@ -59,7 +60,7 @@ class FactoryValues {
             into[i] = static_cast<std::uint8_t>((*given)[i]);
         }
     }
-    /// The part number that the unit was named by; empty where it was the device's own name.
+    /// Sets the part number with which the user named the unit; empty for the device's own name.
     void set_part_number(const std::string& number) { part_number_ = number; }
     const std::string& part_number() const { return part_number_; }
     std::optional<std::string> text(const std::string& key) const {

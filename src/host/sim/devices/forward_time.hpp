@@ -1,4 +1,4 @@
-// Virtual time of a session, which never goes back: what was due before now is done now.
+// The virtual time of a session, which never decreases: an overdue event happens at the present time.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -8,7 +8,7 @@ namespace canproof::host {
 class ForwardTime {
   public:
     Instant now() const { return now_; }
-    /// Now, once what is due at `due` is done.
+    /// Advances to `due` if that is later. Returns the present time.
     Instant reach(Instant due) {
         if (now_ < due) {
             now_ = due;

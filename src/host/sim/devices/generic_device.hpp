@@ -1,4 +1,4 @@
-// A CANopen node from any description: the whole protocol layer, plain storage behind its objects.
+// A CANopen node from any description: the complete protocol layer with plain memory for its objects.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace canproof::host {
 
-/// The emergency codes that CiA 301 gives to the errors every node can notice (7.2.7.1, Table 26).
+/// Returns the emergency codes of CiA 301 for the errors that every node can detect (7.2.7.1, Table 26).
 ErrorTable standard_errors();
 
-/// The dictionary of a generic device and what its node offers.
+/// The dictionary of a generic device and the profile of its node.
 struct GenericDescription {
     DictionaryRows rows;
     NodeProfile profile;
 };
 
-/// With LSS, the bit rates are those of CiA 305 and nothing resets the node but its master.
+/// Returns the description of a part. LSS has the profile of standard_lss().
 GenericDescription describe(const Part& part);
-/// The bit rates of CiA 305, and nothing resets the node but its master.
+/// Returns an LSS profile with the bit rates of CiA 305, in which only the master resets the node.
 LssProfile standard_lss();
 
 class GenericDevice final : private Application {
@@ -32,8 +32,8 @@ class GenericDevice final : private Application {
     GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
     void power_on(std::uint8_t node_id, Instant now) { power_on(LssConfiguration{node_id}, now); }
-    /// With what an earlier life stored, and the controller as Node::set_controller() takes it; `bit_rate()` is then
-    /// that of `stored`.
+    /// Starts with a stored LSS configuration. `can_state` and `overrun` are the controller's inputs, as in
+    /// Node::set_controller(); bit_rate() is that of `stored`.
     void power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state = 0, bool overrun = false);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
@@ -43,29 +43,29 @@ class GenericDevice final : private Application {
     const Node& node() const { return node_; }
     ObjectDictionary& objects() { return objects_; }
     const ObjectDictionary& objects() const { return objects_; }
-    /// Gives a DOMAIN entry a memory of `size` bytes, holding nothing yet.
+    /// Gives a DOMAIN entry a memory of `size` bytes without content.
     void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
-    /// Takes the memory of every DOMAIN now: nothing allocates any more.
+    /// Allocates the memory of every DOMAIN; afterwards nothing allocates.
     void take_domain_memory();
-    /// What that entry holds; empty when it holds nothing.
+    /// Returns the content of that DOMAIN entry; empty when it has none.
     ByteView held(std::uint16_t index, std::uint8_t subindex) const;
-    /// As a download would put it there.
+    /// Sets the content of a DOMAIN entry, as a download does.
     void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
-    /// As it was before anything was put there.
+    /// Removes the content of a DOMAIN entry.
     void empty(std::uint16_t index, std::uint8_t subindex);
-    /// What commit() answers from now on: AbortCode::none takes every new value.
+    /// Sets the result of commit() for a DOMAIN; AbortCode::none accepts every new value.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 
-    /// bit/s as LSS last set it.
+    /// Returns the bit rate in bit/s that LSS set last.
     std::uint32_t bit_rate() const { return bit_rate_; }
-    /// What LSS last stored.
+    /// Returns the configuration that LSS stored last.
     const LssConfiguration& stored() const { return stored_; }
-    /// Store configuration goes to `store` from now on, which must live as long.
+    /// Sets the store for LSS configurations, which must outlive the device.
     void store_in(LssStore& store) { store_ = &store; }
-    /// What store configuration answers without a store; only LssError::none keeps anything.
+    /// Sets the answer to `store configuration` without a store; only LssError::none keeps the configuration.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
-    /// How often a communication error began or ended.
+    /// Returns how often a communication error began or ended.
     int communication_errors() const { return communication_errors_; }
 
   private:
@@ -80,7 +80,7 @@ class GenericDevice final : private Application {
     MutableBytes staging(const EntryRef& entry) override;
     AbortCode commit(const EntryRef& entry, std::size_t length, Instant now) override;
 
-    /// Two memories of one size, taken when they are needed: a download gathers in the one while the other keeps the
+    /// Two memories of one size, allocated when they are first used: a download fills one while the other contains the
     /// value.
     struct Domain {
         std::uint16_t index{0};

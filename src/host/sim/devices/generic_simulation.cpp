@@ -6,9 +6,9 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t bank_overhead = 64;  // header and CRC of a bank of stored parameters, with room to grow
+constexpr std::size_t bank_overhead = 64;  // header and CRC of a bank of stored parameters, with a reserve
 
-/// Two banks of parameters, each no longer than the value image, and LSS at the end.
+/// Returns the size in bytes: two banks of parameters, each no longer than the value image, and the LSS record.
 std::size_t memory_size(const Part& part) {
     return 2 * (image_size(part) + bank_overhead) + LssStore::size;
 }

@@ -1,5 +1,5 @@
-// A generic device as the host runs it: the protocol layer on a dictionary that was read at run time, with LSS stored
-// in the same memory as its parameters.
+// The simulation of a generic device: the protocol layer on a dictionary that was read at run time. LSS and the
+// parameters share one memory.
 #pragma once
 
 #include "firmware/canopen/lss_store.hpp"
@@ -10,15 +10,14 @@ namespace canproof::host {
 
 class GenericSimulation final : public SimulatedDevice {
   public:
-    /// Bytes that each DOMAIN entry can hold, less when there are so many that together they would hold more than the
-    /// second.
+    /// Bytes of each DOMAIN entry, and limit for all of them together; many entries get less each.
     static constexpr std::size_t domain_size = 65536;
     static constexpr std::size_t all_domains_size = std::size_t{16} << 20U;
 
     explicit GenericSimulation(Part part);
 
     const Part& part() const { return part_; }
-    /// The protocol layer and its dictionary, for a test that alters what they do.
+    /// Returns the device, for a test that changes its behaviour.
     GenericDevice& device() { return device_; }
 
     void set_node_id(NodeId node_id) override;
@@ -26,7 +25,8 @@ class GenericSimulation final : public SimulatedDevice {
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
     Instant next_deadline() const override { return device_.next_deadline(); }
-    /// `can_state` and `can_overrun`, as the devices of the catalogue have them; its objects are written by SDO or PDO.
+    /// Sets `can_state` or `can_overrun`, which the devices of the catalogue have as well; SDO or PDO writes its
+    /// objects.
     bool set_input(const std::string& name, double value, Instant now) override;
     std::vector<double> inputs() const override { return {static_cast<double>(can_state_), overrun_ ? 1.0 : 0.0}; }
     const std::vector<std::string>& input_names() const override;

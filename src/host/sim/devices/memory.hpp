@@ -1,4 +1,4 @@
-// A simulated EEPROM: survives the device object, can lose power in the middle of a write.
+// A simulated EEPROM. It survives the device object and can lose power during a write.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +20,18 @@ class Memory final : public NonVolatileMemory {
     bool write(std::size_t at, ByteView bytes) override;
     bool commit() override;
 
-    /// Where a commit takes the content; false when it cannot be kept there.
+    /// Stores the content at a commit; returns false when it cannot.
     using Keeper = std::function<bool(const std::vector<std::uint8_t>&)>;
-    /// What is there now counts as kept. Without a keeper every commit succeeds.
+    /// Sets the keeper; the present content counts as kept. Without a keeper every commit succeeds.
     void keep_by(Keeper keeper) {
         keeper_ = std::move(keeper);
         kept_ = bytes_;
     }
 
-    /// Power fails after `count` more bytes: what is written after that is lost.
+    /// Lets the power fail after `count` more bytes; further writes are lost.
     void cut_power_after(std::size_t count) { bytes_left_ = count; }
     void restore_power() { bytes_left_ = std::numeric_limits<std::size_t>::max(); }
-    /// Bytes written since the start: how many places there are to cut at.
+    /// Returns the bytes written since the start, that is, the number of places for a power failure.
     std::size_t written() const { return written_; }
 
     std::vector<std::uint8_t>& bytes() { return bytes_; }
@@ -39,7 +39,7 @@ class Memory final : public NonVolatileMemory {
   private:
     std::vector<std::uint8_t> bytes_;
     Keeper keeper_;
-    std::vector<std::uint8_t> kept_;  ///< with a keeper
+    std::vector<std::uint8_t> kept_;  ///< content of the last commit; only with a keeper
     std::size_t bytes_left_{std::numeric_limits<std::size_t>::max()};
     std::size_t written_{0};
 };

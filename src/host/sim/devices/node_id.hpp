@@ -1,4 +1,4 @@
-// The node-IDs that a device can be given from outside. No other number gets as far as a device.
+// The node-IDs that a user can give to a device; no other number reaches a device.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// 1…127, or 255 for a device without a node-ID, which LSS can give it one.
+/// 1 to 127, or 255 for a device without a node-ID, to which LSS can assign one.
 class NodeId {
   public:
     static inline const int lowest = generated::canopen::lss_lowest_node_id;
@@ -17,7 +17,7 @@ class NodeId {
 
     static constexpr bool is_one(int number) { return (number >= lowest && number <= highest) || number == none; }
 
-    /// Takes a number as it is. Throws InputError when it is none of those.
+    /// Throws InputError for any other number.
     NodeId(int number);
 
     std::uint8_t value() const { return value_; }
@@ -26,7 +26,7 @@ class NodeId {
     std::uint8_t value_;
 };
 
-/// What may be written for a node-ID, for messages.
+/// Returns a description of the valid node-IDs for messages.
 std::string node_id_words();
 
 }  // namespace canproof::host

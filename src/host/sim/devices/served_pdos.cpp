@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// `RPDO 9 (1408h)` when the object is one that is not served; else empty.
+/// Returns `RPDO 9 (1408h)` for an object of an unsupported PDO, otherwise an empty text.
 std::string unserved(const Object& object) {
     const bool receives = is_unserved_pdo(PdoDirection::receive, object.index);
     if (!receives && !is_unserved_pdo(PdoDirection::transmit, object.index)) {

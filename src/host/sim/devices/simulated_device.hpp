@@ -1,4 +1,4 @@
-// A device of the catalogue as the host runs it: frames, named signals and virtual time.
+// The host's interface to a simulated device: frames, named signals and virtual time.
 #pragma once
 
 #include <cstdint>
@@ -21,29 +21,30 @@ class SimulatedDevice {
   public:
     virtual ~SimulatedDevice() = default;
 
-    /// Sets what gives the device its node-ID: coding switches, or the LSS value.
+    /// Sets the source of the node-ID: coding switches, or the LSS value.
     virtual void set_node_id(NodeId node_id) = 0;
-    /// Sets coding switches to any value, one that is no node-ID included. False when the device has none.
+    /// Sets coding switches to any value, even to one that is no node-ID. Returns false when the device has none.
     virtual bool set_coding_switches(std::uint8_t) { return false; }
     virtual void power_on(Instant now) = 0;
     virtual void receive(const Frame& frame, Instant now) = 0;
     virtual void advance(Instant now) = 0;
     virtual Instant next_deadline() const = 0;
-    /// False when there is no input of that name.
+    /// Sets an input. Returns false when there is no input with this name.
     virtual bool set_input(const std::string& name, double value, Instant now) = 0;
-    /// The value of each input, in the order of input_names(): as it was set, or as the plant makes it.
+    /// Returns the value of each input, in the order of input_names(): as set, or as computed by the plant.
     virtual std::vector<double> inputs() const = 0;
     virtual const std::vector<std::string>& input_names() const = 0;
-    /// The value of each output, in the order of output_names().
+    /// Returns the value of each output, in the order of output_names().
     virtual std::vector<double> outputs() const = 0;
     virtual const std::vector<std::string>& output_names() const = 0;
 
-    /// The active node-ID; unconfigured_node_id when there is none.
+    /// Returns the active node-ID; unconfigured_node_id when there is none.
     virtual std::uint8_t node_id() const = 0;
     virtual NmtState state() const = 0;
-    /// bit/s that the CAN controller works at, as switches or LSS set it; 0 when the device has no say in it.
+    /// Returns the bit rate of the CAN controller in bit/s, as switches or LSS set it; 0 when the device does not set
+    /// it.
     virtual std::uint32_t bit_rate() const = 0;
-    /// Its dictionary as it is now; nullptr from a device that does not show it.
+    /// Returns its present dictionary; nullptr when the device does not expose it.
     virtual const ObjectDictionary* objects() const { return nullptr; }
 
     TransmitQueue& queue() { return queue_; }

@@ -1,4 +1,4 @@
-// What the simulations of all devices share: signals by name, and the device behind them.
+// The common part of the simulations of all devices: signals by name, and the device itself.
 #pragma once
 
 #include <type_traits>

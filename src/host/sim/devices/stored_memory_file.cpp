@@ -33,7 +33,7 @@ std::string_view text(const Image& image) {
     return {reinterpret_cast<const char*>(image.data()), image.size()};
 }
 
-/// The file, when there is one; a link is followed. Anything but a file is refused.
+/// Opens an existing file; follows a link. Throws InputError for anything that is no regular file.
 Descriptor open_existing(const fs::path& path) {
     struct stat found {};
     if (stat(path.c_str(), &found) != 0) {
@@ -42,7 +42,7 @@ Descriptor open_existing(const fs::path& path) {
     if (!S_ISREG(found.st_mode)) {
         refuse_to_read(path, S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
     }
-    // For writing where that is allowed: some file systems lock nothing else.
+    // The file is opened for writing if possible, because some file systems lock only such files.
     Descriptor file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)};
     if (!file.is_open() && (errno == EACCES || errno == EROFS)) {
         file = Descriptor{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -53,7 +53,7 @@ Descriptor open_existing(const fs::path& path) {
     return file;
 }
 
-/// The path may have been given to another file since this one was opened.
+/// Returns whether the path still names this file; another process can have replaced it since it was opened.
 bool is_at(const Descriptor& file, const fs::path& path) {
     struct stat opened {};
     struct stat named {};
@@ -83,13 +83,13 @@ Image read_image(const Descriptor& file, const fs::path& path, std::size_t size)
     return image;
 }
 
-/// Keeps an image in a file that it has locked.
+/// Stores an image in a file that it has locked.
 class StoredMemoryFile {
   public:
     StoredMemoryFile(fs::path path, Image& image, NoticeListener tell)
         : path_{std::move(path)}, tell_{std::move(tell)} {
         while (!(exists() ? take(image) : make(image))) {
-            // another process was quicker: once more
+            // Another process was faster: try again.
         }
         path_ = fs::canonical(path_);
         remove_leftovers(path_);
@@ -110,7 +110,7 @@ class StoredMemoryFile {
     }
 
   private:
-    /// Where nothing can be told either, the device's answer has to do.
+    /// Reports a failure. If the report fails as well, the device's answer alone shows it.
     void tell(const std::string& text) const {
         try {
             tell_(text);

@@ -1,4 +1,4 @@
-// A device's memory in a file that outlives the program.
+// Stores a device's memory in a file.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace canproof::host {
 
-/// Fills `memory` from `file` and writes each commit there: on disk before the commit returns. The file is made when
-/// there is none, and is locked as long as the memory lives. `tell` hears why a commit failed.
-/// Throws InputError when the file is in use, cannot be read or is no image of this memory; it then stays as it is.
+/// Fills `memory` from `file` and writes each commit there: on disk before the commit returns. Creates a missing file
+/// and keeps it locked for the lifetime of the memory. `tell` receives the reason of a failed commit. Throws InputError
+/// when the file is in use, is unreadable or is no image of this memory; it then stays unchanged.
 void keep_in_file(Memory& memory, const std::filesystem::path& file, NoticeListener tell);
 
 }  // namespace canproof::host

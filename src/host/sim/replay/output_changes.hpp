@@ -1,4 +1,4 @@
-// The outputs of a device as `seconds,signal,value`: all at first, then each change.
+// Writes the outputs of a device as `seconds,signal,value`: first all outputs, then each change.
 #pragma once
 
 #include <ostream>
@@ -13,7 +13,7 @@ constexpr const char* output_heading = "seconds,signal,value\n";
 
 class OutputChanges {
   public:
-    /// `prefix` stands before each name: `ax188001@5.` where several devices write into one file.
+    /// `prefix` precedes each name: `ax188001@5.` when several devices write to one file.
     explicit OutputChanges(std::string prefix = "") : prefix_{std::move(prefix)} {}
 
     void write(std::ostream& out, Instant at, const SimulatedDevice& device);

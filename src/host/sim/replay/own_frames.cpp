@@ -5,7 +5,7 @@
 namespace canproof::host {
 
 std::size_t OwnFrames::Hash::operator()(const Content& one) const {
-    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;  // odd, its bits are half ones
+    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;  // odd, and half of its bits are ones
     const std::uint64_t head = (std::uint64_t{one.id} << 32U) | one.form;
     return std::hash<std::uint64_t>{}((one.data * spread) ^ (head * spread >> 1U));
 }
@@ -37,7 +37,8 @@ bool OwnFrames::match(const Frame& frame, Instant now) {
     return true;
 }
 
-/// Of equal frames the oldest is seen first, so that the oldest of all is a seen one as long as there is any.
+/// Removes frames older than `longest_wait`. Of equal frames the oldest is matched first, so the oldest one in `order_`
+/// is a matched one as long as there is any.
 void OwnFrames::forget(Instant now) {
     while (!order_.empty() && order_.front().time + longest_wait < now) {
         const auto found = counts_.find(order_.front().content);

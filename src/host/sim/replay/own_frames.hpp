@@ -1,4 +1,4 @@
-// Which frames of a log are the device's own: those that it has sent and that the log has not shown since.
+// Recognises the device's own frames in a log: frames that it has sent and that the log has not shown since.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace canproof::host {
 
 class OwnFrames {
   public:
-    /// No frame waits longer for the bus; memory and time of a search do not grow with a log.
+    /// Longest time that a frame waits for the bus; it bounds memory and search time for any length of log.
     static constexpr Duration longest_wait = milliseconds(60000);
 
     void sent(const Frame& frame, Instant now);
-    /// Whether the device has sent this frame. Each is recognised once.
+    /// Returns whether the device has sent this frame. Each sent frame is recognised once.
     bool match(const Frame& frame, Instant now);
 
   private:

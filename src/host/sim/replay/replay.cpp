@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A frame that the log does not show within this has not waited for the bus.
+/// Longest time for which a sent frame waits for its appearance in the log; then it is written with its own time.
 constexpr Duration longest_hold = milliseconds(1000);
 
 FrameSource source_of(const ReplayInput& input) {
@@ -33,7 +33,7 @@ FrameSource source_of(const ReplayInput& input) {
     };
 }
 
-/// The device's time begins at 0; the log's is later by `shift_`.
+/// Plays a log to a device. The device's time begins at 0; the log's time is later by `shift_`.
 class Player {
   public:
     Player(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out)
@@ -60,7 +60,7 @@ class Player {
     }
 
   private:
-    /// Stimuli up to the start describe the world before power is switched on.
+    /// Applies the stimuli up to the start: they describe the environment before power-on.
     void begin() {
         const Instant first = has_frame_ ? frame_.time : Instant{};
         const Instant start = input_.start.value_or(latest_zero < first ? first : Instant{});
@@ -90,14 +90,14 @@ class Player {
     void take_next_frame() { has_frame_ = source_(frame_); }
     Instant log_time(Instant device_time) const { return Instant{device_time.us + shift_}; }
 
-    /// When the log's or the stimuli's next line comes, in the log's time.
+    /// Returns the time of the next line of log or stimuli, in the log's time.
     Instant next_line() const {
         const Instant line = earliest(has_frame_ ? frame_.time : never, has_stimulus() ? stimulus().time : never);
         const bool is_over = input_.until && *input_.until < line;
         return is_over ? never : line;
     }
 
-    /// … in the device's time: after a silence no longer than longest_silence.
+    /// Converts it to the device's time; a silence is limited to longest_silence.
     Instant due_of(Instant line) const { return earliest(Instant{line.us - shift_}, last_line_ + longest_silence); }
 
     Instant next() const {
@@ -175,7 +175,7 @@ class Player {
         }
     }
 
-    /// The frame that the log shows now has waited for the bus until now.
+    /// Writes a waiting frame of the device with the time at which the log shows it.
     void write_held() {
         const auto found = std::find_if(held_.begin(), held_.end(),
                                         [this](const LoggedFrame& one) { return are_alike(one.frame, frame_.frame); });
@@ -203,7 +203,7 @@ class Player {
     FrameSource source_;
     std::ostream& frames_out_;
     std::ostream* outputs_out_;
-    LoggedFrame frame_;  ///< the log's next, when there is one
+    LoggedFrame frame_;  ///< next frame of the log; valid with has_frame_
     bool has_frame_{false};
     std::size_t next_stimulus_{0};
     std::string interface_;
@@ -213,7 +213,7 @@ class Player {
     std::uint64_t shift_{0};
     OutputChanges outputs_;
     OwnFrames own_;
-    std::deque<LoggedFrame> held_;  ///< sent, and not yet seen in a log that shows what was sent
+    std::deque<LoggedFrame> held_;  ///< sent, and not yet seen in a log with marks
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A recorded bus played to one device in virtual time: the same frames in, the same bytes out, every time.
+// Plays a recorded bus to one device in virtual time. The same frames as input always give the same bytes as output.
 #pragma once
 
 #include <functional>
@@ -13,34 +13,35 @@
 
 namespace canproof::host {
 
-/// The next frame of a log in order of time; false at its end.
+/// Reads the next frame of a log in order of time; returns false at its end.
 using FrameSource = std::function<bool(LoggedFrame&)>;
 
 struct ReplayInput {
     std::vector<LoggedFrame> frames;
     std::vector<Stimulus> stimuli;
-    std::optional<Instant> until{};                    ///< else the time of the last line
-    std::optional<Instant> start{};                    ///< power-on; else as latest_zero says
-    FrameSource source{};                              ///< instead of `frames`: a log of any length
-    std::function<void(const std::string&)> notice{};  ///< what the user should know
+    std::optional<Instant> until{};                    ///< without it, the time of the last line
+    std::optional<Instant> start{};                    ///< power-on; without it, see latest_zero
+    FrameSource source{};                              ///< replaces `frames`: a log of any length
+    std::function<void(const std::string&)> notice{};  ///< receives messages for the user
 };
 
-/// A log whose first frame is later counts from no power-on, but by the clock: replay begins at its first frame.
+/// Latest first frame of a log whose times count from power-on. Times of a later first frame are those of a clock:
+/// replay then starts at this frame.
 constexpr Instant latest_zero{3600000000U};
-/// A longer silence is shortened to this: a device does nothing new in it.
+/// Longest silence; a longer one is shortened, because nothing new happens in it.
 constexpr Duration longest_silence = milliseconds(3600000);
 
-/// All times are the log's. Power-on at the start, then frames, stimuli and the device's own deadlines in order of
-/// time; at equal times stimuli come before frames, and what was due earlier is done now: time never goes back. Stimuli
-/// up to the start come before power-on, frames before it are left out.
+/// Replays a log; all times are those of the log. After power-on at the start come frames, stimuli and the device's own
+/// deadlines in order of time. At equal times stimuli precede frames. An overdue event happens at the present time, so
+/// time never decreases. Stimuli up to the start precede power-on; frames before the start are left out.
 ///
-/// Frames that the device has sent itself are not fed to it. Where the log marks who has sent a frame, what a device
-/// sent is written in the log's order and with its times: frames that wait for the bus leave it by identifier.
-/// Otherwise they are written when the device makes them.
+/// The device does not receive its own frames. If the log marks the sender of a frame, the device's frames are written
+/// in the order and with the times of the log, because waiting frames leave by identifier. Otherwise they are written
+/// when the device sends them.
 ///
-/// Writes the device's frames to `frames_out`, changes of outputs as `seconds,signal,value` to `outputs_out` when
-/// given. Throws InputError for a signal that the device does not have, StuckDevice for a device that does not do what
-/// is due.
+/// Writes the device's frames to `frames_out`, and changes of outputs as `seconds,signal,value` to `outputs_out` if
+/// that is given. Throws InputError for a signal that the device does not have, and StuckDevice for a device whose
+/// deadline does not move.
 void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out);
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// Stimuli: CSV `seconds,signal,value`, one change of a physical input a line.
+// Stimuli as CSV `seconds,signal,value`, with one change of a physical input per line.
 #pragma once
 
 #include <istream>
@@ -17,11 +17,12 @@ struct Stimulus {
     double value{0.0};
 };
 
-/// All lines in ascending time; throws InputError with file and line. A first line `seconds,signal,value` is a heading.
+/// Reads all lines in ascending time. A first line `seconds,signal,value` is a header. Throws InputError with file and
+/// line.
 std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name);
 
-/// Throws InputError for a signal that is no input of any of these devices, or a value outside its range or
-/// type on any of those that have it.
+/// Checks each stimulus. Throws InputError for a signal that none of these devices has as input, and for a value
+/// outside the range or type of any device that has it.
 void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const Part*>& devices);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
-// The deadlines of many devices: the earliest is known at once, and one that changes costs a step for each doubling of
-// their number.
+// The deadlines of many devices. The earliest is available at once; a change takes a number of steps that is
+// logarithmic in the number of devices.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace canproof::host {
 
 class Deadlines {
   public:
-    /// `count` deadlines, numbered from 0; each is never at first.
+    /// `count` deadlines, numbered from 0; the initial value of each is `never`.
     explicit Deadlines(std::size_t count) {
         while (leaves_ < count) {
             leaves_ *= 2;
@@ -27,7 +27,7 @@ class Deadlines {
         }
     }
     Instant first() const { return earliest_[1]; }
-    /// The numbers of those that are due at `now`, ascending.
+    /// Returns the numbers of the deadlines that are due at `now`, ascending.
     std::vector<std::size_t> due_at(Instant now) const {
         std::vector<std::size_t> numbers;
         collect(1, now, numbers);

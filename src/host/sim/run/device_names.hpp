@@ -1,4 +1,4 @@
-// Devices of a run by the names that a user gives them.
+// Finds the devices of a run by the names that a user gives.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Where in `names` the device stands that `name` means: the whole name, or what stands before its @ where only one
-/// device has that. Throws InputError that lists the devices that run.
+/// Returns the position in `names` of the device that `name` means: its whole name, or the part before @ if only one
+/// device has it. Throws InputError with the devices of the run.
 std::size_t find_device(const std::vector<std::string>& names, const std::string& name);
 
 }  // namespace canproof::host

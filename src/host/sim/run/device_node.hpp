@@ -15,8 +15,8 @@ class DeviceNode final : public BusNode {
     DeviceNode(std::string name, std::unique_ptr<SimulatedDevice> device)
         : name_{std::move(name)}, device_{std::move(device)} {}
 
-    /// Whoever changes the device through this reference asks for it anew each time: a bus and a session look at the
-    /// node after that.
+    /// Returns the device for a change. The caller requests the reference again for each change, because the call
+    /// informs the bus and the session.
     SimulatedDevice& device() {
         tell_change();
         return *device_;
@@ -28,7 +28,7 @@ class DeviceNode final : public BusNode {
         refresh_filters();
         tell_change();
     }
-    /// False when the device has no input of that name.
+    /// Sets an input. Returns false when the device has no input with this name.
     bool set_input(const std::string& name, double value, Instant now) {
         const bool found = device_->set_input(name, value, now);
         tell_change();
@@ -48,7 +48,7 @@ class DeviceNode final : public BusNode {
         }
         tell_change();
     }
-    /// Through the device's own inputs: what they do is the device's to say. One without them has no such behaviour.
+    /// Sets the device's input `can_state`; a device without this input does not react.
     void set_can_state(CanState state, Instant now) override {
         set_input("can_state", static_cast<double>(state), now);
     }
@@ -58,8 +58,8 @@ class DeviceNode final : public BusNode {
     bool tells_changes() const override { return true; }
 
   private:
-    /// What a node listens to changes by frames alone: NMT, LSS, SDO; servers beside the first have identifiers of any
-    /// kind.
+    /// Returns whether a frame can change the node's filters: NMT, LSS or SDO. Further SDO servers can have any
+    /// identifier.
     bool may_configure(const Frame& frame) const {
         const ObjectDictionary* objects = device_->objects();
         const bool sdo = frame.id >= first_sdo_request && frame.id <= last_sdo_request;

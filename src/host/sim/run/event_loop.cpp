@@ -67,7 +67,8 @@ EventLoop::~EventLoop() {
     sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-/// A descriptor that was closed and opened anew has left the set without our doing: adding comes before changing.
+/// Updates the set of watched descriptors. A closed and reopened descriptor has left the set already, so it is first
+/// added, then modified.
 void EventLoop::follow(const std::vector<Watch>& watches) {
     std::vector<Known> wanted;
     for (const Watch& watch : watches) {
@@ -97,7 +98,7 @@ void EventLoop::arm(Duration pause) const {
     const std::uint64_t us = always_ready_.empty() ? pause.us : 0;
     itimerspec when{};
     when.it_value.tv_sec = static_cast<time_t>(us / 1000000);
-    when.it_value.tv_nsec = static_cast<long>(us % 1000000) * 1000 + 1;  // zero would disarm
+    when.it_value.tv_nsec = static_cast<long>(us % 1000000) * 1000 + 1;  // zero would disarm the timer
     timerfd_settime(timer_, 0, &when, nullptr);
 }
 

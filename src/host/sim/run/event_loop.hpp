@@ -1,4 +1,5 @@
-// Waits: for descriptors, for a time, for SIGINT, SIGTERM and SIGHUP. epoll, timerfd and signalfd; no thread.
+// Waits for descriptors, for a time, and for SIGINT, SIGTERM and SIGHUP. It uses epoll, timerfd and signalfd, and no
+// thread.
 #pragma once
 
 #include <csignal>
@@ -11,8 +12,8 @@ namespace canproof::host {
 
 class EventLoop {
   public:
-    /// As long as it lives SIGINT, SIGTERM and SIGHUP end the loop instead of the process. A SIGHUP that is ignored, as
-    /// under nohup, does nothing. Throws std::system_error.
+    /// During the lifetime of the object, SIGINT, SIGTERM and SIGHUP end the loop instead of the process. An ignored
+    /// SIGHUP, as under nohup, has no effect. Throws std::system_error.
     EventLoop();
     ~EventLoop();
     EventLoop(const EventLoop&) = delete;
@@ -20,10 +21,10 @@ class EventLoop {
 
     /// Waits for one of `watches`, or until `pause` has passed. A regular file is always ready.
     void wait(const std::vector<Watch>& watches, Duration pause);
-    /// Whether a descriptor was ready when wait() returned.
+    /// Returns whether a descriptor was ready when wait() returned.
     bool is_ready(int descriptor) const { return ready_.count(descriptor) != 0; }
     bool is_interrupted() const { return interrupted_; }
-    /// Another signal is awaited.
+    /// Clears the interruption, so that the next signal can be awaited.
     void forget_interruption() { interrupted_ = false; }
 
   private:

@@ -6,7 +6,7 @@ namespace canproof::host {
 
 namespace {
 
-// Numbers of the pcapng format (IETF draft-ietf-opsawg-pcapng) and of the link type LINKTYPE_CAN_SOCKETCAN.
+// Constants of the pcapng format (IETF draft-ietf-opsawg-pcapng) and of the link type LINKTYPE_CAN_SOCKETCAN.
 constexpr std::uint32_t section_header = 0x0A0D0D0A;
 constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
 constexpr std::uint32_t interface_description = 1;
@@ -21,7 +21,7 @@ constexpr std::uint32_t remote_flag = 0x40000000U;
 constexpr std::size_t whole_word = 4;
 const std::string ending = ".pcapng";
 
-/// A block of little-endian words between its type and its length.
+/// A pcapng block: little-endian words between its type and its length.
 class Block {
   public:
     void add32(std::uint32_t value) {
@@ -30,13 +30,13 @@ class Block {
         }
     }
     void add16(std::uint32_t low, std::uint32_t high) { add32(low | (high << 16U)); }
-    /// Bytes up to the next whole word.
+    /// Adds bytes and pads them to a whole word.
     void add(const std::string& bytes) {
         bytes_ += bytes;
         bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
     }
     void write(std::ostream& out, std::uint32_t type) const {
-        constexpr std::uint32_t frame_of_block = 12;  // type, and the length twice
+        constexpr std::uint32_t frame_of_block = 12;  // the type, and the length twice
         Block block;
         block.add32(type);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
@@ -49,7 +49,8 @@ class Block {
     std::string bytes_;
 };
 
-/// Identifier with its flags, most significant byte first, length, three bytes that classic CAN leaves 0, data.
+/// Returns the packet of a frame: identifier and flags in big-endian order, length, three bytes that are 0 in classic
+/// CAN, data.
 std::string packet_of(const Frame& frame) {
     const std::uint32_t id = frame.id | (frame.extended ? extended_flag : 0U) | (frame.remote ? remote_flag : 0U);
     std::string bytes;
@@ -67,7 +68,7 @@ std::string packet_of(const Frame& frame) {
 void write_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
     const std::string packet = packet_of(frame.frame);
     Block block;
-    block.add32(0);  // of the only interface
+    block.add32(0);  // number of the only interface
     block.add32(static_cast<std::uint32_t>(frame.time.us >> 32U));
     block.add32(static_cast<std::uint32_t>(frame.time.us & UINT32_MAX));
     block.add32(static_cast<std::uint32_t>(packet.size()));
@@ -95,14 +96,14 @@ void FrameLog::begin(const std::string& interface) {
     section.add32(byte_order_magic);
     section.add16(1, 0);  // version 1.0
     section.add32(UINT32_MAX);
-    section.add32(UINT32_MAX);  // length of the section: not known
+    section.add32(UINT32_MAX);  // unknown length of the section
     section.write(*out_, section_header);
     Block description;
     description.add16(linktype_can_socketcan, 0);
-    description.add32(0);  // frames are never cut
+    description.add32(0);  // no limit of the frame length
     description.add16(option_if_name, static_cast<std::uint32_t>(interface.size()));
     description.add(interface);
-    description.add32(0);  // end of options; times are in microseconds without one
+    description.add32(0);  // end of options; without options, times are in microseconds
     description.write(*out_, interface_description);
 }
 

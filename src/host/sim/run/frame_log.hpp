@@ -1,4 +1,4 @@
-// The file that --log names: every frame of a bus, for other programs and for replay.
+// The file of `--log`: every frame of a bus, for other programs and for replay.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 namespace canproof::host {
 
 enum class LogFormat : std::uint8_t {
-    candump,  ///< as `candump -L` writes it
-    marked,   ///< as `candump -L -x`: T behind the frames of our devices, R behind the others'
-    pcapng,   ///< for Wireshark and SavvyCAN: link type 227 (SocketCAN), a direction with each frame
+    candump,  ///< in the format of `candump -L`
+    marked,   ///< in the format of `candump -L -x`: T after frames of these devices, R after those of others
+    pcapng,   ///< for Wireshark and SavvyCAN: link type 227 (SocketCAN), with the direction of each frame
 };
 
-/// What a file's name asks for.
+/// Returns the format for a file's name and the option for marks.
 LogFormat log_format(const std::string& path, bool marks);
 
 class FrameLog {
@@ -24,9 +24,9 @@ class FrameLog {
     FrameLog(std::ostream* out, LogFormat format) : out_{out}, format_{format} {}
 
     bool is_wanted() const { return out_ != nullptr; }
-    /// What stands before the first frame.
+    /// Writes the header before the first frame.
     void begin(const std::string& interface);
-    /// `own`: one of our devices has sent it.
+    /// Writes a frame; `own` means that one of these devices has sent it.
     void write(const LoggedFrame& frame, bool own);
 
   private:

@@ -1,4 +1,4 @@
-// Lines of a descriptor as they come, without ever waiting for the rest of one.
+// Reads lines of a descriptor without waiting for incomplete ones.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ class LineInput {
 
     int descriptor() const { return descriptor_; }
     bool is_open() const { return open_; }
-    /// Whole lines that have arrived, empty ones left out; call when there is input. A line too long for any frame is
-    /// dropped. The last line may lack its end.
+    /// Returns the complete lines that have arrived, without empty ones; call it when there is input. A line that is
+    /// too long for any frame is dropped. The last line may lack a line break.
     std::vector<std::string> read_lines();
 
   private:

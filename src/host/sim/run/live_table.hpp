@@ -1,4 +1,4 @@
-// The table that `run` shows on a terminal: the bus in one line, then one line a node.
+// The table that `run` shows on a terminal: one line for the bus, then one line per node.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ struct TableSize {
     std::size_t rows{24};
 };
 
-/// Lines of at most `columns` characters, at most `rows - 1` of them; nodes that find no room are counted in the last.
-/// `notices`: the newest last, shown below. `lag`: how far the simulation is behind, shown where it is.
+/// Returns at most `rows - 1` lines of at most `columns` characters; the last line counts the nodes without a line.
+/// `notices` are shown below, the newest last. `lag` is the delay of the simulation, shown unless it is 0.
 std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices, TableSize size,
                                      Duration lag = {});
 
-/// "operational"
+/// Returns the word of a state, such as "operational".
 const char* state_word(NmtState state);
 
 }  // namespace canproof::host

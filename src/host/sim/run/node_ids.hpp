@@ -1,4 +1,4 @@
-// The node-IDs of the devices on one bus, in words.
+// Describes the node-IDs of the devices on one bus.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace canproof::host {
 
-/// One line a device: `ax188001@5: node-ID 5`.
+/// Returns one line per device: `ax188001@5: node-ID 5`.
 std::vector<std::string> node_id_lines(const std::vector<std::unique_ptr<DeviceNode>>& nodes);
 
-/// Devices that have one node-ID, found as it happens: at power-on, or later by LSS.
+/// Detects devices with the same node-ID, at power-on or later through LSS.
 class NodeIdClashes {
   public:
-    /// A warning for each node-ID that more than one device has now, where the last call did not find it so.
+    /// Returns a warning for each node-ID that more than one device has now, unless the last call returned it as well.
     std::vector<std::string> found(const std::vector<std::unique_ptr<DeviceNode>>& nodes);
 
   private:

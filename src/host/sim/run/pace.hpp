@@ -1,5 +1,5 @@
-// How a run keeps up with the clock: everything due, but no longer than a turn at a time, so that the run goes on
-// hearing its user. Tells how far the simulation is behind.
+// Keeps a run in step with the clock. It advances the session for a limited time per turn, so that the run stays
+// responsive, and reports how late the simulation is.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,20 @@ namespace canproof::host {
 class Pace {
   public:
     using Clock = std::function<Instant()>;
-    /// Real time that one turn may take.
+    /// Longest real time of one turn.
     static constexpr Duration turn = milliseconds(50);
-    /// A lag from which on it is told.
+    /// Lag from which on it is reported.
     static constexpr Duration worth_telling = milliseconds(500);
     static constexpr Duration telling_period = milliseconds(10000);
 
-    /// `clock` gives real time as the session counts it; `notice` gets what the user should know.
+    /// `clock` returns real time relative to the start of the session; `notice` receives messages for the user.
     Pace(Clock clock, NoticeListener notice) : clock_{std::move(clock)}, notice_{std::move(notice)} {}
 
-    /// Moves the session on to `until`, or as far as one turn goes.
+    /// Advances the session to `until`, or as far as possible in one turn.
     void advance(RunSession& session, Instant until);
-    /// How far the session stayed behind the clock in the last turn; 0 when it did all that was due.
+    /// Returns the lag of the session after the last turn; 0 when it handled all due events.
     Duration lag() const { return lag_; }
-    /// "the simulation was up to 1.2 s behind the bus"; empty when it was never worth telling.
+    /// Returns "the simulation was up to 1.2 s behind the bus"; empty when the lag was never reported.
     std::string summary() const;
 
   private:

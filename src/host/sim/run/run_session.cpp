@@ -50,7 +50,7 @@ void RunSession::note_change(std::size_t number) {
     if (!is_changed_[number]) {
         is_changed_[number] = true;
         changed_.push_back(number);
-        deadlines_.set(number, never);  // until follow_deadlines() its device is asked
+        deadlines_.set(number, never);  // until follow_deadlines(), next_deadline() asks the device directly
     }
 }
 
@@ -101,7 +101,7 @@ void RunSession::schedule(const Stimulus& stimulus) {
     stimuli_.insert(later, stimulus);
 }
 
-/// The order in which replay plays what falls on one time: deadlines, stimuli, frames.
+/// Handles one moment in the same order as replay: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
     follow_deadlines();
     for (const std::size_t number : deadlines_.due_at(at)) {
@@ -125,7 +125,7 @@ void RunSession::stimulate(Instant at) {
         const auto point = one.signal.rfind('.');
         if (point == std::string::npos) {
             for (auto& node : nodes_) {
-                node->set_input(one.signal, one.value, at);  // false where a device lacks it
+                node->set_input(one.signal, one.value, at);  // false when a device does not have the input
             }
             continue;
         }
@@ -152,7 +152,7 @@ void RunSession::record(const BusFrame& frame) {
     }
 }
 
-/// Of the nodes that something was done to: the outputs of others are as they were.
+/// Writes the outputs of the changed nodes; those of other nodes are unchanged.
 void RunSession::write_outputs(Instant at) {
     follow_deadlines();
     std::sort(changed_.begin(), changed_.end());

@@ -1,5 +1,6 @@
-// Devices on a bus, from event to event in order of time. Whoever owns the clock says how far; nothing here waits. What
-// a device sees depends on the times of frames and stimuli alone, so that a log of them replays to the same frames.
+// Devices on a bus, from event to event in order of time. The owner of the clock decides how far it advances; nothing
+// here waits. The behaviour of a device depends only on the times of frames and stimuli, so a log of them replays to
+// the same frames.
 #pragma once
 
 #include <functional>
@@ -23,25 +24,25 @@
 
 namespace canproof::host {
 
-/// Is told what a session does, as it happens.
+/// Receives the events of a session.
 class SessionObserver {
   public:
     virtual ~SessionObserver() = default;
     virtual void on_frame(const BusFrame& frame) = 0;
-    /// Everything of that time is done: states and outputs are those from now on.
+    /// Called after all events of that time; states and outputs are those from this time on.
     virtual void on_step(Instant at) = 0;
 };
 
-/// Where a session writes; each may be nullptr.
+/// The outputs of a session; each may be nullptr.
 struct SessionOutputs {
     std::ostream* frames{nullptr};  ///< every frame as a candump line
-    std::ostream* log{nullptr};     ///< the same in log_format
+    std::ostream* log{nullptr};     ///< every frame in log_format
     LogFormat log_format{LogFormat::candump};
-    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` when there are several devices
+    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` with several devices
     SessionObserver* observer{nullptr};
 };
 
-/// What is known of a node's traffic.
+/// The traffic of a node so far.
 struct NodeTraffic {
     std::uint64_t frames{0};
     std::optional<LoggedFrame> last;
@@ -49,28 +50,28 @@ struct NodeTraffic {
 
 class RunSession {
   public:
-    /// A stimulus named `device.signal` acts on that device, another on every device that has the signal.
+    /// A stimulus `device.signal` acts on that device, any other stimulus on every device with the signal.
     RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<DeviceNode>> nodes, std::vector<Stimulus> stimuli,
                const SessionOutputs& outputs);
 
-    /// Power-on at 0; stimuli at 0 come before it.
+    /// Switches the devices on at time 0; stimuli at 0 come first.
     void power_on();
-    /// Everything that is due up to `now`, each at its own time; less far when the bus has more than one turn reads.
-    /// Throws StuckDevice for a device that does not do what is due.
+    /// Handles all events up to `now`, each at its own time; fewer when more arrived at the bus than one turn reads.
+    /// Throws StuckDevice for a device whose deadline does not move.
     void advance_to(Instant now);
-    /// The same, but no further once may_go_on() is false after a step: now() is then earlier.
+    /// Does the same, but stops when may_go_on() returns false after a step; now() is earlier then.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
-    /// A frame from the user. False when the bus cannot take it now.
+    /// Sends a frame of the user. Returns false when the bus cannot take it now.
     bool put(const Frame& frame);
-    /// A stimulus from the user, behind what is planned for that time; one that is late comes next.
+    /// Adds a stimulus of the user after those planned for the same time; a late one comes next.
     void schedule(const Stimulus& stimulus);
 
     Bus& bus() { return *bus_; }
     const Bus& bus() const { return *bus_; }
     Instant now() const { return time_.now(); }
     const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
-    /// Parallel to nodes().
+    /// Returns the traffic of each node, parallel to nodes().
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:
@@ -93,9 +94,9 @@ class RunSession {
     std::vector<OutputChanges> changes_;  ///< parallel to nodes_
     std::unordered_map<const BusNode*, std::size_t> numbers_;
     std::unordered_multimap<std::string, std::size_t> by_name_;
-    Deadlines deadlines_;               ///< of the devices; never of those in changed_
-    std::vector<std::size_t> changed_;  ///< nodes that something was done to since the last step, each once
-    std::vector<bool> is_changed_;      ///< parallel to nodes_: stands in changed_
+    Deadlines deadlines_;               ///< deadlines of the devices; `never` for those in changed_
+    std::vector<std::size_t> changed_;  ///< nodes that were changed since the last step, each once
+    std::vector<bool> is_changed_;      ///< parallel to nodes_: the node is in changed_
     ForwardTime time_;
 };
 

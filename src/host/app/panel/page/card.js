@@ -1,4 +1,4 @@
-// One device: what it is, what it shows, what one can do to it.
+// One device: its data, its values, and its controls.
 import { el, tell } from './dom.js';
 import { Dial, makeControl } from './controls.js';
 import { attitude, connector, relay } from './drawings.js';
@@ -11,7 +11,7 @@ const noNode = 255;
 const commands = [['Start', '01', 'start'], ['Pre-op', '80', 'enter pre-operational'], ['Stop', '02', 'stop'],
   ['Reset comm', '82', 'reset communication'], ['Reset node', '81', 'reset node']];
 
-/** NMT commands as frames on the bus; `node()` is 0 for all. */
+/** Returns buttons that send NMT commands; `node()` returns the node-ID, or 0 for all nodes. */
 export function nmtButtons(whose, node) {
   return commands.map(([label, specifier, command]) => el('button', {
     type: 'button', title: `NMT ${command}: 000#${specifier}…`, 'aria-label': `${label}, ${whose}`,
@@ -110,7 +110,7 @@ export class Card {
 
   listen(name, listener) { this.listeners[this.channels.get(name).at].push(listener); }
 
-  /** A change at its own time; `at` counts through this device's channels. */
+  /** Shows a change at its own time; `at` is the number of the channel in this device. */
   change(at, time, value) { for (const listener of this.listeners[at]) listener(time, value); }
 
   show(state) {

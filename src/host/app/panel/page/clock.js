@@ -1,11 +1,11 @@
-// The program's time, shown a moment late: changes come with their own times and are played at these, so that an LED
-// flashes as the device switches it, however the requests come.
+// The program's time, shown with a short delay. Changes have their own times and are shown at these, so that an LED
+// flashes as the device switches it, independent of the timing of the requests.
 const delay = 250000;
 let ahead = -Infinity;
 
 export function heard(now) {
   const offset = now - performance.now() * 1000;
-  // The quickest answer is the nearest to the truth; a computer that slept starts anew.
+  // The fastest answer has the smallest error. After a suspension of the computer, the estimate starts again.
   ahead = Math.abs(offset - ahead) > 2000000 ? offset : Math.max(offset, ahead - 200);
 }
 

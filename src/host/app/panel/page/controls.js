@@ -1,10 +1,10 @@
-// Physical inputs as controls. What others set, a stimulus file or another page, shows here too.
+// Physical inputs as controls. They also show values that a stimulus file or another page sets.
 import { el, tell } from './dom.js';
 import { isWaiting, stimulate } from './server.js';
 import { digitsFor, numberText, sliderStep, unitSign, valueText } from './units.js';
 
 const canStates = [[0, 'error active'], [1, 'warning limit'], [2, 'error passive'], [3, 'bus-off']];
-const widestSlider = 200001; // beyond it a slider says nothing: a number is typed
+const widestSlider = 200001; // above it a slider is too coarse: a number is typed
 
 let ids = 0;
 
@@ -20,7 +20,7 @@ class Control {
     stimulate(this.device, this.input.name, value);
   }
 
-  /** The program's value, unless the user's own is still on its way. */
+  /** Shows the program's value, unless a value of the user is still being sent. */
   show(value) {
     if (performance.now() - this.touched > 400 && !isWaiting(this.device, this.input.name)) this.put(value);
   }
@@ -109,14 +109,14 @@ class Slider extends Control {
     this.say(value);
   }
 
-  /** Where the device's limits stand now. */
+  /** Marks the present limits of the device. */
   showMarks(valueOf) {
     const told = [];
     for (const mark of this.marks) {
       const value = valueOf(mark.entry);
       const share = (value - this.input.min) / (this.input.max - this.input.min);
       mark.tick.hidden = !(share >= 0 && share <= 1);
-      // The thumb is 18 px wide: its middle moves that much less than the track is long.
+      // The thumb is 18 px wide, so its centre moves over the length of the track minus 18 px.
       mark.tick.style.left = `calc(9px + ${share} * (100% - 18px))`;
       mark.tick.title = `${mark.label} ${valueText(value, this.digits, this.input.unit)}`;
       told.push(`${mark.label} limit ${numberText(value, this.digits)}`);
@@ -146,7 +146,7 @@ export function makeControl(device, input, view, enumerations) {
   return new Slider(device, input, label, view.marks?.[input.name] ?? []);
 }
 
-/** A coding switch of sixteen positions. */
+/** A coding switch with sixteen positions. */
 export class Dial extends Control {
   constructor(device, input, label) {
     super(device, input, label);

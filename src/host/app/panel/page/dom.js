@@ -1,4 +1,4 @@
-// Elements by their parts. Text is only ever set as text.
+// Creates elements from their parts. Text is always set as text, never as markup.
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -16,7 +16,7 @@ export function svg(tag, attributes = {}, ...children) {
   return element;
 }
 
-/** Sets a text only where it differs: what did not change is not read out or laid out again. */
+/** Sets a text only if it differs, so that an unchanged text is not announced or laid out again. */
 export function tell(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -1,9 +1,9 @@
-// The unit as it lies on the bench: its connectors, its relay, its attitude.
+// Drawings of the unit: its connectors, its relay, its attitude.
 import { el, svg, tell } from './dom.js';
 import { stimulate } from './server.js';
 import { digitsFor, valueText } from './units.js';
 
-/** Pins by row, each with its number, its label and, where one lies there, the signal. */
+/** Draws a connector: the pins by row, each with its number, its label and its signal, if it has one. */
 export function connector({ name, pins }, describe) {
   const values = [];
   const rows = pins.map((row) => el('ol', { class: `pins of-${row.length}` }, ...row.map(([number, label, signal]) => {
@@ -18,7 +18,7 @@ export function connector({ name, pins }, describe) {
   return { element, show };
 }
 
-/** Common, normally closed and normally open. */
+/** Draws a relay with its common, normally closed and normally open contacts. */
 export function relay({ closed, open }) {
   const lever = svg('line', { x1: 26, y1: 40, x2: 92, y2: 18, class: 'lever' });
   const text = el('output', { class: 'figure' });
@@ -39,7 +39,7 @@ export function relay({ closed, open }) {
   return { element: el('figure', { class: 'relay-box' }, el('figcaption', {}, 'Relay'), drawing, text), show };
 }
 
-/** A horizon that is dragged: up and down pitch, sideways roll. The sliders do the same by keyboard. */
+/** Draws a horizon that the user can drag: vertically for pitch, horizontally for roll. The sliders do the same by keyboard. */
 export function attitude(device, { pitch, roll }, signals) {
   const world = svg('g', {}, svg('rect', { x: -200, y: -200, width: 400, height: 200, class: 'sky' }),
     svg('rect', { x: -200, y: 0, width: 400, height: 200, class: 'ground' }), svg('line', { x1: -200, y1: 0, x2: 200, y2: 0, class: 'horizon' }));

@@ -1,4 +1,4 @@
-// The frames of the bus in words, newest first.
+// The decoded frames of the bus, newest first.
 import { el } from './dom.js';
 import { message, sendFrame } from './server.js';
 import { seconds } from './units.js';

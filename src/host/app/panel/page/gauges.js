@@ -1,4 +1,4 @@
-// A value on its scale, and what it was in the last half minute.
+// A value on its scale, and its history over half a minute.
 import { el, tell } from './dom.js';
 import { shownTime } from './clock.js';
 import { digitsFor, numberText, unitSign, valueText } from './units.js';

@@ -1,4 +1,4 @@
-// LEDs: lit and dark when the device's output was. Who wants less motion reads the pattern instead.
+// LEDs, lit and dark as the outputs of the device. With reduced motion, the page shows the pattern in words instead.
 import { calm, el, tell } from './dom.js';
 import { shownTime } from './clock.js';
 

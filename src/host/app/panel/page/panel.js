@@ -1,4 +1,4 @@
-// The page: asks for what is there, builds a card a device, then follows the program.
+// The page: requests the description, builds a card for each device, then follows the program.
 import { tell } from './dom.js';
 import { Card, nmtButtons } from './card.js';
 import { heard } from './clock.js';
@@ -39,7 +39,7 @@ async function start() {
   const log = new FrameLog();
   let [changes, frames, notices] = [0, 0, 0];
 
-  /** What has not changed for long stands in no change: it has been so all along. */
+  /** Shows the channels without a recorded change: their values have been constant since before the record. */
   function seed(state) {
     const changed = new Set(state.changes.map(([, channel]) => channel));
     const values = state.devices.flatMap((device) => device.values);

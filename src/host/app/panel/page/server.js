@@ -1,4 +1,4 @@
-// What the page asks of the program, and what it tells it.
+// The requests of the page to the program.
 let report = () => {};
 export const onMessage = (listener) => { report = listener; };
 export const message = (text, wrong = false) => report(text, wrong);
@@ -18,7 +18,7 @@ export const sendFrame = (frame) => post('/api/frame', { frame });
 
 const waiting = new Map();
 
-/** The newest value of a signal goes out, one at a time: a drag makes many. */
+/** Sends the newest value of a signal, one request at a time, because a drag produces many values. */
 export async function stimulate(device, signal, value) {
   const key = `${device}.${signal}`;
   const busy = waiting.has(key);
@@ -31,7 +31,7 @@ export async function stimulate(device, signal, value) {
   }
 }
 
-/** Whether a value of that signal is still on its way. */
+/** Returns whether a value of that signal is still being sent. */
 export const isWaiting = (device, signal) => waiting.has(`${device}.${signal}`);
 
 export async function get(path) {

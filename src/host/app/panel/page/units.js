@@ -1,9 +1,9 @@
-// Numbers as an engineer writes them.
+// Formats numbers with their units.
 const signs = { degC: '°C', deg: '°', uV: 'µV', Ohm: 'Ω' };
 
 export const unitSign = (unit) => signs[unit] ?? unit;
 
-/** So many digits that a thousandth of the range shows. */
+/** Returns the number of decimals with which a thousandth of the range is visible. */
 export function digitsFor(low, high) {
   const span = Math.abs(high - low);
   if (!Number.isFinite(span) || span === 0) return 3;
@@ -23,7 +23,7 @@ export function valueText(value, digits, unit) {
 
 export const seconds = (us) => (us / 1e6).toFixed(3);
 
-/** The step of a slider: 1, 2 or 5 times a power of ten, about a two-hundredth of the range. */
+/** Returns the step of a slider: 1, 2 or 5 times a power of ten, about 1/200 of the range. */
 export function sliderStep(low, high) {
   const wanted = (high - low) / 200;
   const power = 10 ** Math.floor(Math.log10(wanted));

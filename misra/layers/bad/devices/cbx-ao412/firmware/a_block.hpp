@@ -1,4 +1,4 @@
-// A file of a device's folder without the device's name is a block.
+// A file in a device's folder without the device's name is a block.
 #pragma once
 
 #include "devices/ax130751/firmware/relay.hpp"  // flagged
