@@ -1,4 +1,4 @@
-// The AX060805 as it is flashed onto an STM32F405.
+// The AX060805 as an image that is flashed onto an STM32F405.
 #include "devices/ax060805/target/wiring.hpp"
 #include "target/image/image.hpp"
 
@@ -6,7 +6,7 @@ namespace {
 
 using namespace canproof;
 
-// Its table of bit rates has 800 kbit/s.
+// The device's table of bit rates contains 800 kbit/s, which needs a core clock of 160 MHz.
 stm32f405::Chip chip{stm32f405::core_160_mhz};
 stm32f405::JournalRam<4096> ram;
 stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},

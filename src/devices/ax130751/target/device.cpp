@@ -1,4 +1,4 @@
-// The AX130751 as it is flashed onto an STM32F405.
+// The AX130751 as an image that is flashed onto an STM32F405.
 #include "devices/ax130751/target/wiring.hpp"
 #include "target/image/image.hpp"
 
@@ -6,7 +6,8 @@ namespace {
 
 using namespace canproof;
 
-// Its table of bit rates has 666.667 kbit/s and not 800.
+// The device's table of bit rates contains 666.667 kbit/s but not 800 kbit/s, so a core clock of 168 MHz fits all
+// rates.
 stm32f405::Chip chip{stm32f405::core_168_mhz};
 stm32f405::JournalRam<8192> ram;
 stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},
