@@ -82,7 +82,7 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
+RC_GTEST_PROP(EmcyLaw, AnyErrorsAreReportedAsByTheNaiveNode, ()) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006,
              req::CO_EMCY_010>("property");
     LoggedSlave slave;
@@ -100,7 +100,7 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
 }
 
 // Whatever the controller goes through, a master that reads 1001h finds what it was told last.
-RC_GTEST_PROP(ErrorRegisterLaw, OfEveryDeviceTheLastMessageSaysWhat1001hReads, ()) {
+RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());
     DeviceBySdo unit{name, 5};

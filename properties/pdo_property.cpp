@@ -128,7 +128,7 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
 }  // namespace
 
 // Any mapping, any frames of any length: the mapped part sets its objects, all of them or none, and nothing else moves.
-RC_GTEST_PROP(PdoLaw, AReceivedPdoSetsWhatItsBitsSay, ()) {
+RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_005, req::CO_PDO_012>("property");
     SlaveBench bench;
     const auto mapping = *mappings(true);
@@ -144,7 +144,7 @@ RC_GTEST_PROP(PdoLaw, AReceivedPdoSetsWhatItsBitsSay, ()) {
     }
 }
 
-RC_GTEST_PROP(PdoLaw, ASentPdoIsItsValuesBitByBit, ()) {
+RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
     verifies<req::CO_PDO_028>("property");
     SlaveBench bench;
     const auto mapping = *mappings(false);
@@ -160,7 +160,7 @@ RC_GTEST_PROP(PdoLaw, ASentPdoIsItsValuesBitByBit, ()) {
 }
 
 // What one node sends, another with the same mapping understands.
-RC_GTEST_PROP(PdoLaw, WhatIsSentIsReceived, ()) {
+RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_028>("property");
     const auto words = *rc::gen::container<std::array<std::int16_t, 4>>(rc::gen::arbitrary<std::int16_t>());
     SlaveBench sender;

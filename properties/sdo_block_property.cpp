@@ -174,7 +174,7 @@ struct Wait : SdoCommand {
 
 }  // namespace
 
-RC_GTEST_PROP(SdoModel, OursAnswersAsTheNaiveServerDoes, ()) {
+RC_GTEST_PROP(SdoModel, ServerAnswersAsTheNaiveServerDoes, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_015, req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026,
              req::CO_SDO_028, req::CO_SDO_029, req::CO_SDO_032, req::CO_SDO_033, req::CO_SDO_036>("property");
     Ours ours;
@@ -320,7 +320,7 @@ Bytes held(const Ours& ours) {
 
 }  // namespace
 
-RC_GTEST_PROP(SdoBlockLaw, WhatIsDownloadedIsUploadedWhateverSegmentsAreLost, ()) {
+RC_GTEST_PROP(SdoBlockLaw, DownloadedValueIsUploadedWhateverSegmentsAreLost, ()) {
     verifies<req::CO_SDO_016, req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026, req::CO_SDO_029,
              req::CO_SDO_032, req::CO_SDO_033>("property");
     Ours ours;
@@ -333,7 +333,7 @@ RC_GTEST_PROP(SdoBlockLaw, WhatIsDownloadedIsUploadedWhateverSegmentsAreLost, ()
     RC_ASSERT(block_upload(ours, loss) == value);
 }
 
-RC_GTEST_PROP(SdoBlockLaw, AFlippedBitIsNeverTaken, ()) {
+RC_GTEST_PROP(SdoBlockLaw, DownloadWithAFlippedBitIsNeverAccepted, ()) {
     verifies<req::CO_SDO_028, req::CO_SDO_033>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});
@@ -349,7 +349,7 @@ RC_GTEST_PROP(SdoBlockLaw, AFlippedBitIsNeverTaken, ()) {
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }
 
-RC_GTEST_PROP(SdoBlockLaw, ADownloadThatEndsAnywhereLeavesTheOldValue, ()) {
+RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_033>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});

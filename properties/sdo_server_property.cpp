@@ -27,7 +27,7 @@ std::string read_back(CbxBench& bench, const std::string& object) {
 }  // namespace
 
 // CiA 301, 7.2.4.3
-RC_GTEST_PROP(SdoServerLaw, WhatIsWrittenIsReadBack, ()) {
+RC_GTEST_PROP(SdoServerLaw, WrittenValueIsReadBack, ()) {
     verifies<req::CO_SDO_016>("property");
     CbxBench bench;
     bench.power_on();
@@ -39,7 +39,7 @@ RC_GTEST_PROP(SdoServerLaw, WhatIsWrittenIsReadBack, ()) {
     RC_ASSERT(read_back(bench, object) == "583#4B" + object + data + "0000");
 }
 
-RC_GTEST_PROP(SdoServerLaw, ARefusedWriteChangesNothing, ()) {
+RC_GTEST_PROP(SdoServerLaw, RefusedWriteChangesNothing, ()) {
     verifies<req::CO_SDO_011>("property");
     CbxBench bench;
     bench.power_on();

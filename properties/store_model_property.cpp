@@ -127,7 +127,7 @@ class Happens : public rc::state::Command<Model, Sut> {
 
 }  // namespace
 
-RC_GTEST_PROP(StoreLaw, AnySavesRestoresAndPowerCutsAreThoseOfAModel, ()) {
+RC_GTEST_PROP(StoreLaw, SavesRestoresAndPowerCutsMatchTheModel, ()) {
     verifies<req::CO_STORE_001, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_004, req::CO_STORE_005>("property");
     Sut device;
     rc::state::check(Model{}, device, [](const Model&) {

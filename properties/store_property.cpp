@@ -17,7 +17,7 @@ std::string heartbeat_and_output(CbxBench& bench) {
 
 }  // namespace
 
-RC_GTEST_PROP(StoreLaw, APowerCutLeavesTheOldSetOrTheNew, ()) {
+RC_GTEST_PROP(StoreLaw, PowerCutLeavesTheOldSetOrTheNewSet, ()) {
     verifies<req::CO_STORE_004>("property");
     CbxBench bench;
     bench.power_on();

@@ -117,7 +117,7 @@ struct Twin {
 
 }  // namespace
 
-RC_GTEST_PROP(AcceptanceLaw, NodeHearsWhatItsDictionaryNamesAndNothingElse, ()) {
+RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers, ()) {
     Twin twin{*rc::gen::elementOf(canproof::test::every_device())};
     for (int i = *rc::gen::inRange(0, 12); i > 0; --i) {
         twin.node.receive(parse_frame(any_setting(), "law"), Instant{1000});
@@ -143,7 +143,7 @@ RC_GTEST_PROP(AcceptanceLaw, NodeHearsWhatItsDictionaryNamesAndNothingElse, ()) 
     }
 }
 
-RC_GTEST_PROP(AcceptanceLaw, NodeBehindItsFiltersDoesWhatOneDoesThatHearsAll, ()) {
+RC_GTEST_PROP(AcceptanceLaw, NodeBehindItsFiltersBehavesLikeANodeThatReceivesEverything, ()) {
     const auto name = *rc::gen::elementOf(canproof::test::every_device());
     Twin filtered{name};
     Twin open{name};

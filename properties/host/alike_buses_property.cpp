@@ -101,7 +101,7 @@ std::map<std::string, std::vector<std::string>> dialogue(std::unique_ptr<Bus> bu
 
 }  // namespace
 
-RC_GTEST_PROP(AlikeBusesLaw, DevicesSayTheSameOnEveryBus, ()) {
+RC_GTEST_PROP(AlikeBusesLaw, DevicesSendTheSameFramesOnEveryKindOfBus, ()) {
     const std::vector<std::string> requests = any_requests();
     const auto inproc = [&] {
         return dialogue(std::make_unique<ArbitratedBus>("inproc", 1000000, BusFaultRates{}), nullptr, requests);

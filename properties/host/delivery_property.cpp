@@ -175,7 +175,7 @@ class NaiveRun {
 
 }  // namespace
 
-RC_GTEST_PROP(DeliveryLaw, RunHasTheFramesOfOneInWhichEveryNodeHearsEverything, ()) {
+RC_GTEST_PROP(DeliveryLaw, RunWithFiltersHasTheSameFramesAsARunWithoutFilters, ()) {
     const std::vector<Event> events = any_events();
     const BusFaultRates faults = any_faults();
     std::vector<std::unique_ptr<DeviceNode>> nodes;

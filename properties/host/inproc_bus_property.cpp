@@ -195,7 +195,7 @@ class TwoBuses {
 
 }  // namespace
 
-RC_GTEST_PROP(InprocBusLaw, DoesWhatTheNaiveBusDoes, ()) {
+RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveBus, ()) {
     const auto us_per_bit = *rc::gen::element<std::uint64_t>(1, 2, 8);
     TwoBuses buses{us_per_bit, any_faults()};
     for (const Act& act : any_acts(us_per_bit)) {
@@ -205,12 +205,12 @@ RC_GTEST_PROP(InprocBusLaw, DoesWhatTheNaiveBusDoes, ()) {
     buses.check();
 }
 
-RC_GTEST_PROP(InprocBusLaw, FrameIsAsLongAsItsBits, ()) {
+RC_GTEST_PROP(InprocBusLaw, FrameLastsAsLongAsItsBits, ()) {
     const Frame frame = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT(frame_bits(frame) == naive_frame_bits(frame));
 }
 
-RC_GTEST_PROP(InprocBusLaw, ArbitrationIsBitByBit, ()) {
+RC_GTEST_PROP(InprocBusLaw, ArbitrationIsDecidedBitByBit, ()) {
     const Frame one = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     const Frame other = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT((arbitration_rank(one) < arbitration_rank(other)) ==

@@ -148,7 +148,7 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 }  // namespace
 
 /// A frame that a reset drops while it waits for the bus is in the replay alone: it knows no bus.
-RC_GTEST_PROP(ReplayLaw, LinesOfARunAreThoseOfItsReplayInTheirOrder, ()) {
+RC_GTEST_PROP(ReplayLaw, ReplayOfARunWritesTheSameLinesInTheSameOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {
         const auto device = make_device(name);
@@ -167,7 +167,7 @@ RC_GTEST_PROP(ReplayLaw, LinesOfARunAreThoseOfItsReplayInTheirOrder, ()) {
     }
 }
 
-RC_GTEST_PROP(ReplayLaw, TimesNeverDecrease, ()) {
+RC_GTEST_PROP(ReplayLaw, TimesInAReplayNeverDecrease, ()) {
     const std::string name = *rc::gen::elementOf(canproof::test::every_device());
     const auto device = make_device(name);
     device->set_node_id(node);

@@ -159,7 +159,7 @@ class Conversation {
 
 }  // namespace
 
-RC_GTEST_PROP(SocketcandSessionLaw, ClientHearsWhatItAskedFor, ()) {
+RC_GTEST_PROP(SocketcandSessionLaw, ClientReceivesTheFramesThatItSubscribedTo, ()) {
     Conversation conversation;
     for (int i = *rc::gen::inRange(1, 60); i > 0; --i) {
         conversation.go_on();

@@ -25,7 +25,7 @@ class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
 
 }  // namespace
 
-TEST_P(CobIdOfTheDevice, ThatNobodyHasSetFollowsTheNodeIdAlthoughItIsStored) {
+TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
     verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
     EXPECT_EQ(as_shipped & 0x7FU, 3U);
     ASSERT_TRUE(unit.save());
@@ -39,7 +39,7 @@ TEST_P(CobIdOfTheDevice, ThatNobodyHasSetFollowsTheNodeIdAlthoughItIsStored) {
     EXPECT_EQ(cob_id(), as_shipped);
 }
 
-TEST_P(CobIdOfTheDevice, ThatWasSetHoldsOnceItIsStored) {
+TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
     verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
     set_cob_id(as_shipped + 0x40);
     unit.power_cycle();
@@ -52,7 +52,7 @@ TEST_P(CobIdOfTheDevice, ThatWasSetHoldsOnceItIsStored) {
     }
 }
 
-TEST_P(CobIdOfTheDevice, ThatWasSetToTheDefaultOfAnotherNodeHoldsWhenThatNodeSavesAnotherGroup) {
+TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAnotherGroup) {
     verifies<req::CO_PDO_035, req::CO_STORE_001>();
     set_cob_id(as_shipped + 6);  // that of node 9
     ASSERT_TRUE(unit.save(2));

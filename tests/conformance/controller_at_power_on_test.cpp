@@ -20,7 +20,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 }  // namespace
 
 /// The boot-up message is lost, what the boot found is not.
-TEST_F(ControllerAtPowerOn, AnErrorFoundInBusOffIsReportedAfterIt) {
+TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_017>();
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
@@ -31,7 +31,7 @@ TEST_F(ControllerAtPowerOn, AnErrorFoundInBusOffIsReportedAfterIt) {
     EXPECT_EQ(pass(1000), Frames{});
 }
 
-TEST_F(ControllerAtPowerOn, FramesLostThenAreReportedAfterTheBootUp) {
+TEST_F(ControllerAtPowerOn, FramesLostAtPowerOnAreReportedAfterTheBootUpMessage) {
     verifies<req::CO_EMCY_016>();
     overrun = true;
     EXPECT_EQ(power_on(), (Frames{"705#00", "085#1081110100000000"}));
@@ -39,20 +39,20 @@ TEST_F(ControllerAtPowerOn, FramesLostThenAreReportedAfterTheBootUp) {
     EXPECT_EQ(recover(), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(ControllerAtPowerOn, PassiveIsReportedAfterTheBootUp) {
+TEST_F(ControllerAtPowerOn, ErrorPassiveIsReportedAfterTheBootUpMessage) {
     verifies<req::CO_EMCY_016>();
     can_state = 2;
     EXPECT_EQ(power_on(), (Frames{"705#00", "085#2081110100000000"}));
     EXPECT_EQ(recover(), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(ControllerAtPowerOn, AWarningIsNoError) {
+TEST_F(ControllerAtPowerOn, WarningLimitIsNotReportedAsAnError) {
     verifies<req::CO_EMCY_016>();
     can_state = 1;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
 }
 
-TEST_F(ControllerAtPowerOn, AConfigurationThatIsStoredAgainIsDamagedNoMore) {
+TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamagedData) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     EXPECT_EQ(start_damaged(), (Frames{"705#00", "085#0063010100000000"}));
     send("7E5#0401000000000000");
@@ -62,7 +62,7 @@ TEST_F(ControllerAtPowerOn, AConfigurationThatIsStoredAgainIsDamagedNoMore) {
 }
 
 /// The same device, off in bus-off and on with a working bus.
-TEST_F(ControllerAtPowerOn, TheBusOffOfTheLifeBeforeIsOver) {
+TEST_F(ControllerAtPowerOn, BusOffOfThePreviousPowerCycleIsOver) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);
     EXPECT_EQ(sent(), Frames{});

@@ -49,7 +49,7 @@ class ActiveList : public testing::Test {
 
 }  // namespace
 
-TEST_F(ActiveList, ACuredErrorLeavesTheListAndTheRestMovesUp) {
+TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
     verifies<req::CO_EMCY_007>();
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_2, true, Instant{});
@@ -63,7 +63,7 @@ TEST_F(ActiveList, ACuredErrorLeavesTheListAndTheRestMovesUp) {
     EXPECT_TRUE(listed().empty());
 }
 
-TEST_F(ActiveList, DetailsStandInListAndMessage) {
+TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     verifies<req::CO_EMCY_008>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
@@ -82,7 +82,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WhatWaitsIsKeptApartByItsError) {
+TEST_F(ActiveList, WaitingMessagesAreKeptApartByTheirError) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
@@ -94,7 +94,7 @@ TEST_F(ActiveList, WhatWaitsIsKeptApartByItsError) {
     EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both last: 81h
 }
 
-TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
+TEST_F(ActiveList, SentMessageIsNotSentAgain) {
     verifies<req::CO_EMCY_006>();
     for (int round = 0; round < 2; ++round) {
         emcy.enable(false, Instant{});
@@ -105,7 +105,7 @@ TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
     }
 }
 
-TEST_F(ActiveList, AnErrorReportedTwiceWhileItWaitsIsSentOnce) {
+TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.report(channel_1, Instant{});
@@ -114,7 +114,7 @@ TEST_F(ActiveList, AnErrorReportedTwiceWhileItWaitsIsSentOnce) {
     EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it does not last: 1001h reads 00h
 }
 
-TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
+TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy.set(channel_2, true, Instant{});
     emcy.set(channel_1, true, Instant{});  // the latest, with the lower number
@@ -136,7 +136,7 @@ TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0001F001}));
 }
 
-TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {
+TEST_F(ActiveList, ErrorWithoutACodeIsIgnored) {
     shows_rule("a device is silent about errors that it does not know");
     errors[static_cast<std::size_t>(channel_1)] = ErrorRow{0x0000, 0x81, true, true, 0x0001};
     emcy.set(channel_1, true, Instant{});
@@ -147,7 +147,7 @@ TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {
     EXPECT_EQ(objects.read(0x1001, 0), 0U);
 }
 
-TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
+TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
@@ -156,7 +156,7 @@ TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, AnErrorWithTheBitsOfAnotherChangesNoRegister) {
+TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
@@ -170,7 +170,7 @@ TEST_F(ActiveList, AnErrorWithTheBitsOfAnotherChangesNoRegister) {
     EXPECT_TRUE(emcy.take_register_change());  // whether messages go out or not
 }
 
-TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
+TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
     verifies<req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     sent();
@@ -182,7 +182,7 @@ TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
     EXPECT_EQ(sent(), Frames{"085#11F0000210000000"});
 }
 
-TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
+TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
     verifies<req::CO_EMCY_003>();
     objects.write(0x1015, 0, 10000);  // 1 s
     emcy.set(channel_1, true, Instant{});
@@ -195,7 +195,7 @@ TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
-TEST_F(ActiveList, AMessageThatFindsNoRoomLeavesAMillisecondLater) {
+TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
         // until it is full
@@ -211,7 +211,7 @@ TEST_F(ActiveList, AMessageThatFindsNoRoomLeavesAMillisecondLater) {
 }
 
 /// 1014h as a stored set may bring it back: messages are switched off.
-TEST_F(ActiveList, WhatWaitsWhenAResetSwitchesMessagesOffIsNeverSent) {
+TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});

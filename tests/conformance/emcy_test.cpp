@@ -26,13 +26,13 @@ class Errors : public CbxTest {
 
 }  // namespace
 
-TEST_F(Errors, MessageHoldsCodeRegisterAndCount) {
+TEST_F(Errors, EmcyMessageHoldsCodeErrorRegisterAndCount) {
     verifies<req::CO_EMCY_001, req::AO4_ERR_001, req::AO4_T_ERRORS, req::AO4_OD_1014>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
 }
 
-TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
+TEST_F(Errors, ErrorIsSentOnceAtItsStartAndOnceAtItsEnd) {
     verifies<req::CO_EMCY_015, req::AO4_ERR_002>();
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(overrun(true).empty());
@@ -41,7 +41,7 @@ TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
     EXPECT_TRUE(overrun(false).empty());
 }
 
-TEST_F(Errors, RegisterShowsWhatIsActive) {
+TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
     verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
@@ -56,7 +56,7 @@ TEST_F(Errors, RegisterShowsWhatIsActive) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, EachErrorHasItsCode) {
+TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
@@ -68,7 +68,7 @@ TEST_F(Errors, EachErrorHasItsCode) {
 }
 
 // 7.9.4 lists 5000h beside 6110h: two failures, told apart
-TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
+TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
     verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -85,7 +85,7 @@ TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
+TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
     verifies<req::CO_EMCY_013, req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
     can_state(2);
     EXPECT_EQ(listed(0), "01000000");
@@ -103,7 +103,7 @@ TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
     EXPECT_EQ(send("603#4003100B00000000"), (Frames{"583#8003100B11000906"}));
 }
 
-TEST_F(Errors, WritingZeroEmptiesTheList) {
+TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
@@ -114,7 +114,7 @@ TEST_F(Errors, WritingZeroEmptiesTheList) {
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
 }
 
-TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
+TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
     verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     for (int i = 0; i < 10; ++i) {
         overrun(true);
@@ -127,7 +127,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
     }
 }
 
-TEST_F(Errors, ItsOwnIdentifierWrittenAgainLosesNothing) {
+TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
     verifies<req::CO_EMCY_003>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -144,7 +144,7 @@ TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
     EXPECT_EQ(error_register(), "11");
 }
 
-TEST_F(Errors, WhatWaitsWhenMessagesAreSwitchedOffIsNeverSent) {
+TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     verifies<req::CO_EMCY_002>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -156,7 +156,7 @@ TEST_F(Errors, WhatWaitsWhenMessagesAreSwitchedOffIsNeverSent) {
     EXPECT_EQ(overrun(false), (Frames{"083#0000110200000000"}));
 }
 
-TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
+TEST_F(Errors, InhibitTimeKeepsEmcyMessagesApart) {
     verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -165,7 +165,7 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
-TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
+TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_018>();
     write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -173,7 +173,7 @@ TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
 }
 
-TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
+TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
@@ -185,14 +185,14 @@ TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
-TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
+TEST_F(Errors, ErrorThatArisesInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
 }
 
-TEST_F(Errors, WhatTheControllerSaysInStoppedIsAnnouncedAfterItToo) {
+TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(can_state(2).empty());
@@ -215,7 +215,7 @@ TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     EXPECT_EQ(overrun(false), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Errors, AResetOfCommunicationEmptiesTheListOfWhatHasBeen) {
+TEST_F(Errors, ResetCommunicationEmptiesTheErrorHistory) {
     verifies<req::CO_NMT_006, req::AO4_OD_1003>();
     overrun(true);
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100001000000"}));
@@ -224,7 +224,7 @@ TEST_F(Errors, AResetOfCommunicationEmptiesTheListOfWhatHasBeen) {
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100000000000"}));
 }
 
-TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
+TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     verifies<req::CO_EMCY_016, req::CO_EMCY_017, req::AO4_ERR_008, req::AO4_ERR_011>();
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
@@ -237,7 +237,7 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
+TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     verifies<req::AO4_ERR_008>();
     EXPECT_TRUE(can_state(4).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
@@ -246,7 +246,7 @@ TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
     EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
-TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
+TEST_F(Errors, ErrorThatOutlastsAResetIsReportedAgain) {
     verifies<req::AO4_ERR_012>();
     overrun(true);
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
@@ -263,7 +263,7 @@ TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
     EXPECT_EQ(error_register(), "01");
 }
 
-TEST_F(Errors, AFailureOfTheHardwareThatOutlastsAResetIsToldAgain) {
+TEST_F(Errors, HardwareFailureThatOutlastsAResetIsReportedAgain) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -272,7 +272,7 @@ TEST_F(Errors, AFailureOfTheHardwareThatOutlastsAResetIsToldAgain) {
     EXPECT_EQ(listed(1), "00500000");
 }
 
-TEST_F(Errors, AFlickeringErrorLeavesItsLastWord) {
+TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
     verifies<req::CO_EMCY_006>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {

@@ -8,7 +8,7 @@ namespace canproof::test {
 // -- inquiry and identification ---------------------------------------------------------------------------------------
 
 // 6.5
-TEST_F(Lss, InquiriesTellTheAddressAndTheNodeId) {
+TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
     verifies<req::CO_LSS_040, req::CO_LSS_041, req::CO_E_LSS_COMMAND>();
     configure();
     talk({{"7E5#5A00000000000000", {"7E4#5A5F000000000000"}},
@@ -19,7 +19,7 @@ TEST_F(Lss, InquiriesTellTheAddressAndTheNodeId) {
 }
 
 // 6.6.2: revision and serial number are ranges, their bounds included
-TEST_F(Lss, IdentifyRemoteSlaveFindsTheSlaveInItsRanges) {
+TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
@@ -36,7 +36,7 @@ TEST_F(Lss, IdentifyRemoteSlaveFindsTheSlaveInItsRanges) {
     EXPECT_FALSE(is_configuring());  // identified, not selected
 }
 
-TEST_F(Lss, IdentifyRemoteSlavePassesOverOtherSlaves) {
+TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
     verifies<req::CO_LSS_043>();
     const std::vector<Exchange> fitting{{"7E5#465F000000000000", {}}, {"7E5#47010302AA000000", {}},
                                         {"7E5#4801000100000000", {}}, {"7E5#4903000100000000", {}},
@@ -68,7 +68,7 @@ TEST_F(Lss, IdentifyRemoteSlavePassesOverOtherSlaves) {
     talk({{"7E5#4B22112620000000", {}}});  // the last frame alone is none
 }
 
-TEST_F(Lss, IdentifyRemoteSlaveBeginsAnewWithAVendorId) {
+TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
     verifies<req::CO_LSS_043>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
@@ -82,7 +82,7 @@ TEST_F(Lss, IdentifyRemoteSlaveBeginsAnewWithAVendorId) {
 }
 
 // 6.6.4
-TEST_F(Lss, IdentifyNonConfiguredIsForSlavesWithoutANodeId) {
+TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
     verifies<req::CO_LSS_044, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#4C00000000000000", {}},
           {"7E5#0401000000000000", {}},
@@ -105,7 +105,7 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
 // -- Fastscan, 6.7: 51h, number (32 bit), bit check, which of the four (0 to 3), which is next
 // --------------------------
 
-TEST_F(Unconfigured, FastscanLeadsThroughTheFourNumbers) {
+TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
     verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_053, req::CO_LSS_054, req::CO_E_LSS_NUMBER,
              req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};
@@ -159,7 +159,7 @@ TEST_F(Unconfigured, FastscanFindsTheAddressBitByBit) {
     EXPECT_EQ(found, (std::vector<std::uint32_t>{0x5F, 0xAA020301, 0x00010002, 0x20261121}));
 }
 
-TEST_F(Unconfigured, FastscanIsNeverCompleteBeforeAllFourAreConfirmed) {
+TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
     verifies<req::CO_LSS_054, req::CO_LSS_053>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<std::vector<Exchange>> shortcuts{
@@ -191,7 +191,7 @@ TEST_F(Unconfigured, FastscanIsNeverCompleteBeforeAllFourAreConfirmed) {
     }
 }
 
-TEST_F(Unconfigured, AMasterMayLeadThroughTheNumbersInAnyOrder) {
+TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
     verifies<req::CO_LSS_053, req::CO_LSS_054>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},
@@ -203,7 +203,7 @@ TEST_F(Unconfigured, AMasterMayLeadThroughTheNumbersInAnyOrder) {
     EXPECT_TRUE(is_configuring());
 }
 
-TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128BeginsAnew) {
+TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
     verifies<req::CO_LSS_051>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is asked for
@@ -217,7 +217,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128BeginsAnew) {
     EXPECT_FALSE(is_configuring());  // product code and revision are forgotten
 }
 
-TEST_F(Unconfigured, AFastscanBeginsAnewAfterAResetAndAfterACompleteOne) {
+TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
     verifies<req::CO_LSS_004, req::CO_LSS_054>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<Exchange> three{
@@ -233,7 +233,7 @@ TEST_F(Unconfigured, AFastscanBeginsAnewAfterAResetAndAfterACompleteOne) {
     EXPECT_FALSE(is_configuring());
 }
 
-TEST_F(Unconfigured, AFastscanThatAResetInterruptsBeginsAnew) {
+TEST_F(Unconfigured, FastscanInterruptedByAResetRestarts) {
     verifies<req::CO_LSS_004>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
@@ -251,7 +251,7 @@ TEST_F(Unconfigured, AFastscanThatAResetInterruptsBeginsAnew) {
     EXPECT_FALSE(is_configuring());
 }
 
-TEST_F(Unconfigured, AFastscanGoesOnAfterAVisitToLssConfiguration) {
+TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
     verifies<req::CO_LSS_054>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
@@ -261,7 +261,7 @@ TEST_F(Unconfigured, AFastscanGoesOnAfterAVisitToLssConfiguration) {
           {"7E5#51010302AA000102", yes}});
 }
 
-TEST_F(Unconfigured, FastscanIgnoresWhatDoesNotExist) {
+TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
     verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},
@@ -279,7 +279,7 @@ TEST_F(Unconfigured, FastscanIgnoresWhatDoesNotExist) {
           {"7E5#515F000000000001", yes}});
 }
 
-TEST_F(Lss, FastscanIsForSlavesWithoutANodeId) {
+TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
     verifies<req::CO_LSS_050>();
     talk({{"7E5#5100000000800000", {}},
           {"7E5#515F000000000000", {}},

@@ -55,7 +55,7 @@ TEST_P(LssReplay, TheCapturedSessionIsByteExact) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_P(LssReplay, WhatTheSessionStoredHoldsAfterPowerOn) {
+TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
     verifies<req::CO_LSS_019, req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);
@@ -66,7 +66,7 @@ TEST_P(LssReplay, WhatTheSessionStoredHoldsAfterPowerOn) {
 }
 
 // Power fails after activate, before store: the node comes back at 125 kbit/s.
-TEST_P(LssReplay, ASessionThatWasNotStoredIsForgotten) {
+TEST_P(LssReplay, SessionWithoutStoreIsLostAtPowerOn) {
     verifies<req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

@@ -36,7 +36,7 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
           {"7E5#5E00000000000000", {}}});
 }
 
-TEST_F(Lss, AWrongNumberOfSwitchStateSelectiveSelectsNobody) {
+TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
     const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // another vendor
                                                      {"7E5#41010302AA000000", {}},
@@ -76,7 +76,7 @@ TEST_F(Lss, AWrongNumberOfSwitchStateSelectiveSelectsNobody) {
     }
 }
 
-TEST_F(Lss, AVendorIdBeginsSwitchStateSelectiveAnew) {
+TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
     verifies<req::CO_LSS_003>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#41010302AA000000", {}},
@@ -102,7 +102,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
 }
 
 // 6.3: NMT resets are resets of LSS as well
-TEST_F(Lss, ResetsEndConfigurationAndBegunSequences) {
+TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     verifies<req::CO_LSS_004>();
     for (const char* reset : {"000#8105", "000#8205"}) {
         configure();
@@ -135,7 +135,7 @@ TEST_F(Lss, ResetsEndConfigurationAndBegunSequences) {
 }
 
 // CO-T-LSS, cell by cell: which service works in LSS waiting, in LSS configuration, and there in NMT operational
-TEST_F(Lss, EachServiceWorksInItsStates) {
+TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_T_LSS>();
     struct Row {
         const char* request;
@@ -177,7 +177,7 @@ TEST_F(Lss, EachServiceWorksInItsStates) {
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
 
-TEST_F(Lss, SelectiveFramesInConfigurationAreNotCounted) {
+TEST_F(Lss, SelectiveFramesInLssConfigurationAreNotCounted) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
     // Each of the four in turn is sent while the slave is configured, and so is missing.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
@@ -205,7 +205,7 @@ TEST_F(Lss, LssWorksInStopped) {
     EXPECT_EQ(state(), NmtState::stopped);
 }
 
-TEST_F(Lss, NothingIsConfiguredInOperational) {
+TEST_F(Lss, LssConfiguresNothingInOperational) {
     verifies<req::CO_LSS_006>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
@@ -221,7 +221,7 @@ TEST_F(Lss, NothingIsConfiguredInOperational) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-TEST_F(Lss, SwitchStateIsFollowedInOperational) {
+TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
     verifies<req::CO_LSS_006, req::CO_LSS_001>();
     send("000#0105");
     talk({{"7E5#0401000000000000", {}},
@@ -235,7 +235,7 @@ TEST_F(Lss, SwitchStateIsFollowedInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Each service with one byte too few, with just enough, with seven and with eight bytes.
-TEST_F(Lss, AFrameNeedsTheBytesOfItsServiceAndIsAnsweredInKind) {
+TEST_F(Lss, FrameNeedsTheBytesOfItsServiceAndIsAnsweredWithAsMany) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -268,7 +268,7 @@ TEST_F(Lss, AFrameNeedsTheBytesOfItsServiceAndIsAnsweredInKind) {
     EXPECT_TRUE(is_configuring());
 }
 
-TEST_F(Lss, ShortFramesOfASequenceAreNotCounted) {
+TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
@@ -281,7 +281,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreNotCounted) {
          {"7E5#4A21112620", {}},         {"7E5#4B21112620", {}}});
 }
 
-TEST_F(Unconfigured, AFastscanRequestHasEightBytes) {
+TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     talk({{"7E5#51000000008000", {}},
           {"7E5#5100000000800000", {"7E4#4F00000000000000"}},
@@ -289,7 +289,7 @@ TEST_F(Unconfigured, AFastscanRequestHasEightBytes) {
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
 }
 
-TEST_F(Lss, OtherFramesAreNoRequests) {
+TEST_F(Lss, FramesOfOtherIdentifiersOrFormatsAreNoLssRequests) {
     verifies<req::CO_LSS_062, req::CO_K_LSS_REQUEST_ID>();
     talk({{"7E5#R", {}},
           {"7E5#R8", {}},
@@ -313,7 +313,7 @@ TEST_F(Lss, OtherFramesAreNoRequests) {
 }
 
 // CBX-AO412, 7.5: no LSS among its identifiers
-TEST_F(CbxTest, ADeviceWithoutLssIgnoresItsMaster) {
+TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",
                               "7E5#1300030000000000", "7E5#1700000000000000", "7E5#1564000000000000",

@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 
 // -- The procedure ----------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, TheStepsInTheirOrder) {
+TEST_P(Remapping, StepsInTheirOrderAreAccepted) {
     verifies<req::CO_PDO_009>();
     hold({
         {parameter("01"), not_valid(), ""},  // a) destroy
@@ -76,7 +76,7 @@ TEST_P(Remapping, TheStepsInTheirOrder) {
     });
 }
 
-TEST_P(Remapping, EachStepOutOfOrder) {
+TEST_P(Remapping, EachStepOutOfOrderIsRefused) {
     verifies<req::CO_PDO_009>();
     hold({
         {line("00"), "00", present_state},              // b) before a)
@@ -96,7 +96,7 @@ TEST_P(Remapping, EachStepOutOfOrder) {
     });
 }
 
-TEST_P(Remapping, ARefusedStepChangesNothing) {
+TEST_P(Remapping, RefusedStepChangesNothing) {
     verifies<req::CO_PDO_009, req::CO_SDO_011>();
     const std::string first = GetParam().mapping == "0016" ? "08010020" : "08010120";
     hold({{line("01"), GetParam().entry, present_state}, {line("00"), "01", present_state}});
@@ -106,7 +106,7 @@ TEST_P(Remapping, ARefusedStepChangesNothing) {
 
 // -- What can be mapped -----------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, WhatCannotBeMapped) {
+TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
     verifies<req::CO_PDO_010>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -149,7 +149,7 @@ TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
     });
 }
 
-TEST_P(Remapping, TheCountIsChecked) {
+TEST_P(Remapping, NumberOfMappedObjectsIsChecked) {
     verifies<req::CO_PDO_011>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -171,7 +171,7 @@ TEST_P(Remapping, TheCountIsChecked) {
 
 // -- COB-ID -----------------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, TheIdentifierIsFixedWhileThePdoIsValid) {
+TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
     verifies<req::CO_PDO_007, req::CO_PDO_006>();
     const std::string other = GetParam().other_id;
     hold({
@@ -184,7 +184,7 @@ TEST_P(Remapping, TheIdentifierIsFixedWhileThePdoIsValid) {
     });
 }
 
-TEST_P(Remapping, BitsThatAreNotMeantAreRefused) {
+TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
     verifies<req::CO_PDO_007>();
     const std::string id = GetParam().cob_id;
     hold({
@@ -210,7 +210,7 @@ TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
     }
 }
 
-TEST_P(Remapping, ATpdoSharesItsIdentifierWithNobody) {
+TEST_P(Remapping, TpdoIdentifierInUseByAnotherPdoIsRefused) {
     verifies<req::CO_PDO_026>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -244,7 +244,7 @@ TEST_P(Remapping, ReservedTransmissionTypesAreRefused) {
     });
 }
 
-TEST_P(Remapping, TheInhibitTimeIsFixedWhileThePdoIsValid) {
+TEST_P(Remapping, InhibitTimeIsLockedWhileThePdoIsValid) {
     verifies<req::CO_PDO_023>();
     hold({
         {parameter("03"), "6400", present_state},
@@ -256,7 +256,7 @@ TEST_P(Remapping, TheInhibitTimeIsFixedWhileThePdoIsValid) {
     });
 }
 
-TEST_P(Remapping, TheEventTimerCanChangeAtAnyTime) {
+TEST_P(Remapping, EventTimerCanChangeAtAnyTime) {
     verifies<req::CO_PDO_025, req::CO_PDO_022>();
     hold({
         {parameter("05"), "6400", ""},
@@ -267,7 +267,7 @@ TEST_P(Remapping, TheEventTimerCanChangeAtAnyTime) {
 
 class StartValue : public testing::Test, public SlaveBench {};
 
-TEST_F(StartValue, IsFixedWhileThePdoIsValidAndEndsAt240) {
+TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
     verifies<req::CO_PDO_024>();
     talk(*this, {
                     {"605#2F00180601000000", {"585#8000180622000008"}},
@@ -282,7 +282,7 @@ TEST_F(StartValue, IsFixedWhileThePdoIsValidAndEndsAt240) {
 
 class DefaultIdentifiers : public testing::Test, public SlaveBench {};
 
-TEST_F(DefaultIdentifiers, FollowTheNodeId) {
+TEST_F(DefaultIdentifiers, DefaultIdentifiersFollowTheNodeId) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
                     {"605#4000140100000000", {"585#4300140105020000"}},  // 205h
@@ -301,7 +301,7 @@ TEST_F(DefaultIdentifiers, FollowTheNodeId) {
                 });
 }
 
-TEST_F(DefaultIdentifiers, AStoredOneStays) {
+TEST_F(DefaultIdentifiers, StoredIdentifierStaysWhenTheNodeIdChanges) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
                     {"605#2300140105020080", {"585#6000140100000000"}},

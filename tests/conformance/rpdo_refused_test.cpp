@@ -12,7 +12,7 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(Rpdo, ARefusedPdoIsNoReception) {
+TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
     send("605#2F29100101000000");                // 1029h:1 = 1: no change of state
     map_rpdo3({"10000022"});                     // 2200h: -100 … 100
@@ -29,7 +29,7 @@ TEST_F(Rpdo, ARefusedPdoIsNoReception) {
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100000000000"}));
 }
 
-TEST_F(Rpdo, ARefusedPdoDoesNotTakeThePlaceOfOneThatWaitsForTheSync) {
+TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_002>();
     map_rpdo3({"10000022"});
     talk(*this, {
@@ -46,7 +46,7 @@ TEST_F(Rpdo, ARefusedPdoDoesNotTakeThePlaceOfOneThatWaitsForTheSync) {
                 });
 }
 
-TEST_F(Rpdo, AValueErrorLastsWhileAnyPdoIsRefused) {
+TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
     verifies<req::CO_PDO_034>();
     map_rpdo3({"10000022"});
     talk(*this, {
@@ -66,7 +66,7 @@ TEST_F(Rpdo, AValueErrorLastsWhileAnyPdoIsRefused) {
 }
 
 // 2200h may be -100 to the value of 2100h:1, which moves between the reception and the SYNC.
-TEST_F(MovingLimit, AnRpdoThatWaitsForTheSyncIsRefusedWhenALimitHasMoved) {
+TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
     verifies<req::CO_PDO_033, req::CO_PDO_034>();
     limit(0x2200, 0, {{LimitKind::value, 0xFF9C, 0}, {LimitKind::entry, 0x210001, 0}});
     ship(0x2100, 1, 100);

@@ -46,7 +46,7 @@ TEST_F(Rpdo, Types0To240WaitForTheSyncAndTakeTheLastValues) {
     }
 }
 
-TEST_F(Rpdo, OutsideOperationalNothingIsTakenOrKept) {
+TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
     verifies<req::CO_PDO_003>();
     talk(*this, {
                     {"605#2F00140201000000", {"585#6000140200000000"}},  // RPDO1: type 1
@@ -70,7 +70,7 @@ TEST_F(Rpdo, OutsideOperationalNothingIsTakenOrKept) {
 
 // -- Length -----------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, TooShortIsAnErrorUntilTheRightLengthComes) {
+TEST_F(Rpdo, TooShortRpdoIsAnErrorUntilTheRightLengthArrives) {
     verifies<req::CO_PDO_004, req::CO_PDO_020>();
     // 8210h, bits 0 and 4 of 1001h, one error listed
     talk(*this, {
@@ -90,7 +90,7 @@ TEST_F(Rpdo, TooShortIsAnErrorUntilTheRightLengthComes) {
                 });
 }
 
-TEST_F(Rpdo, TheLengthErrorLastsWhileAnyPdoIsTooShort) {
+TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
     verifies<req::CO_PDO_020>();
     talk(*this, {
                     {"305#01", {"085#1082110100000000"}},
@@ -100,7 +100,7 @@ TEST_F(Rpdo, TheLengthErrorLastsWhileAnyPdoIsTooShort) {
                 });
 }
 
-TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
+TEST_F(Rpdo, LongerFrameSetsTheMappedPart) {
     verifies<req::CO_PDO_004>();
     talk(*this, {
                     {"205#112233", {}},
@@ -115,7 +115,7 @@ TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
 
 // -- Values -----------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
+TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"08030020", "10000022"});  // 2000h:3, then 2200h: -100 … 100
     talk(*this, {
@@ -135,7 +135,7 @@ TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
                 });
 }
 
-TEST_F(Rpdo, ARealMustBeANumberWithinItsLimits) {
+TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
     talk(*this, {
@@ -180,7 +180,7 @@ TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
                 });
 }
 
-TEST_F(Rpdo, AllSixtyFourBitsCanBeOneValueOrEight) {
+TEST_F(Rpdo, SixtyFourBitsCanBeOneValueOrEight) {
     verifies<req::CO_PDO_001>();
     map_rpdo3({"40000622"});  // 2206h: UNSIGNED64
     talk(*this, {
@@ -205,7 +205,7 @@ TEST_F(Rpdo, AllSixtyFourBitsCanBeOneValueOrEight) {
 
 // -- Identifiers ------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, OnlyDataFramesOfItsElevenBitIdentifierAreTaken) {
+TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
     verifies<req::CO_PDO_006, req::CO_FRAME_001>();
     talk(*this, {
                     {"00000205#1122", {}},  // 29 bits
@@ -224,7 +224,7 @@ TEST_F(Rpdo, OnlyDataFramesOfItsElevenBitIdentifierAreTaken) {
                 });
 }
 
-TEST_F(Rpdo, TwoMayShareAnIdentifierAndTakeTheirParts) {
+TEST_F(Rpdo, TwoRpdosMayShareAnIdentifierAndTakeTheirParts) {
     verifies<req::CO_PDO_026>();
     map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
     talk(*this, {
@@ -239,7 +239,7 @@ TEST_F(Rpdo, TwoMayShareAnIdentifierAndTakeTheirParts) {
 
 // -- Monitoring by the event timer ------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, AMissingReceptionIsAnErrorUntilTheNextOne) {
+TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     verifies<req::CO_PDO_021>();
     talk(*this, {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
@@ -257,7 +257,7 @@ TEST_F(Rpdo, AMissingReceptionIsAnErrorUntilTheNextOne) {
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
-TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
+TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B00140532000000");
@@ -275,7 +275,7 @@ TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
+TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
     verifies<req::CO_PDO_032>();
     send("605#2B00140532000000");
     const int before = device->communication_errors();
@@ -292,7 +292,7 @@ TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
     EXPECT_EQ(device->node().state(), NmtState::stopped);
 }
 
-TEST_F(Rpdo, AnotherFaultWhileCommunicationHasFailedIsNoNewError) {
+TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
     verifies<req::CO_PDO_032, req::CO_PDO_020>();
     send("605#2B00140532000000");  // RPDO1 within 50 ms
     send("205#1122");
@@ -305,7 +305,7 @@ TEST_F(Rpdo, AnotherFaultWhileCommunicationHasFailedIsNoNewError) {
     EXPECT_EQ(device->communication_errors(), before);
 }
 
-TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
+TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -318,7 +318,7 @@ TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, NoTimerOutlivesOperational) {
+TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -331,7 +331,7 @@ TEST_F(Rpdo, NoTimerOutlivesOperational) {
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
-TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
+TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
     verifies<req::CO_PDO_022>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");
@@ -349,7 +349,7 @@ TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }
 
-TEST_F(Rpdo, AResetEndsTheErrorsOfReception) {
+TEST_F(Rpdo, ResetEndsTheErrorsOfReception) {
     verifies<req::CO_PDO_020, req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -5,7 +5,7 @@
 
 namespace canproof::test {
 
-TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
+TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
     verifies<req::CO_SDO_006, req::CO_SDO_018>();
     hold(nine);
     const std::string refused = "585#8000240001000405";
@@ -52,7 +52,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
                 });
 }
 
-TEST_F(SdoBlock, ADownloadSegmentAfterABlockUploadInitiateWritesNothing) {
+TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     talk(*this, {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h is read-only
@@ -65,7 +65,7 @@ TEST_F(SdoBlock, ADownloadSegmentAfterABlockUploadInitiateWritesNothing) {
                 });
 }
 
-TEST_F(SdoBlock, TheClientsAbortEndsAnUploadInEveryState) {
+TEST_F(SdoBlock, ClientAbortEndsAnUploadInEveryState) {
     verifies<req::CO_SDO_013>();
     hold(nine);
     const std::string initiate = "605#A40024007F000000";
@@ -89,7 +89,7 @@ TEST_F(SdoBlock, TheClientsAbortEndsAnUploadInEveryState) {
                 });
 }
 
-TEST_F(SdoBlock, ANewInitiateEndsAnUploadInEveryState) {
+TEST_F(SdoBlock, NewInitiateEndsAnUploadInEveryState) {
     verifies<req::CO_SDO_012>();
     hold(nine);
     const std::string initiate = "605#A40024007F000000";
@@ -115,7 +115,7 @@ TEST_F(SdoBlock, ANewInitiateEndsAnUploadInEveryState) {
                 });
 }
 
-TEST_F(SdoBlock, AStalledUploadIsAbortedInEveryState) {
+TEST_F(SdoBlock, StalledUploadIsAbortedInEveryState) {
     verifies<req::CO_SDO_014>();
     hold(nine);
     const Frames timed_out{"1:585#8000240000000405"};
@@ -136,7 +136,7 @@ TEST_F(SdoBlock, AStalledUploadIsAbortedInEveryState) {
     EXPECT_TRUE(pass(5000).empty());
 }
 
-TEST_F(SdoBlock, DownloadRequestsOutOfTurn) {
+TEST_F(SdoBlock, DownloadRequestsOutOfTurnAreAborted) {
     verifies<req::CO_SDO_006, req::CO_SDO_018>();
     const std::string refused = "585#8000240001000405";
     const std::vector<Exchange> received{
@@ -153,7 +153,7 @@ TEST_F(SdoBlock, DownloadRequestsOutOfTurn) {
     EXPECT_TRUE(held().empty());
 }
 
-TEST_F(SdoBlock, TheClientsAbortEndsADownloadInEveryState) {
+TEST_F(SdoBlock, ClientAbortEndsADownloadInEveryState) {
     verifies<req::CO_SDO_013, req::CO_SDO_033>();
     hold({7});
     const std::string initiate = "605#C600240009000000";
@@ -174,7 +174,7 @@ TEST_F(SdoBlock, TheClientsAbortEndsADownloadInEveryState) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, AStalledDownloadIsAborted) {
+TEST_F(SdoBlock, StalledDownloadIsAborted) {
     verifies<req::CO_SDO_014, req::CO_SDO_033, req::CO_SDO_037>();
     hold({7});
     const Frames timed_out{"1:585#8000240000000405"};
@@ -195,7 +195,7 @@ TEST_F(SdoBlock, AStalledDownloadIsAborted) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, StoppedAndResetForgetABlockTransfer) {
+TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
     verifies<req::CO_SDO_017, req::CO_SDO_033>();
     hold({7});
     talk(*this, {

@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-TEST_F(SdoBlock, DownloadOfNineBytes) {
+TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
     verifies<req::CO_SDO_026, req::CO_SDO_029, req::CO_SDO_033>();
     hold({0xAA});
     talk(*this, {
@@ -22,7 +22,7 @@ TEST_F(SdoBlock, DownloadOfNineBytes) {
     EXPECT_EQ(held(), nine);
 }
 
-TEST_F(SdoBlock, DownloadWithoutSize) {
+TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
     verifies<req::CO_SDO_029>();
     talk(*this, {
                     {"605#C400240000000000", {"585#A40024007F000000"}},
@@ -33,7 +33,7 @@ TEST_F(SdoBlock, DownloadWithoutSize) {
     EXPECT_EQ(held(), nine);
 }
 
-TEST_F(SdoBlock, TheCrcIsNotLookedAtWhenTheClientHasNone) {
+TEST_F(SdoBlock, CrcIsIgnoredWhenTheClientHasNone) {
     verifies<req::CO_SDO_028>();
     talk(*this, {
                     {"605#C200240009000000", {"585#A40024007F000000"}},
@@ -44,7 +44,7 @@ TEST_F(SdoBlock, TheCrcIsNotLookedAtWhenTheClientHasNone) {
     EXPECT_EQ(held(), nine);
 }
 
-TEST_F(SdoBlock, AWrongCrcRefusesTheWhole) {
+TEST_F(SdoBlock, WrongCrcRefusesTheWholeDownload) {
     verifies<req::CO_SDO_028, req::CO_SDO_033, req::CO_E_ABORT>();
     hold({1, 2, 3});
     for (const std::string end : {"605#D5C2310000000000", "605#D5C3300000000000", "605#D531C30000000000"}) {
@@ -59,7 +59,7 @@ TEST_F(SdoBlock, AWrongCrcRefusesTheWhole) {
     EXPECT_EQ(held(), (Bytes{1, 2, 3}));
 }
 
-TEST_F(SdoBlock, WhatTheServerDidNotGetIsAskedForAgain) {
+TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
     verifies<req::CO_SDO_026>();
     const Bytes bytes = counting(28);
     const std::string crc = block_end("605", bytes);
@@ -78,7 +78,7 @@ TEST_F(SdoBlock, WhatTheServerDidNotGetIsAskedForAgain) {
     EXPECT_EQ(held(), bytes);
 }
 
-TEST_F(SdoBlock, ASegmentThatComesTwiceCountsOnce) {
+TEST_F(SdoBlock, SegmentReceivedTwiceCountsOnce) {
     verifies<req::CO_SDO_026>();
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
@@ -90,7 +90,7 @@ TEST_F(SdoBlock, ASegmentThatComesTwiceCountsOnce) {
     EXPECT_EQ(held(), nine);
 }
 
-TEST_F(SdoBlock, AFullSubBlockIsAcknowledgedAtItsEnd) {
+TEST_F(SdoBlock, FullSubBlockIsAcknowledgedAtItsEnd) {
     verifies<req::CO_SDO_026, req::CO_K_SDO_BLOCK_SIZE>();
     const Bytes bytes = counting(7 * 127 + 5, 3);
     send("605#C60024007E030000");  // 894 = 37Eh
@@ -103,7 +103,7 @@ TEST_F(SdoBlock, AFullSubBlockIsAcknowledgedAtItsEnd) {
     EXPECT_EQ(held(), bytes);
 }
 
-TEST_F(SdoBlock, AnEmptyValueCanBeDownloaded) {
+TEST_F(SdoBlock, EmptyValueCanBeDownloaded) {
     verifies<req::CO_SDO_038>();
     hold({1});
     talk(*this, {
@@ -115,7 +115,7 @@ TEST_F(SdoBlock, AnEmptyValueCanBeDownloaded) {
                 });
 }
 
-TEST_F(SdoBlock, OrdinaryEntriesTakeBlocksUnderTheSameChecks) {
+TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
     verifies<req::CO_SDO_029, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     const auto block_of = [](const std::string& object, const Bytes& bytes, const std::string& last) {
         return std::vector<Exchange>{
@@ -137,7 +137,7 @@ TEST_F(SdoBlock, OrdinaryEntriesTakeBlocksUnderTheSameChecks) {
     talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // no signature
 }
 
-TEST_F(SdoBlock, WhatCannotBeWrittenIsRefusedAtOnce) {
+TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
     verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034>();
     talk(*this, {
                     {"605#C600100004000000", {"585#8000100002000106"}},
@@ -152,7 +152,7 @@ TEST_F(SdoBlock, WhatCannotBeWrittenIsRefusedAtOnce) {
                 });
 }
 
-TEST_F(SdoBlock, AnotherLengthThanAnnouncedIsRefused) {
+TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_033, req::CO_E_ABORT>();
     hold({1});
     for (const std::string size : {"08", "0A", "00"}) {
@@ -166,7 +166,7 @@ TEST_F(SdoBlock, AnotherLengthThanAnnouncedIsRefused) {
     EXPECT_EQ(held(), Bytes{1});
 }
 
-TEST_F(SdoBlock, MoreThanTheEntryHoldsIsRefusedWhileItComes) {
+TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
     verifies<req::CO_SDO_010>();
     // 2300h holds 40 bytes: five segments are 35, a sixth may be its last with 2 unused, a seventh is too much
     talk(*this, {
@@ -182,7 +182,7 @@ TEST_F(SdoBlock, MoreThanTheEntryHoldsIsRefusedWhileItComes) {
                 });
 }
 
-TEST_F(SdoBlock, PairsOf1And127CannotRunOutOfTheMemory) {
+TEST_F(SdoBlock, SegmentPairs1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026>();
     // each pair ends a sub-block of which one segment was in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
@@ -203,7 +203,7 @@ TEST_F(SdoBlock, PairsOf1And127CannotRunOutOfTheMemory) {
     EXPECT_EQ(device->held(program_index, 0).size(), 0U);
 }
 
-TEST_F(SdoBlock, SequenceNumberZero) {
+TEST_F(SdoBlock, SequenceNumberZeroAbortsTheDownload) {
     verifies<req::CO_SDO_027, req::CO_SDO_030, req::CO_E_ABORT>();
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
@@ -215,7 +215,7 @@ TEST_F(SdoBlock, SequenceNumberZero) {
                 });
 }
 
-TEST_F(SdoBlock, WhileSegmentsArriveEveryRequestIsOne) {
+TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
     verifies<req::CO_SDO_030, req::CO_SDO_012>();
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
@@ -231,7 +231,7 @@ TEST_F(SdoBlock, WhileSegmentsArriveEveryRequestIsOne) {
     EXPECT_TRUE(held().empty());
 }
 
-TEST_F(SdoBlock, TheDeviceMayRefuseTheWhole) {
+TEST_F(SdoBlock, DeviceMayRefuseTheWholeValue) {
     verifies<req::CO_SDO_033>();
     hold({7});
     device->refuse_domains_with(AbortCode::hardware_error);
@@ -245,7 +245,7 @@ TEST_F(SdoBlock, TheDeviceMayRefuseTheWhole) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, ADomainTakesExpeditedAndSegmentedDownloadsToo) {
+TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
     verifies<req::CO_SDO_033, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2300240001020304", {"585#6000240000000000"}},

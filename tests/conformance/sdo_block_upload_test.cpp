@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-TEST(Crc16, HasTheCheckValueOfCiA301) {
+TEST(Crc16, CrcHasTheCheckValueOfCiA301) {
     verifies<req::CO_SDO_025, req::CO_SDO_028>();
     Crc16 crc;
     crc.add(ByteView{nine.data(), 4});
@@ -22,7 +22,7 @@ TEST(Crc16, HasTheCheckValueOfCiA301) {
 
 // -- upload -----------------------------------------------------------------------------------------------------------
 
-TEST_F(SdoBlock, UploadOfNineBytes) {
+TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
     verifies<req::CO_SDO_020, req::CO_SDO_021, req::CO_SDO_025, req::CO_SDO_032>();
     hold(nine);
     talk(*this, {
@@ -34,7 +34,7 @@ TEST_F(SdoBlock, UploadOfNineBytes) {
                 });
 }
 
-TEST_F(SdoBlock, UploadToAClientWithoutCrc) {
+TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
     verifies<req::CO_SDO_020>();
     hold(nine);
     talk(*this, {
@@ -45,7 +45,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrc) {
                 });
 }
 
-TEST_F(SdoBlock, UploadInSubBlocksOfTwo) {
+TEST_F(SdoBlock, UploadInSubBlocksOfTwoSegments) {
     verifies<req::CO_SDO_021, req::CO_SDO_022>();
     const Bytes bytes = counting(30);  // 5 segments: 2, 2 and 1, the last with 2 bytes
     hold(bytes);
@@ -74,7 +74,7 @@ TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
                 });
 }
 
-TEST_F(SdoBlock, WhatTheClientDidNotGetComesAgain) {
+TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
     verifies<req::CO_SDO_022>();
     const Bytes bytes = counting(21);  // three full segments
     hold(bytes);
@@ -92,7 +92,7 @@ TEST_F(SdoBlock, WhatTheClientDidNotGetComesAgain) {
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // no byte unused
 }
 
-TEST_F(SdoBlock, ARepeatedSegmentCountsOnceInTheCrc) {
+TEST_F(SdoBlock, RepeatedSegmentCountsOnceInTheCrc) {
     verifies<req::CO_SDO_025>();
     hold(nine);
     talk(*this, {
@@ -105,7 +105,7 @@ TEST_F(SdoBlock, ARepeatedSegmentCountsOnceInTheCrc) {
                 });
 }
 
-TEST_F(SdoBlock, OnlySegmentsThatWereSentCanBeAcknowledged) {
+TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
     verifies<req::CO_SDO_023, req::CO_E_ABORT>();
     hold(counting(21));
     talk(*this, {
@@ -124,7 +124,7 @@ TEST_F(SdoBlock, OnlySegmentsThatWereSentCanBeAcknowledged) {
                 });
 }
 
-TEST_F(SdoBlock, BlockSizesAreOneTo127) {
+TEST_F(SdoBlock, BlockSizesFrom1To127AreAccepted) {
     verifies<req::CO_SDO_024, req::CO_E_ABORT>();
     hold(nine);
     talk(*this, {
@@ -141,7 +141,7 @@ TEST_F(SdoBlock, BlockSizesAreOneTo127) {
                 });
 }
 
-TEST_F(SdoBlock, SmallValuesAreSwitchedToAPlainUpload) {
+TEST_F(SdoBlock, SmallValuesSwitchToAPlainUpload) {
     verifies<req::CO_SDO_031>();
     hold(nine);
     talk(*this, {
@@ -159,7 +159,7 @@ TEST_F(SdoBlock, SmallValuesAreSwitchedToAPlainUpload) {
                 });
 }
 
-TEST_F(SdoBlock, AnyValueCanBeUploadedInABlock) {
+TEST_F(SdoBlock, NumbersAndStringsCanBeUploadedInABlock) {
     verifies<req::CO_SDO_020, req::CO_SDO_021>();
     talk(*this, {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h, 12345678h
@@ -173,7 +173,7 @@ TEST_F(SdoBlock, AnyValueCanBeUploadedInABlock) {
                 });
 }
 
-TEST_F(SdoBlock, AnEmptyValueIsOneSegmentWithoutData) {
+TEST_F(SdoBlock, BlockUploadOfAnEmptyValueIsOneSegmentWithoutData) {
     verifies<req::CO_SDO_038>();
     hold({});
     talk(*this, {
@@ -184,7 +184,7 @@ TEST_F(SdoBlock, AnEmptyValueIsOneSegmentWithoutData) {
                 });
 }
 
-TEST_F(SdoBlock, WhatCannotBeReadIsRefusedAtOnce) {
+TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
     verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_032>();
     talk(*this, {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
@@ -196,7 +196,7 @@ TEST_F(SdoBlock, WhatCannotBeReadIsRefusedAtOnce) {
                 });
 }
 
-TEST_F(SdoBlock, SixtyFourKibibytes) {
+TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE, req::CO_K_SDO_BLOCK_QUEUED>();
     // A piece at a time: the microcontroller has no room for all of it beside the slave's and the answers.
     const auto piece = [](std::size_t from, std::size_t size) {
@@ -230,7 +230,7 @@ TEST_F(SdoBlock, SixtyFourKibibytes) {
     EXPECT_TRUE(send("605#A100000000000000").empty());
 }
 
-TEST_F(SdoBlock, NoMoreThanEightSegmentsWait) {
+TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     verifies<req::CO_SDO_039, req::CO_K_SDO_BLOCK_QUEUED>();
     hold(counting(140));  // 20 segments
     send("605#A40024007F000000");
@@ -253,7 +253,7 @@ TEST_F(SdoBlock, NoMoreThanEightSegmentsWait) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
-TEST_F(SdoBlock, ASegmentedUploadFitsTheSameMemory) {
+TEST_F(SdoBlock, SegmentedUploadUsesTheSameMemory) {
     verifies<req::CO_SDO_032>();
     hold(counting(100));
     EXPECT_EQ(send("605#4000240000000000"), (Frames{"585#4100240064000000"}));
@@ -268,7 +268,7 @@ TEST_F(SdoBlock, ASegmentedUploadFitsTheSameMemory) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{stray}));
 }
 
-TEST_F(SdoBlock, AValueOfWholeSegmentsEndsWithAFullOne) {
+TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
     verifies<req::CO_SDO_002>();
     hold(counting(14));
     talk(*this, {
@@ -279,7 +279,7 @@ TEST_F(SdoBlock, AValueOfWholeSegmentsEndsWithAFullOne) {
                 });
 }
 
-TEST_F(SdoBlock, AValueOfMoreThan64BytesIsReadWhereItLies) {
+TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
     verifies<req::CO_K_SDO_BUFFER, req::CO_SDO_034>();
     EXPECT_EQ(send("605#4002230000000000"), (Frames{"585#4102230048000000"}));  // 72 bytes
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"
@@ -290,7 +290,7 @@ TEST_F(SdoBlock, AValueOfMoreThan64BytesIsReadWhereItLies) {
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }
 
-TEST_F(SdoBlock, AShortValueIsSentAsItWasWhenTheUploadBegan) {
+TEST_F(SdoBlock, ShortValueIsSentAsOfTheStartOfTheUpload) {
     verifies<req::CO_SDO_021>();
     send("000#0105");  // operational
     talk(*this, {

@@ -19,7 +19,7 @@ TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
     EXPECT_EQ(send("603#4000100000000000"), (Frames{"583#4300100091010800"}));  // four
 }
 
-TEST_F(Sdo, SegmentedUploadOfTheDeviceName) {
+TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     verifies<req::CO_SDO_002>();
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
@@ -27,7 +27,7 @@ TEST_F(Sdo, SegmentedUploadOfTheDeviceName) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));  // -AO412, one unused, last
 }
 
-TEST_F(Sdo, ExpeditedDownloadWithAndWithoutItsSize) {
+TEST_F(Sdo, ExpeditedDownloadWithAndWithoutSizeIsAccepted) {
     verifies<req::CO_SDO_003, req::CO_SDO_016>();
     EXPECT_EQ(send("603#2B171000E8030000"), (Frames{"583#6017100000000000"}));
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B171000E8030000"}));
@@ -39,13 +39,13 @@ TEST_F(Sdo, ExpeditedDownloadWithAndWithoutItsSize) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
 }
 
-TEST_F(Sdo, AnUploadIsAskedForWith40hAndAnAbortIs80h) {
+TEST_F(Sdo, UploadRequestIs40hAndAbortIs80h) {
     verifies<req::CO_SDO_042>();
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));
     EXPECT_EQ(send("603#4010200000000000"), (Frames{"583#8010200000000206"}));
 }
 
-TEST_F(Sdo, NumbersTravelFromTheirLowestByteOn) {
+TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
     verifies<req::CO_SDO_041>();
     EXPECT_EQ(send("603#2320100178563412"), (Frames{"583#6020100100000000"}));  // 1020h:1 = 12345678h
     EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
@@ -63,14 +63,14 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
 
-TEST_F(Sdo, SegmentedDownloadWithoutSize) {
+TEST_F(Sdo, SegmentedDownloadWithoutSizeIsAccepted) {
     verifies<req::CO_SDO_004>();
     EXPECT_EQ(send("603#2017100000000000"), (Frames{"583#6017100000000000"}));
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B171000E8030000"}));
 }
 
-TEST_F(Sdo, ToggleMustAlternate) {
+TEST_F(Sdo, ToggleBitMustAlternate) {
     verifies<req::CO_SDO_005, req::CO_E_ABORT>();
     send("603#4008100000000000");
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8008100000000305"}));
@@ -79,7 +79,7 @@ TEST_F(Sdo, ToggleMustAlternate) {
     EXPECT_EQ(send("603#1A34120000000000"), (Frames{"583#8020100100000305"}));
 }
 
-TEST_F(Sdo, UnknownSpecifiersAndStraySegments) {
+TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
     verifies<req::CO_SDO_006, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#E000100000000000"), (Frames{"583#8000100001000405"}));
     EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // block upload is not offered
@@ -99,7 +99,7 @@ TEST_F(Sdo, FramesOfOtherThanEightBytesAreIgnored) {
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
 }
 
-TEST_F(Sdo, AbsentObjectsAndSubIndices) {
+TEST_F(Sdo, AbsentObjectsAndSubIndicesAreRefused) {
     verifies<req::CO_SDO_008, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#4034120000000000"), (Frames{"583#8034120000000206"}));
     EXPECT_EQ(send("603#2B34120000000000"), (Frames{"583#8034120000000206"}));
@@ -115,7 +115,7 @@ TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
     EXPECT_EQ(send("603#210810000D000000"), (Frames{"583#8008100002000106"}));
 }
 
-TEST_F(Sdo, LengthsMustFit) {
+TEST_F(Sdo, WrongLengthsAreRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes into two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));  // one byte
@@ -127,7 +127,7 @@ TEST_F(Sdo, LengthsMustFit) {
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
 }
 
-TEST_F(Sdo, ANewInitiateAbandonsTheTransfer) {
+TEST_F(Sdo, NewInitiateEndsTheRunningTransfer) {
     verifies<req::CO_SDO_012>();
     send("603#2120100104000000");
     send("603#0A34120000000000");
@@ -136,14 +136,14 @@ TEST_F(Sdo, ANewInitiateAbandonsTheTransfer) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100100000000"}));
 }
 
-TEST_F(Sdo, TheClientsAbortIsNotAnswered) {
+TEST_F(Sdo, ClientAbortIsNotAnswered) {
     verifies<req::CO_SDO_013>();
     send("603#4008100000000000");
     EXPECT_TRUE(send("603#8008100000000405").empty());
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));
 }
 
-TEST_F(Sdo, AStalledTransferIsAbortedAfterOneSecond) {
+TEST_F(Sdo, StalledTransferIsAbortedAfterOneSecond) {
     verifies<req::CO_SDO_014, req::CO_K_SDO_TIMEOUT>();
     send("603#4008100000000000");
     EXPECT_TRUE(pass(999).empty());
@@ -164,7 +164,7 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is none any more
 }
 
-TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
+TEST_F(Sdo, EachUploadSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014>();
     send("603#4008100000000000");
     pass(900);
@@ -173,7 +173,7 @@ TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
-TEST_F(Sdo, EachSegmentOfADownloadRestartsTheTimeOut) {
+TEST_F(Sdo, EachDownloadSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014>();
     send("603#2120100104000000");
     EXPECT_TRUE(pass(900).empty());
@@ -182,13 +182,13 @@ TEST_F(Sdo, EachSegmentOfADownloadRestartsTheTimeOut) {
     EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
 }
 
-TEST_F(Sdo, ARefusedWriteChangesNothing) {
+TEST_F(Sdo, RefusedWriteChangesNothing) {
     verifies<req::CO_SDO_011>();
     EXPECT_EQ(send("603#2F43640103000000"), (Frames{"583#8043640130000906"}));
     EXPECT_EQ(send("603#4043640100000000"), (Frames{"583#4F43640101000000"}));
 }
 
-TEST_F(Sdo, ATransferGoesOnWhenTheNodeIsStarted) {
+TEST_F(Sdo, TransferContinuesWhenTheNodeIsStarted) {
     verifies<req::CO_SDO_002, req::CO_SDO_017>();
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     send("000#0103");
@@ -197,7 +197,7 @@ TEST_F(Sdo, ATransferGoesOnWhenTheNodeIsStarted) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
-TEST_F(Sdo, ServedInPreOperationalAndOperationalOnly) {
+TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
     verifies<req::CO_SDO_017>();
     EXPECT_EQ(send("603#4001100000000000").size(), 1U);
     send("000#0103");
@@ -206,7 +206,7 @@ TEST_F(Sdo, ServedInPreOperationalAndOperationalOnly) {
     EXPECT_TRUE(send("603#4001100000000000").empty());
 }
 
-TEST_F(SlaveSdo, AnAbortNamesWhatItRefusesOrEnds) {
+TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
     verifies<req::CO_SDO_018>();
     talk(*this, {
                     {"605#403412AB00000000", {"585#803412AB00000206"}},  // the initiate that it refuses
@@ -219,7 +219,7 @@ TEST_F(SlaveSdo, AnAbortNamesWhatItRefusesOrEnds) {
                 });
 }
 
-TEST_F(SlaveSdo, AnEmptyStringIsOneSegmentWithoutData) {
+TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
     verifies<req::CO_SDO_019>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // "abc"
@@ -231,7 +231,7 @@ TEST_F(SlaveSdo, AnEmptyStringIsOneSegmentWithoutData) {
                 });
 }
 
-TEST_F(SlaveSdo, AMemoryOfOneByteTakesOneByte) {
+TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
     verifies<req::CO_SDO_033>();
     device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
     device->lend(program_index, 0, 1);
@@ -242,7 +242,7 @@ TEST_F(SlaveSdo, AMemoryOfOneByteTakesOneByte) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, AnnouncedAsEmptyMeansEmpty) {
+TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
@@ -251,7 +251,7 @@ TEST_F(SlaveSdo, AnnouncedAsEmptyMeansEmpty) {
                 });
 }
 
-TEST_F(SlaveSdo, ASizeThatIsNotShownIsNotRead) {
+TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
     verifies<req::CO_SDO_003, req::CO_SDO_010>();
     talk(*this, {
                     {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 hold no size
@@ -260,7 +260,7 @@ TEST_F(SlaveSdo, ASizeThatIsNotShownIsNotRead) {
                 });
 }
 
-TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
+TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
     verifies<req::CO_SDO_003>();
     talk(*this, {
                     {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8
@@ -268,7 +268,7 @@ TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
                 });
 }
 
-TEST_F(SlaveSdo, AStringMayBeShorterThanItsCapacityButNotLonger) {
+TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
     verifies<req::CO_SDO_010, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2F00230078000000", {"585#6000230000000000"}},  // "x"
@@ -303,7 +303,7 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
                 });
 }
 
-TEST_F(SlaveSdo, SegmentsWithoutATransferGatherNothing) {
+TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     // as many as overran a buffer elsewhere, and more
     for (int i = 0; i < 300; ++i) {
@@ -319,7 +319,7 @@ TEST_F(SlaveSdo, SegmentsWithoutATransferGatherNothing) {
                 });
 }
 
-TEST_F(SlaveSdo, AnUploadGivesNoPlaceToDownloadSegments) {
+TEST_F(SlaveSdo, DownloadSegmentDuringAnUploadIsAbortedAndStoresNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     talk(*this, {
                     {"605#4001230000000000", {"585#4101230036000000"}},  // 54 bytes, const
@@ -329,7 +329,7 @@ TEST_F(SlaveSdo, AnUploadGivesNoPlaceToDownloadSegments) {
                 });
 }
 
-TEST_F(SlaveSdo, AShortFrameIsNotFilledUpFromTheOneBefore) {
+TEST_F(SlaveSdo, ShortFrameIsNotCompletedFromThePreviousFrame) {
     verifies<req::CO_SDO_007>();
     talk(*this, {
                     {"605#2F01220008000000", {"585#6001220000000000"}},
@@ -344,7 +344,7 @@ TEST_F(SlaveSdo, AShortFrameIsNotFilledUpFromTheOneBefore) {
                 });
 }
 
-TEST_F(SlaveSdo, UnusedBitsOfARequestDoNotMatter) {
+TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
     verifies<req::CO_SDO_035>();
     talk(*this, {
                     {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
@@ -359,7 +359,7 @@ TEST_F(SlaveSdo, UnusedBitsOfARequestDoNotMatter) {
                 });
 }
 
-TEST_F(SlaveSdo, RequestsOfOtherNodesAndFormatsAreNotOurs) {
+TEST_F(SlaveSdo, RequestsToOtherNodesAndOfOtherFormatsAreIgnored) {
     verifies<req::CO_FRAME_001>();
     talk(*this, {
                     {"604#4000100000000000", {}},

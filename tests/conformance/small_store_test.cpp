@@ -45,7 +45,7 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
 
 }  // namespace
 
-TEST_F(SmallStore, TwoBanksAreAllThatItNeeds) {
+TEST_F(SmallStore, MemoryOfExactlyTwoBanksIsEnough) {
     verifies<req::CO_STORE_001>();
     EXPECT_EQ(power_on(), Frames{"705#00"});
     for (const char* number : {"11223344", "55667788", "99AABBCC"}) {
@@ -56,7 +56,7 @@ TEST_F(SmallStore, TwoBanksAreAllThatItNeeds) {
     }
 }
 
-TEST_F(SmallStore, AByteLessIsRefusedBeforeAnythingIsWritten) {
+TEST_F(SmallStore, MemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
     verifies<req::CO_STORE_005>();
     memory.bytes().resize(2 * bank_size - 1);
     EXPECT_EQ(power_on(), Frames{"705#00"});
@@ -64,19 +64,19 @@ TEST_F(SmallStore, AByteLessIsRefusedBeforeAnythingIsWritten) {
     EXPECT_EQ(memory.written(), 0U);
 }
 
-TEST_F(SmallStore, WhatLiesBehindTheBanksIsNotTheirs) {
+TEST_F(SmallStore, BytesBehindTheTwoBanksAreIgnored) {
     verifies<req::CO_STORE_001>();
     memory.bytes().resize(3 * bank_size, 0x55);
     EXPECT_EQ(power_on(), Frames{"705#00"});
 }
 
-TEST_F(SmallStore, AHeaderOfEqualBytesIsABlankOneOnlyOfZerosOrOnes) {
+TEST_F(SmallStore, HeaderOfEqualBytesIsBlankOnlyFor00hAndFFh) {
     verifies<req::CO_STORE_005>();
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
     EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
 }
 
-TEST_F(SmallStore, ABankWhoseHeaderCannotBeReadIsNotUsed) {
+TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
     verifies<req::CO_STORE_005>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -87,7 +87,7 @@ TEST_F(SmallStore, ABankWhoseHeaderCannotBeReadIsNotUsed) {
     EXPECT_EQ(value(), "00000000");
 }
 
-TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
+TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -101,7 +101,7 @@ TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
     EXPECT_EQ(value(), "00000000");
 }
 
-TEST_F(SmallStore, ResetCommunicationTakesAllStoredValuesOrNone) {
+TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     keep(0x1015);  // the inhibit time of EMCY
     keep(0x1017);  // the heartbeat
@@ -128,7 +128,7 @@ TEST_F(SmallStore, ResetCommunicationTakesAllStoredValuesOrNone) {
     }
 }
 
-TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
+TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
     for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // void, header, value, CRC, committed
         FaultyMemory faulty{2 * bank_size};
@@ -138,7 +138,7 @@ TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
     }
 }
 
-TEST_F(SmallStore, AnOldSetThatCannotBeMadeVoidIsStillTheOlder) {
+TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
     verifies<req::CO_STORE_004>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -152,7 +152,7 @@ TEST_F(SmallStore, AnOldSetThatCannotBeMadeVoidIsStillTheOlder) {
     EXPECT_EQ(value(), "55667788");
 }
 
-TEST_F(SmallStore, AFirstSaveNeedsNothingThatWasThereBefore) {
+TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -161,7 +161,7 @@ TEST_F(SmallStore, AFirstSaveNeedsNothingThatWasThereBefore) {
     EXPECT_EQ(faulty.reads, 2U);
 }
 
-TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
+TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     verifies<req::CO_STORE_001>();
     keep(0x2300);  // 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));
@@ -183,7 +183,7 @@ TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
 }
 
 // The value is the node-ID of the node that saved: by chance, for its default has no node-ID in it.
-TEST_F(SmallStore, AValueThatIsNoIdentifierFollowsNoNodeId) {
+TEST_F(SmallStore, StoredValueWithoutANodeIdInItsDefaultDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();
     set_value("05000000");

@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
+TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
     verifies<req::CO_STORE_004>();
     set_values("1111");
     write("603#2310100173617665");
@@ -36,7 +36,7 @@ TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
 }
 
 /// The last byte but one commits a set; each number is later than the one before.
-TEST_F(Store, OfTwoCommittedSetsTheLaterCounts) {
+TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
     const std::size_t before = memory.written();
@@ -54,7 +54,7 @@ TEST_F(Store, OfTwoCommittedSetsTheLaterCounts) {
 }
 
 /// A bit of the marker fell over: the CRC says that the set is whole.
-TEST_F(Store, ACommittedSetWithABrokenMarkerCounts) {
+TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("3412");
     EXPECT_EQ(save(), saved);
@@ -63,7 +63,7 @@ TEST_F(Store, ACommittedSetWithABrokenMarkerCounts) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, ADamagedSetBesideASoundOneGivesDefaultsWhicheverIsTheLater) {
+TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
     for (const std::size_t damaged : {std::size_t{0}, std::size_t{1}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
@@ -79,7 +79,7 @@ TEST_F(Store, ADamagedSetBesideASoundOneGivesDefaultsWhicheverIsTheLater) {
     }
 }
 
-TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
+TEST_F(Store, FailingMemoryIsReportedAndLosesNothing) {
     verifies<req::CO_STORE_005>();
     set_values("1111");
     write("603#2310100173617665");
@@ -91,7 +91,7 @@ TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
     EXPECT_EQ(values(), "1111 1111 1111 ");
 }
 
-TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
+TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");
@@ -109,7 +109,7 @@ TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
+TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
     set_values("3412");
     write("603#2310100173617665");
@@ -120,7 +120,7 @@ TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
 }
 
-TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
+TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     set_values("3412");
     write("603#2310100173617665");
@@ -136,7 +136,7 @@ TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
     }
 }
 
-TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
+TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
@@ -149,7 +149,7 @@ TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
     }
 }
 
-TEST_F(Store, AMemoryThatKeepsNothingIsFoundOut) {
+TEST_F(Store, MemoryThatDoesNotKeepWrittenBytesIsDetected) {
     verifies<req::CO_STORE_005>();
     FaultyMemory worn{1024};
     worn.worn = true;
@@ -186,7 +186,7 @@ TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
     EXPECT_EQ(faulty.commits, 1U);
 }
 
-TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
+TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
     verifies<req::CO_STORE_005>();
     host::Memory small{64};
     EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
@@ -194,7 +194,7 @@ TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, AReadThatFailsAnywhereGivesTheStoredSetOrTheDefaultsAndIsNeverTakenForASave) {
+TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
     verifies<req::CO_STORE_004, req::CO_STORE_005>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);

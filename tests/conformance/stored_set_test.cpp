@@ -48,7 +48,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 
 }  // namespace
 
-TEST_P(StoredSetOfTheDevice, AFlippedByteOfTheNewestSetIsToldAndBringsBackNoOlderOne) {
+TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOlderSet) {
     verifies<req::CO_STORE_006, req::INC_ERR_012>();
     for (const int saves : {2, 3}) {  // the newest set in the second bank, in the first
         Stored unit{GetParam()};
@@ -74,7 +74,7 @@ TEST_P(StoredSetOfTheDevice, AFlippedByteOfTheNewestSetIsToldAndBringsBackNoOlde
     }
 }
 
-TEST_P(StoredSetOfTheDevice, ASaveAfterTheDamageHolds) {
+TEST_P(StoredSetOfTheDevice, SaveAfterDamageIsLoaded) {
     verifies<req::CO_STORE_006, req::CO_STORE_001>();
     for (const int saves : {1, 2, 3}) {
         Stored unit{GetParam()};
@@ -92,7 +92,7 @@ TEST_P(StoredSetOfTheDevice, ASaveAfterTheDamageHolds) {
     }
 }
 
-TEST_P(StoredSetOfTheDevice, ASaveCutShortAfterTheDamageBringsBackNoOlderSet) {
+TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
     verifies<req::CO_STORE_006, req::CO_STORE_004>();
     Stored unit{GetParam()};
     unit.save_value(1000);
@@ -114,7 +114,7 @@ TEST_P(StoredSetOfTheDevice, ASaveCutShortAfterTheDamageBringsBackNoOlderSet) {
     }
 }
 
-TEST_P(StoredSetOfTheDevice, AFirstSaveCutShortIsNoDamage) {
+TEST_P(StoredSetOfTheDevice, InterruptedFirstSaveIsNotReportedAsDamage) {
     verifies<req::CO_STORE_006, req::CO_STORE_004>();
     Stored unit{GetParam()};
     const auto blank = unit.bytes();
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::Values("ax060805",
                          });
 
 // The CAN-CBX-AO412 has switches in place of LSS.
-TEST(StoredNodeIdOfTheDevice, AFlippedByteOfTheOneStoredLastIsToldAndBringsBackNoOlderOne) {
+TEST(StoredNodeIdOfTheDevice, FlippedByteOfTheLatestNodeIdIsReportedAndRestoresNoOlderOne) {
     verifies<req::CO_LSS_065>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
         DeviceBySdo unit{name, 5};

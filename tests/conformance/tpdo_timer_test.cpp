@@ -25,7 +25,7 @@ class TimeDriven : public Tpdo {
 
 }  // namespace
 
-TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
+TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
     verifies<req::CO_PDO_018>();
     begin();
     EXPECT_TRUE(own_queue.empty());
@@ -36,7 +36,7 @@ TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
+TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     verifies<req::CO_PDO_018, req::CO_PDO_017>();
     device->objects().write(0x1800, 5, 100);  // ms
     begin();
@@ -57,7 +57,7 @@ TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
 }
 
-TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
+TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
     verifies<req::CO_PDO_018, req::CO_PDO_013>();
     // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
@@ -74,7 +74,7 @@ TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
+TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     verifies<req::CO_PDO_017>();
     device->objects().write(0x1800, 5, 5);   // 5 ms
     device->objects().write(0x1800, 3, 80);  // 8 ms
@@ -82,7 +82,7 @@ TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
-TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
+TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO is known
@@ -93,7 +93,7 @@ TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
     EXPECT_EQ(unused.next_deadline(), never);
 }
 
-TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
+TEST_F(Tpdo, InhibitTimeKeepsTransmissionsApart) {
     verifies<req::CO_PDO_017>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();
@@ -108,7 +108,7 @@ TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
     EXPECT_EQ(pass(5), (Frames{"1:185#4400"}));
 }
 
-TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
+TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
     set_inhibit_time("6400");  // 10 ms
     start();
@@ -117,7 +117,7 @@ TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
+TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
     verifies<req::CO_PDO_017>();
     send("605#2B00180519000000");  // 25 ms
     start();
@@ -127,7 +127,7 @@ TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
 
-TEST_F(Tpdo, AnAnsweredRequestBeginsTheEventTimerAnew) {
+TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
     verifies<req::CO_PDO_016, req::CO_PDO_017>();
     send("605#2B00180519000000");  // 25 ms
     start();
@@ -136,7 +136,7 @@ TEST_F(Tpdo, AnAnsweredRequestBeginsTheEventTimerAnew) {
     EXPECT_EQ(pass(30), (Frames{"25:185#0000"}));
 }
 
-TEST_F(Tpdo, NoEventTimerIsWaitedForOutsideOperational) {
+TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
     send("605#2B00180519000000");  // 25 ms
     start();
@@ -145,7 +145,7 @@ TEST_F(Tpdo, NoEventTimerIsWaitedForOutsideOperational) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
+TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
     verifies<req::CO_PDO_006, req::CO_PDO_017>();
     send("605#2B00180519000000");  // TPDO1: 25 ms
     send("605#2B01180505000000");  // TPDO2: 5 ms
@@ -159,7 +159,7 @@ TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
     }
 }
 
-TEST_F(Tpdo, TheCountOfSyncsGoesOnWhenAnotherParameterIsWritten) {
+TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
     send("605#2F00180202000000");  // at each second SYNC
@@ -169,7 +169,7 @@ TEST_F(Tpdo, TheCountOfSyncsGoesOnWhenAnotherParameterIsWritten) {
     EXPECT_EQ(send("080#"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
+TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
     verifies<req::CO_PDO_017>();
     send("605#2B0018050A000000");  // 10 ms
     start();
@@ -185,7 +185,7 @@ TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
     EXPECT_TRUE(sent().empty());
 }
 
-TEST_F(Tpdo, TheInhibitTimeOutlastsAShorterEventTimer) {
+TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
     verifies<req::CO_PDO_017>();
     send("605#2B00180505000000");  // 5 ms
     set_inhibit_time("5000");      // 8 ms
@@ -193,7 +193,7 @@ TEST_F(Tpdo, TheInhibitTimeOutlastsAShorterEventTimer) {
     EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
 }
 
-TEST_F(Tpdo, ANewEventTimerRunsFromItsWrite) {
+TEST_F(Tpdo, NewEventTimerRunsFromItsWrite) {
     verifies<req::CO_PDO_025>();
     start();
     EXPECT_TRUE(pass(100).empty());

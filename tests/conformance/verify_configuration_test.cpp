@@ -28,7 +28,7 @@ class VerifyConfiguration : public testing::Test, public SlaveBench {
 
 }  // namespace
 
-TEST_F(VerifyConfiguration, KeepsWhatTheToolLeft) {
+TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
     verifies<req::CO_VERIFY_001>();
     talk(zero);
     leave_date_and_time();
@@ -41,14 +41,14 @@ TEST_F(VerifyConfiguration, KeepsWhatTheToolLeft) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, IsLostAtAResetWhenItWasNotStored) {
+TEST_F(VerifyConfiguration, UnstoredDateAndTimeAreLostAtAReset) {
     verifies<req::CO_VERIFY_001>();
     leave_date_and_time();
     send("000#8105");
     talk(zero);
 }
 
-TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
+TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication
@@ -60,7 +60,7 @@ TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
     }
 }
 
-TEST_F(VerifyConfiguration, AChangeOfAnyByteOfATextMakesItZero) {
+TEST_F(VerifyConfiguration, ChangeOfAnyByteOfATextClearsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
@@ -73,7 +73,7 @@ TEST_F(VerifyConfiguration, AChangeOfAnyByteOfATextMakesItZero) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
+TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     leave_date_and_time();
     talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h is 0 already
@@ -91,7 +91,7 @@ TEST_F(VerifyConfiguration, WhatChangesNoConfigurationLeavesIt) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, AProcessValueIsNoConfiguration) {
+TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     leave_date_and_time();
     talk({{"605#2F00200107000000", {"585#6000200100000000"}},    // 2000h:1 = 7, which RPDO1 carries
@@ -100,7 +100,7 @@ TEST_F(VerifyConfiguration, AProcessValueIsNoConfiguration) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, EachPartCanBeWrittenAlone) {
+TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
     verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
     leave_date_and_time();
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
@@ -108,7 +108,7 @@ TEST_F(VerifyConfiguration, EachPartCanBeWrittenAlone) {
 
 // Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
 // 4.2.12
-TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
+TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);
@@ -133,7 +133,7 @@ TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
 }
 
 // CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate what 1020h holds
-TEST(VerifyConfigurationOfTheCbx, StandsWhenAnOutputIsSetAndFallsWithTheConfiguration) {
+TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
     verifies<req::CO_VERIFY_002, req::AO4_OD_1020>();
     CbxBench bench;
     bench.power_on();
@@ -147,7 +147,7 @@ TEST(VerifyConfigurationOfTheCbx, StandsWhenAnOutputIsSetAndFallsWithTheConfigur
 }
 
 // CiA 301, 7.2.6: six bytes of time on 100h
-TEST_F(VerifyConfiguration, TimeHasNoEffect) {
+TEST_F(VerifyConfiguration, TimeMessageHasNoEffect) {
     verifies<req::CO_TIME_001>();
     leave_date_and_time();
     talk({{"100#002E93023075", {}}, {"100#", {}}, {"100#R", {}}, {"605#4012100000000000", {"585#8012100000000206"}}});

@@ -65,13 +65,13 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsTotal, ()) {
+RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsDefinedForEveryValue, ()) {
     verifies<req::INC_SIG_004>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
 }
 
-RC_GTEST_PROP(SignalLaw, DiscreteToContinuousIsTheNearestFloat, (std::uint32_t value)) {
+RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_003>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
     RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);  // half a step of 2^32 / 2^24
@@ -80,7 +80,7 @@ RC_GTEST_PROP(SignalLaw, DiscreteToContinuousIsTheNearestFloat, (std::uint32_t v
     }
 }
 
-RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreTotal, ()) {
+RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreDefinedForEveryInput, ()) {
     verifies<req::INC_BIN_003>("property");
     const float x = any_float();
     const float negated = apply_unary(1, x);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreTotal, ()) {
     RC_ASSERT(std::isnan(x) || apply_unary(0, x) == x);
 }
 
-RC_GTEST_PROP(FunctionLaw, EveryBinaryFunctionIsTotal, (std::uint8_t number)) {
+RC_GTEST_PROP(FunctionLaw, BinaryFunctionsAreDefinedForEveryInput, (std::uint8_t number)) {
     verifies<req::INC_BIN_007>("property");
     const float x = any_float();
     const float y = any_float();
@@ -120,7 +120,7 @@ RC_GTEST_PROP(FunctionLaw, IntegerFunctionsAgreeWith64BitArithmetic, ()) {
     }
 }
 
-RC_GTEST_PROP(FunctionLaw, OppositeComparisonsNeverAgree, ()) {
+RC_GTEST_PROP(FunctionLaw, OppositeComparisonsGiveOppositeResults, ()) {
     verifies<req::INC_BIN_004>("property");
     const float x = any_float();
     const float y = any_float();
@@ -136,7 +136,7 @@ RC_GTEST_PROP(FunctionLaw, OppositeComparisonsNeverAgree, ()) {
     RC_ASSERT(result(7) <= x && result(7) <= y && (result(7) == x || result(7) == y));
 }
 
-RC_GTEST_PROP(FunctionLaw, ABlockIsTotal, ()) {
+RC_GTEST_PROP(FunctionLaw, FunctionBlockIsDefinedForEveryInput, ()) {
     verifies<req::INC_BIN_007>("property");
     FunctionBlock block;
     for (auto& input : block.inputs) {
@@ -152,7 +152,7 @@ RC_GTEST_PROP(FunctionLaw, ABlockIsTotal, ()) {
     RC_ASSERT(!is_defined(result) || !std::isnan(result.continuous));
 }
 
-RC_GTEST_PROP(CountValueLaw, IsTheNearestCountWithinInteger16, ()) {
+RC_GTEST_PROP(CountValueLaw, CountIsTheNearestIntegerWithin16Bits, ()) {
     verifies<req::INC_FV_001, req::INC_FV_002>("property");
     const float value = any_float();
     const auto digits = *rc::gen::inRange<std::uint16_t>(1, 1001);

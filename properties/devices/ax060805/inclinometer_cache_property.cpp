@@ -121,7 +121,7 @@ class Told : public InclinometerBench {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerCacheLaw, ParameterCountsFromItsWriteAsIfItHadAlwaysBeenSo, ()) {
+RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterActsAsIfItHadBeenSetFromTheStart, ()) {
     verifies<req::INC_ANGLE_009, req::INC_BIN_001>("property");
     std::vector<std::size_t> choice(all_keys().size());
     for (std::size_t& one : choice) {

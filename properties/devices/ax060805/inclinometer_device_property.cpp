@@ -183,7 +183,7 @@ class Run {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerLaw, ValuesStayWithinTheirLimits, ()) {
+RC_GTEST_PROP(InclinometerLaw, MeasuredValuesStayWithinTheirLimits, ()) {
     verifies<req::INC_FV_002, req::INC_BIN_007>("property");
     Run run;
     for (const Event& event : any_events()) {
@@ -192,7 +192,7 @@ RC_GTEST_PROP(InclinometerLaw, ValuesStayWithinTheirLimits, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerLaw, FramesAreItsOwn, ()) {
+RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
     verifies<req::INC_PDO_007>("property");
     Run run;
     for (const Event& event : any_events()) {
@@ -206,7 +206,7 @@ RC_GTEST_PROP(InclinometerLaw, FramesAreItsOwn, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerLaw, WhenItIsAdvancedDoesNotMatter, ()) {
+RC_GTEST_PROP(InclinometerLaw, FramesDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::INC_FILTER_002, req::INC_AVG_001>("property");
     const std::vector<Event> events = any_events();
     Run at_deadlines;

@@ -40,7 +40,7 @@ std::vector<double> any_walk() {
 
 }  // namespace
 
-RC_GTEST_PROP(AngleFilterLaw, AShortWindowIsTheMeanOfTheUnwrappedSamples, ()) {
+RC_GTEST_PROP(AngleFilterLaw, ShortWindowGivesTheMeanOfTheUnwrappedSamples, ()) {
     verifies<req::INC_AVG_001, req::INC_AVG_006>("property");
     const std::vector<double> walk = any_walk();
     const auto samples = *rc::gen::inRange<std::uint16_t>(1, 65);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(AngleFilterLaw, AShortWindowIsTheMeanOfTheUnwrappedSamples, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, AConstantAngleIsItsOwnAverage, ()) {
+RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
     verifies<req::INC_AVG_002>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(1, 60001);
     const float angle = static_cast<float>(*rc::gen::inRange(-180000, 180001)) / 1000.0F;
@@ -69,7 +69,7 @@ RC_GTEST_PROP(AngleFilterLaw, AConstantAngleIsItsOwnAverage, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, ALongWindowStaysWithinARunOfTheTrueMeanOfASteadyTurn, ()) {
+RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsByAtMostOneRunOnASteadyTurn, ()) {
     verifies<req::INC_AVG_002>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(65, 2001);
     const double step = *rc::gen::inRange(-500, 501) * 0.001;
@@ -84,7 +84,7 @@ RC_GTEST_PROP(AngleFilterLaw, ALongWindowStaysWithinARunOfTheTrueMeanOfASteadyTu
     }
 }
 
-RC_GTEST_PROP(LowPassLaw, OutputStaysBetweenWhatItHadAndWhatItGets, ()) {
+RC_GTEST_PROP(LowPassLaw, OutputStaysBetweenThePreviousOutputAndTheNewSample, ()) {
     verifies<req::INC_FILTER_002>("property");
     const auto frequency = static_cast<float>(*rc::gen::inRange(1, 51));
     const float share = low_pass_coefficient(frequency, milliseconds(5));

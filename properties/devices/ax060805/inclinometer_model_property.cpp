@@ -247,7 +247,7 @@ void take_step(TwoInclinometers& both, NaiveFelt& felt, Topic topic) {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerModelLaw, DeviceShowsWhatTheNaiveOneShows, ()) {
+RC_GTEST_PROP(InclinometerModelLaw, DeviceAgreesWithTheNaiveModel, ()) {
     verifies<req::INC_FV_001, req::INC_FV_004, req::INC_FV_005, req::INC_FV_007, req::INC_FOM_001, req::INC_LATENCY_001,
              req::INC_SIG_005, req::INC_BIN_001, req::INC_BIN_009, req::INC_RPDO_001, req::INC_RPDO_002,
              req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007, req::INC_INSTALL_001, req::INC_INSTALL_003,

@@ -92,7 +92,7 @@ std::string rpdo(const std::array<int, 3>& values) {
 }  // namespace
 
 /// Turned so that X and Y change places, the unit's tilt angles change places: x' = -y, y' = -x.
-RC_GTEST_PROP(InclinometerSwapLaw, PitchAndRollSwapWithTheirParameters, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004>("property");
     InclinometerBench one;
     InclinometerBench other;
@@ -123,7 +123,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, PitchAndRollSwapWithTheirParameters, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerSwapLaw, FunctionDoesTheSameInEveryPlace, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, FunctionBlockGivesTheSameResultUnderEveryNumber, ()) {
     verifies<req::INC_BIN_001, req::INC_BIN_011>("property");
     const auto from = static_cast<unsigned>(between(0, 10));
     const auto to = static_cast<unsigned>(between(0, 10));
@@ -150,7 +150,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, FunctionDoesTheSameInEveryPlace, ()) {
 }
 
 /// Each function adds 0 to one received value.
-RC_GTEST_PROP(InclinometerSwapLaw, ReceivedValuesSwapWithTheirParameters, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapTheReceivedValues, ()) {
     verifies<req::INC_RPDO_001>("property");
     const auto prepared = [](InclinometerBench& bench) {
         bench.power_on();

@@ -69,22 +69,22 @@ struct Ax060805Reset : UsualTraits {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax060805Reset, NodeBeginsAsAfterPowerOn, ()) {
+RC_GTEST_PROP(Ax060805Reset, ResetNodeStartsTheDeviceAsPowerOnDoes, ()) {
     verifies<req::CO_NMT_005>("property");
     restart_law<Ax060805Reset>(Reset::node);
 }
 
-RC_GTEST_PROP(Ax060805Reset, PowerOnForgetsTheLifeBefore, ()) {
+RC_GTEST_PROP(Ax060805Reset, PowerOnClearsAllEarlierState, ()) {
     verifies<req::CO_NMT_001>("property");
     restart_law<Ax060805Reset>(Reset::power);
 }
 
-RC_GTEST_PROP(Ax060805Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax060805Reset, ResetCommunicationRestartsCommunicationAndKeepsTheApplication, ()) {
     verifies<req::CO_NMT_006, req::CO_EMCY_018>("property");
     communication_law<Ax060805Reset>();
 }
 
-RC_GTEST_PROP(Ax060805Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax060805Reset, NodeIdChangeByLssKeepsTheApplicationRunning, ()) {
     verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
     lss_law<Ax060805Reset>();
 }

@@ -63,7 +63,7 @@ bool is_clear_of_the_jump(const Vector3& gravity) {
 
 }  // namespace
 
-RC_GTEST_PROP(TiltLaw, AnglesAreThoseOfTheFormulaeInDoublePrecision, ()) {
+RC_GTEST_PROP(TiltLaw, AnglesMatchTheFormulaeInDoublePrecision, ()) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_005, req::INC_ANGLE_012>("property");
     const Vector3 g = any_gravity();
     const double x = g.x, y = g.y, z = g.z;
@@ -77,7 +77,7 @@ RC_GTEST_PROP(TiltLaw, AnglesAreThoseOfTheFormulaeInDoublePrecision, ()) {
     RC_ASSERT(apart(euler.roll, degrees(y, z)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNothing, ()) {
+RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNoAngle, ()) {
     verifies<req::INC_ANGLE_010>("property");
     const double yaw = angle(180) * radians;
     const double pitch = angle(90) * radians;
@@ -90,7 +90,7 @@ RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNothing, ()) {
     RC_ASSERT(apart(gravity_angle(turned), gravity_angle(straight)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, GravityAngleIsThatOfEveryTurnAboutTheUnitsZAxis, ()) {
+RC_GTEST_PROP(TiltLaw, GravityAngleIsUnchangedByATurnAboutTheZAxis, ()) {
     verifies<req::INC_ANGLE_004>("property");
     const Vector3 g = any_gravity();
     const Vector turned = seen_from({g.x, g.y, g.z}, angle(180) * radians, 0.0, 0.0);
@@ -107,7 +107,7 @@ RC_GTEST_PROP(TiltLaw, AnglesDoNotDependOnTheLengthOfGravity, ()) {
     RC_ASSERT(apart(gravity_angle(longer), gravity_angle(g)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, AMirroredUnitHasMirroredAngles, ()) {
+RC_GTEST_PROP(TiltLaw, MirroredUnitReadsMirroredAngles, ()) {
     verifies<req::INC_ANGLE_003>("property");
     const Vector3 g = any_gravity();
     const PitchRoll straight = tilt_angles(g);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(TiltLaw, AMirroredUnitHasMirroredAngles, ()) {
     RC_ASSERT(apart(ends.roll, straight.roll) == 0.0);
 }
 
-RC_GTEST_PROP(TiltLaw, EulerAnglesRecomposedGiveGravityBack, ()) {
+RC_GTEST_PROP(TiltLaw, RotationByTheEulerAnglesRestoresTheGravityVector, ()) {
     verifies<req::INC_ANGLE_005>("property");
     const Vector3 g = any_gravity();
     const PitchRoll euler = euler_angles(g);
@@ -130,7 +130,7 @@ RC_GTEST_PROP(TiltLaw, EulerAnglesRecomposedGiveGravityBack, ()) {
     RC_ASSERT(std::fabs(back.z - g.z) < 2.0e-6);
 }
 
-RC_GTEST_PROP(InstallationLaw, UndoingTheInstallationGivesTheMachinesFrame, ()) {
+RC_GTEST_PROP(InstallationLaw, UndoingTheInitialAnglesGivesTheMachineFrame, ()) {
     verifies<req::INC_INSTALL_001>("property");
     const double pitch = angle(90);
     const double roll = angle(180);
@@ -172,7 +172,7 @@ InclinationSettings any_settings() {
 }  // namespace
 
 // What came before the last direction does not count, nor do the settings that it was measured with.
-RC_GTEST_PROP(InclinationLaw, AnglesAreThoseOfTheLastDirectionByTheSettingsInUse, ()) {
+RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
@@ -200,7 +200,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesAreThoseOfTheLastDirectionByTheSettingsInUse
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, EverySpanHoldsItsAnglesAndAWholeTurnLosesNone, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirection, ()) {
     verifies<req::INC_RANGE_001>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});

@@ -116,7 +116,7 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowTimeIsSliced, ()) {
+RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
     Ax130751Bench on_time;   // called at each of its deadlines
     Ax130751Bench late;      // called when something comes, and no sooner
@@ -154,7 +154,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowTimeIsSliced, ()) {
     }
 }
 
-RC_GTEST_PROP(Ax130751Law, OutputsStayInTheRangeOfTheirTypeWhateverIsWritten, ()) {
+RC_GTEST_PROP(Ax130751Law, OutputsStayInTheRangeOfTheirTypeAfterAnyWrite, ()) {
     verifies<req::AOR_OUT_016>("property");
     Ax130751Bench bench;
     bench.power_on();

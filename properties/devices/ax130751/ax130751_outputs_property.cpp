@@ -38,7 +38,7 @@ const std::vector<OutputRange> ranges{{-10.0, 10.0}, {0.0, 24.0}, {0.0, 100.0}, 
 
 }  // namespace
 
-RC_GTEST_PROP(OutputLaw, ScalingStaysBetweenItsValues, ()) {
+RC_GTEST_PROP(OutputLaw, ScaledValueStaysBetweenTheFieldValues, ()) {
     verifies<req::AOR_OUT_003>("property");
     const double x1 = hundredths(-300, 299);
     const LinearScaling scaling{x1, x1 + hundredths(1, 100), hundredths(-300, 300), hundredths(-300, 300)};
@@ -65,7 +65,7 @@ RC_GTEST_PROP(OutputLaw, OutputsStayInTheRangeOfTheirType, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ARampIsNeverSteeperThanConfiguredAndReachesItsEnd, ()) {
+RC_GTEST_PROP(OutputLaw, RampIsNeverSteeperThanConfiguredAndReachesItsTarget, ()) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>("property");
     const RampTimes times{hundredths(1, 20), some_ms(1, 10001), some_ms(1, 10001)};
     Ramp ramp;
@@ -91,7 +91,7 @@ RC_GTEST_PROP(OutputLaw, ARampIsNeverSteeperThanConfiguredAndReachesItsEnd, ()) 
     RC_ASSERT(std::fabs(ramp.follow(last, times, now + milliseconds(200'001)) - last) <= 0.0);
 }
 
-RC_GTEST_PROP(OutputLaw, ARampDoesNotDependOnHowOftenItIsAsked, ()) {
+RC_GTEST_PROP(OutputLaw, RampDoesNotDependOnHowOftenItIsRead, ()) {
     verifies<req::AOR_OUT_027>("property");
     const RampTimes times = some_times();
     Ramp often;
@@ -110,7 +110,7 @@ RC_GTEST_PROP(OutputLaw, ARampDoesNotDependOnHowOftenItIsAsked, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ADigitalInputChangesAtItsLimitsOnly, ()) {
+RC_GTEST_PROP(OutputLaw, DigitalInputChangesAtItsLimitsOnly, ()) {
     verifies<req::AOR_DO_002>("property");
     DigitalReading input;
     const double lower = hundredths(-10, 9);
@@ -133,7 +133,7 @@ RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
     RC_ASSERT(now != blinks_on(since, milliseconds(half), since + milliseconds(at + half)));
 }
 
-RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
+RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
     verifies<req::AOR_RELAY_012>("property");
     const Duration on_delay = some_ms(0, 50);
     const Duration off_delay = some_ms(0, 50);
@@ -164,7 +164,7 @@ RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ASupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
+RC_GTEST_PROP(OutputLaw, SupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003>("property");
     const double under = hundredths(0, 20);
     const double over = under + hundredths(1, 16);

@@ -167,7 +167,7 @@ void do_something(Mirrored& pair) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Symmetry, OutputsAndBlocksInAnotherOrderDoTheSame, ()) {
+RC_GTEST_PROP(Ax130751Symmetry, ReorderedOutputsAndBlocksBehaveTheSame, ()) {
     verifies<req::AOR_T4B, req::AOR_OUT_003, req::AOR_OUT_012, req::AOR_OUT_019, req::AOR_LOGIC_006, req::AOR_PDO_004>(
         "property");
     const Order order = some_order();

@@ -99,22 +99,22 @@ struct Ax130751Reset : UsualTraits {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Reset, NodeBeginsAsAfterPowerOn, ()) {
+RC_GTEST_PROP(Ax130751Reset, ResetNodeStartsTheDeviceAsPowerOnDoes, ()) {
     verifies<req::CO_NMT_005>("property");
     restart_law<Ax130751Reset>(Reset::node);
 }
 
-RC_GTEST_PROP(Ax130751Reset, PowerOnForgetsTheLifeBefore, ()) {
+RC_GTEST_PROP(Ax130751Reset, PowerOnClearsAllEarlierState, ()) {
     verifies<req::CO_NMT_001>("property");
     restart_law<Ax130751Reset>(Reset::power);
 }
 
-RC_GTEST_PROP(Ax130751Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax130751Reset, ResetCommunicationRestartsCommunicationAndKeepsTheApplication, ()) {
     verifies<req::CO_NMT_006>("property");
     communication_law<Ax130751Reset>();
 }
 
-RC_GTEST_PROP(Ax130751Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax130751Reset, NodeIdChangeByLssKeepsTheApplicationRunning, ()) {
     verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
     lss_law<Ax130751Reset>();
 }

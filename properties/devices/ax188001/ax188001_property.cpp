@@ -91,7 +91,7 @@ Frames messages(const std::vector<ModelLimit>& limits, const std::vector<double>
 
 }  // namespace
 
-RC_GTEST_PROP(Ax188001Law, LimitsAreToldAsANaiveModelSays, ()) {
+RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     verifies<req::TCS_LIM_002, req::TCS_LIM_003>("property");
     const int low = any(-150, 0);
     const int high = low + any(10, 100);
@@ -132,7 +132,7 @@ RC_GTEST_PROP(Ax188001Law, LimitsAreToldAsANaiveModelSays, ()) {
     RC_ASSERT(seen == messages(limits, readings, delay_ms));
 }
 
-RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnWhenItIsAskedToAdvance, ()) {
+RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::TCS_IN_001>("property");
     struct Step {
         int wait_ms;
@@ -192,7 +192,7 @@ RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnWhenItIsAskedToAdvance, ()) {
     RC_ASSERT(run(false) == run(true));
 }
 
-RC_GTEST_PROP(Ax188001Law, AMeasuredProcessValueIsNeverASentinel, ()) {
+RC_GTEST_PROP(Ax188001Law, MeasuredProcessValueIsNeverAReservedValue, ()) {
     verifies<req::TCS_VAL_007>("property");
     TcsBench bench;
     bench.power_on();

@@ -136,7 +136,7 @@ class Pair {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax188001Model, TheDeviceDoesWhatTheManualSays, ()) {
+RC_GTEST_PROP(Ax188001Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     verifies<req::TCS_IN_001, req::TCS_IN_002, req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_006, req::TCS_IN_009,
              req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_005,
              req::TCS_LIM_006, req::TCS_LIM_007, req::TCS_LIM_009, req::TCS_LIM_010>("property");

@@ -42,7 +42,7 @@ constexpr ConverterCircuit circuit{{{{128, 19531.25}, {64, 39062.5}, {32, 78125.
 
 }  // namespace
 
-RC_GTEST_PROP(ThermocoupleLaw, ThereAndBackIsTheSameTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, ConversionToVoltageAndBackGivesTheSameTemperature, ()) {
     verifies<req::TCS_CONV_004, req::TCS_CONV_002, req::TCS_CONV_007>("property");
     const auto& type = any_type();
     const double celsius = between(lowest_rising(type), static_cast<double>(type.highest()));
@@ -50,7 +50,7 @@ RC_GTEST_PROP(ThermocoupleLaw, ThereAndBackIsTheSameTemperature, ()) {
     RC_ASSERT(std::fabs(back - celsius) < 0.001);
 }
 
-RC_GTEST_PROP(ThermocoupleLaw, AHigherVoltageIsNeverALowerTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, HigherVoltageNeverGivesALowerTemperature, ()) {
     verifies<req::TCS_CONV_003>("property");
     const auto& type = any_type();
     const double a = between(-12.0, 80.0);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(ThermocoupleLaw, AHigherVoltageIsNeverALowerTemperature, ()) {
     RC_ASSERT(low <= high + 1e-9);
 }
 
-RC_GTEST_PROP(ThermocoupleLaw, WithinItsRangeAVoltageIsThatOfItsTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, VoltageWithinTheRangeEqualsThatOfItsTemperature, ()) {
     verifies<req::TCS_CONV_002>("property");
     const auto& type = any_type();
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
@@ -93,7 +93,7 @@ RC_GTEST_PROP(GainRangingLaw, EveryVoltageIsReadWithinNineConversions, ()) {
     }
 }
 
-RC_GTEST_PROP(ProcessValueLaw, IsTheNearestWholeNumberThatFits, ()) {
+RC_GTEST_PROP(ProcessValueLaw, ProcessValueIsTheNearestIntegerThatFits, ()) {
     verifies<req::TCS_VAL_001, req::TCS_VAL_004, req::TCS_VAL_007>("property");
     const Scaling scaling{between(-1000.0, 1000.0), between(-10000.0, 10000.0)};
     const double field = between(-273.0, 1820.0);
@@ -111,7 +111,7 @@ RC_GTEST_PROP(ProcessValueLaw, IsTheNearestWholeNumberThatFits, ()) {
     RC_ASSERT(sent == value || (sent == value + 1 && (value == -1 || value == -512)));
 }
 
-RC_GTEST_PROP(AverageLaw, LiesBetweenTheValidOnes, ()) {
+RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
     verifies<req::TCS_AVG_001>("property");
     std::array<Measurement, 2> all{};
     double low = 1e9;
@@ -126,7 +126,7 @@ RC_GTEST_PROP(AverageLaw, LiesBetweenTheValidOnes, ()) {
     RC_ASSERT(!mean.valid || (mean.value >= low - 1e-9 && mean.value <= high + 1e-9));
 }
 
-RC_GTEST_PROP(DelayedFaultLaw, IsToldExactlyWhenTheLimitWasPassedForTheWholeDelay, ()) {
+RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedOnceTheLimitWasPassedForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_002>("property");
     // A naive model: the history of readings, every 165 ms; limit 100 degC, clear at 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));

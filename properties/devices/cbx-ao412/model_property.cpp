@@ -131,7 +131,7 @@ class Pair {
 
 }  // namespace
 
-RC_GTEST_PROP(CbxAo412Model, TheDeviceDoesWhatTheManualSays, ()) {
+RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_AOUT_008,
              req::AO4_AOUT_009, req::AO4_AOUT_010, req::AO4_ERR_001, req::AO4_ERR_002, req::AO4_ERR_003,
              req::AO4_ERR_006, req::AO4_ERR_007, req::AO4_ERR_008, req::AO4_ERR_010, req::AO4_ERR_011,

@@ -50,17 +50,17 @@ struct CbxAo412Reset : UsualTraits {
 
 }  // namespace
 
-RC_GTEST_PROP(CbxAo412Reset, NodeBeginsAsAfterPowerOn, ()) {
+RC_GTEST_PROP(CbxAo412Reset, ResetNodeStartsTheDeviceAsPowerOnDoes, ()) {
     verifies<req::CO_NMT_005>("property");
     restart_law<CbxAo412Reset>(Reset::node);
 }
 
-RC_GTEST_PROP(CbxAo412Reset, PowerOnForgetsTheLifeBefore, ()) {
+RC_GTEST_PROP(CbxAo412Reset, PowerOnClearsAllEarlierState, ()) {
     verifies<req::CO_NMT_001>("property");
     restart_law<CbxAo412Reset>(Reset::power);
 }
 
-RC_GTEST_PROP(CbxAo412Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(CbxAo412Reset, ResetCommunicationRestartsCommunicationAndKeepsTheApplication, ()) {
     verifies<req::CO_NMT_006>("property");
     communication_law<CbxAo412Reset>();
 }

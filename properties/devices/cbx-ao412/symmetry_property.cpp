@@ -96,7 +96,7 @@ void compare(const CbxBench& bench, const CbxBench& other, const Places& places)
 
 }  // namespace
 
-RC_GTEST_PROP(CbxAo412Symmetry, ExchangedOutputsExchangeEverything, ()) {
+RC_GTEST_PROP(CbxAo412Symmetry, ExchangedOutputsGiveExchangedResults, ()) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_006, req::AO4_AOUT_009, req::AO4_PDO_001,
              req::AO4_PDO_004>("property");
     Places places{0, 1, 2, 3};

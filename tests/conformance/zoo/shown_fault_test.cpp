@@ -83,7 +83,7 @@ class ShownFault : public testing::TestWithParam<std::size_t> {};
 
 }  // namespace
 
-TEST_P(ShownFault, TheTalkDiffersByWhatTheEntrySays) {
+TEST_P(ShownFault, WrongSlaveDiffersByTheListedFrames) {
     const Fault& fault = all_faults()[GetParam()];
     const Texts right = Talk{{}}.hold(fault.talk);
     const Texts wrong = Talk{fault.distortion}.hold(fault.talk);
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Zoo, ShownFault, testing::Range<std::size_t>(0, all_fau
     return name;
 });
 
-TEST(Zoo, EveryFaultHasAnIdOfItsOwnAndShowsADifference) {
+TEST(Zoo, EveryFaultHasAUniqueIdAndShowsADifference) {
     std::set<std::string> ids;
     for (const Fault& fault : all_faults()) {
         EXPECT_TRUE(ids.insert(fault.id).second) << fault.id;

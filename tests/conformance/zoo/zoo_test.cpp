@@ -141,7 +141,7 @@ TEST_P(UnderRandomLoad, NoCaseFailsOnTheCorrectSlave) {
 
 INSTANTIATE_TEST_SUITE_P(Run, UnderRandomLoad, testing::Range<std::size_t>(0, runs_under_load));
 
-TEST(Zoo, CasesNoticeTheFaultsAndNameTheService) {
+TEST(Zoo, CasesNoticeTheFaultsOfTheirService) {
     const Faults faults = chosen_faults(all_faults());
     const bool all_cases = runs_all() || faults.size() == 1;
     std::size_t caught = 0;

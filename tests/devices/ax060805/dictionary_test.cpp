@@ -170,7 +170,7 @@ using InclinometerDictionary = InclinometerTest;
 
 }  // namespace
 
-TEST_F(InclinometerDictionary, DefaultsAndLengths) {
+TEST_F(InclinometerDictionary, EntriesHaveTheirDefaultsAndLengths) {
     verifies<req::INC_OD_1000, req::INC_OD_1001, req::INC_OD_1002, req::INC_OD_1003, req::INC_OD_100C, req::INC_OD_100D,
              req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1016, req::INC_OD_1017, req::INC_OD_1018, req::INC_OD_1020,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
@@ -205,7 +205,7 @@ TEST_F(InclinometerDictionary, DefaultsAndLengths) {
     }
 }
 
-TEST_F(InclinometerDictionary, OnlyWritableEntriesTakeTheirOwnValue) {
+TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
     verifies<req::INC_OD_1000, req::INC_OD_1001, req::INC_OD_1002, req::INC_OD_1003, req::INC_OD_100C, req::INC_OD_100D,
              req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1016, req::INC_OD_1017, req::INC_OD_1018, req::INC_OD_1020,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
@@ -250,7 +250,7 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesTakeTheirOwnValue) {
     }
 }
 
-TEST_F(InclinometerDictionary, NothingElseExists) {
+TEST_F(InclinometerDictionary, OnlyTheObjectsOfTheManualExist) {
     verifies<req::INC_OD_LIST, req::INC_ANGLE_010>();
     std::size_t listed = 0;
     std::uint16_t last = 0;
@@ -268,7 +268,7 @@ TEST_F(InclinometerDictionary, NothingElseExists) {
     EXPECT_EQ(found, 13U + 16U + 18U + 3U + 4U + 60U + 11U + 2U);
 }
 
-TEST_F(InclinometerDictionary, SubIndicesEndWhereTheManualEndsThem) {
+TEST_F(InclinometerDictionary, SubIndicesBeyondThoseOfTheManualAreAbsent) {
     verifies<req::INC_OD_LIST, req::INC_OD_1003, req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1029>();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const bool is_last = i + 1 == rows.size() || rows[i + 1].index != rows[i].index;

@@ -57,7 +57,7 @@ TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
     EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // that of the formula
 }
 
-TEST_F(InclinometerEdges, WeightEndsBelowATenthOfG) {
+TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     verifies<req::INC_K_LEAST_GRAVITY, req::INC_ANGLE_011>();
     EXPECT_EQ(merit_at(0.0, 0.0, -0.10005), 0U);
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
@@ -79,7 +79,7 @@ TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {
     }
 }
 
-TEST_F(InclinometerEdges, SensorIsTrustedFromMinus40To125Degrees) {
+TEST_F(InclinometerEdges, SensorTemperatureFaultLiesBeyondMinus40And125Degrees) {
     verifies<req::INC_K_TEMPERATURE_LOW, req::INC_K_TEMPERATURE_HIGH, req::INC_ERR_005>();
     EXPECT_EQ(merit_when_warm(125.0F), 0U);
     EXPECT_EQ(read(0x1001), 0U);
@@ -91,7 +91,7 @@ TEST_F(InclinometerEdges, SensorIsTrustedFromMinus40To125Degrees) {
     EXPECT_EQ(read(0x1003, 1), 0x4200U);
 }
 
-TEST_F(InclinometerEdges, SampleComesEachFiveMillisecondsToTheMicrosecond) {
+TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     verifies<req::INC_K_SAMPLE_PERIOD, req::INC_FILTER_001>();
     pass(5);
     const Instant sampled = now;

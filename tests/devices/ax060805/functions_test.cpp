@@ -14,7 +14,7 @@ class Functions : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(Functions, EverySourceOfTable1) {
+TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_005, req::INC_OD_3010, req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
     inputs.processor_temperature = 41.5F;
@@ -66,7 +66,7 @@ TEST_F(Functions, EverySourceOfTable1) {
     EXPECT_EQ(refusal(at(1, 0), 1, 29, 1), "06090031");
 }
 
-TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
+TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
     verifies<req::INC_BIN_001, req::INC_BIN_009, req::INC_STORE_001>();
     for (const int function : {1, 10}) {
         operate(function, 1);
@@ -79,7 +79,7 @@ TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
     EXPECT_EQ(output(10), 2);
 }
 
-TEST_F(Functions, TakeWhatTheFirstSampleMeasures) {
+TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     verifies<req::INC_BIN_009, req::INC_GLOBAL_003>();
     operate(1, 1);
     connect(1, 1, 27);  // the supply
@@ -97,7 +97,7 @@ TEST_F(Functions, TakeWhatTheFirstSampleMeasures) {
     EXPECT_NE(figure_of_merit, 0);
 }
 
-TEST_F(Functions, EachOfTheTenIsASource) {
+TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
@@ -116,7 +116,7 @@ TEST_F(Functions, EachOfTheTenIsASource) {
     EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the last pass
 }
 
-TEST_F(Functions, EveryParameterOfEachTakesPart) {
+TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
     verifies<req::INC_BIN_001, req::INC_BIN_011>();
     verifies<req::INC_OD_3011, req::INC_OD_3021, req::INC_OD_3031, req::INC_OD_3041, req::INC_OD_3051, req::INC_OD_3061,
              req::INC_OD_3071, req::INC_OD_3081, req::INC_OD_3091, req::INC_OD_30A1>();
@@ -156,7 +156,7 @@ TEST_F(Functions, EveryParameterOfEachTakesPart) {
     }
 }
 
-TEST_F(Functions, ParametersHaveTheirRanges) {
+TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013,
              req::INC_OD_3014, req::INC_OD_3015>();
     EXPECT_EQ(refusal(0x300A, 1, 20, 1), "");
@@ -208,7 +208,7 @@ TEST_F(Functions, AsShippedNothingIsConnected) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Functions, AnUndefinedInputTakesItsDefaultOrNothing) {
+TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
     verifies<req::INC_BIN_002, req::INC_SIG_002>();
     operate(1, 1);
     connect(1, 1, 26);
@@ -230,7 +230,7 @@ TEST_F(Functions, AnUndefinedInputTakesItsDefaultOrNothing) {
     EXPECT_EQ(output(2), 3);
 }
 
-TEST_F(Functions, AnUndefinedResultUndoesThoseThatUseIt) {
+TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
     verifies<req::INC_SIG_002, req::INC_BIN_002, req::INC_BIN_007>();
     operate(1, 0);
     connect(1, 1, 26);
@@ -246,7 +246,7 @@ TEST_F(Functions, AnUndefinedResultUndoesThoseThatUseIt) {
     EXPECT_EQ(output(2), 2);
 }
 
-TEST_F(Functions, OutputsAreRoundedAndSaturatedButPassOnUnrounded) {
+TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     verifies<req::INC_BIN_008, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);
@@ -270,7 +270,7 @@ TEST_F(Functions, OutputsAreRoundedAndSaturatedButPassOnUnrounded) {
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
-TEST_F(Functions, RunFrom1To10AtEachSample) {
+TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
     verifies<req::INC_BIN_009>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
@@ -290,7 +290,7 @@ TEST_F(Functions, RunFrom1To10AtEachSample) {
     EXPECT_EQ(output(3), 6);
 }
 
-TEST_F(Functions, AFailedSensorHasNoSignals) {
+TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
     verifies<req::INC_SIG_002, req::INC_FV_007>();
     inputs.accelerometer_fault = true;
     set_inputs();
@@ -318,7 +318,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
     }
 }
 
-TEST_F(Functions, BitsOfADiscreteConstant) {
+TEST_F(Functions, BitsOfADiscreteConstantAreSources) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60 = 3Ch

@@ -166,7 +166,7 @@ TEST_F(Parameters, EverySubIndexHasItsLimits) {
     });
 }
 
-TEST_F(Parameters, FloatsAreNumbers) {
+TEST_F(Parameters, Real32ParametersRefuseInfinityAndNan) {
     verifies<req::INC_OD_2020, req::INC_OD_2040, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2502, req::INC_OD_300B,
              req::INC_OD_300C, req::INC_OD_4070>();
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
@@ -178,7 +178,7 @@ TEST_F(Parameters, FloatsAreNumbers) {
     });
 }
 
-TEST_F(Parameters, ManufacturerParametersAreStoredEachForItself) {
+TEST_F(Parameters, EveryManufacturerParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003,
              req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020, req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040,
              req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052, req::INC_OD_2100, req::INC_OD_2200>();
@@ -201,7 +201,7 @@ TEST_F(Parameters, ManufacturerParametersAreStoredEachForItself) {
     });
 }
 
-TEST_F(Parameters, CommunicationParametersAreStoredEachForItself) {
+TEST_F(Parameters, EveryCommunicationParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_100C, req::INC_OD_100D, req::INC_OD_1016, req::INC_OD_1017,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
              req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603>();
@@ -245,7 +245,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Parameters, MappingOfEveryEntry) {
+TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
     verifies<req::INC_PDO_007, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
     // index, sub-indices from and to, bits
     struct Mappable {

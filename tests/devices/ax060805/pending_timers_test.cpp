@@ -81,7 +81,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 }  // namespace
 
 // No additional filter: what is shown is the latest sample.
-TEST_F(IncPending, NextSampleAndEachEvent) {
+TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
     const Shown renewed{{28, 6000}};  // the restart took one at 23 already
@@ -120,7 +120,7 @@ TEST_F(IncPending, NextSampleAndEachEvent) {
 }
 
 // A moving average of two: at first 0 degrees alone, then 0 and 60, then 60 and 60.
-TEST_F(IncPending, NextSampleOfTheFiltersAndEachEvent) {
+TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // begins with 20 degrees at the event
@@ -172,7 +172,7 @@ TEST_F(IncPending, NextSampleOfTheFiltersAndEachEvent) {
 }
 
 // A repeating filter of three: until its first block is whole it shows the mean so far, then nothing before the next.
-TEST_F(IncPending, BlockOfARepeatingFilterAndEachEvent) {
+TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_AVG_003, req::INC_AVG_004, req::INC_AVG_007>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // 0 60 60, then 60 60 60
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // 20 60 60
@@ -203,7 +203,7 @@ TEST_F(IncPending, BlockOfARepeatingFilterAndEachEvent) {
 }
 
 // Function 1 passes what RPDO1 brought at 2 ms. RPDO1 is late after 100 ms, which the next sample notices.
-TEST_F(IncPending, ReceivedValueAndEachEvent) {
+TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};
     const std::vector<Case> cases{

@@ -11,7 +11,7 @@ class ReceivedValues : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(ReceivedValues, AsShippedALimitOf45FromTheBusIs45Degrees) {
+TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
     send("000#0100");
     send("27F#2D0000000000");  // 2Dh = 45 for the first
@@ -35,7 +35,7 @@ TEST_F(ReceivedValues, AsShippedALimitOf45FromTheBusIs45Degrees) {
 }
 
 // 4.3.20: 1000 / 2501h counts are one unit
-TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsOfOneUnit) {
+TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 4500);
@@ -49,7 +49,7 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsOfOneUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
+TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
              req::INC_OD_2502>();
     operate(1, 10);  // pitch > limit
@@ -75,7 +75,7 @@ TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
     EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
 }
 
-TEST_F(ReceivedValues, AreUndefinedUntilTheyCome) {
+TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("000#0100");
@@ -90,7 +90,7 @@ TEST_F(ReceivedValues, AreUndefinedUntilTheyCome) {
     EXPECT_EQ(taken_from(21, 1.0F), 3000);
 }
 
-TEST_F(ReceivedValues, AreUndefinedAgainAfterATimeout) {
+TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // stays operational
@@ -106,7 +106,7 @@ TEST_F(ReceivedValues, AreUndefinedAgainAfterATimeout) {
     EXPECT_EQ(taken_from(20, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
+TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1601, 1, 0x25000210, 4);
@@ -124,7 +124,7 @@ TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
 }
 
-TEST_F(ReceivedValues, AValueWrittenAfterTheTimeoutCounts) {
+TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);

@@ -32,7 +32,7 @@ class SlewRate : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(SlewRate, IsSetAtOnce) {
+TEST_F(SlewRate, SlewRateIsSetAtOnce) {
     verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
     EXPECT_FALSE(device->outputs().slew_rate_fast);
     EXPECT_EQ(read(0x2000), 0U);
@@ -43,7 +43,7 @@ TEST_F(SlewRate, IsSetAtOnce) {
     EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
 }
 
-TEST_F(SlewRate, FollowsTheBitRate) {
+TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
     for (std::size_t index = 0; index < fast.size(); ++index) {
@@ -62,7 +62,7 @@ TEST_F(SlewRate, FollowsTheBitRate) {
     EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
 }
 
-TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheSlowOne) {
+TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2003, 0, 7, 1);
     store_all();  // at 125 kbit/s
@@ -76,7 +76,7 @@ TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheSlowOne) {
     expect_fast(true, "after a reset as well");
 }
 
-TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheFastOne) {
+TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
     verifies<req::INC_SLEW_002>();
     activate_and_store(2);
     store_all();  // at 500 kbit/s
@@ -87,7 +87,7 @@ TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheFastOne) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, OneThatWasSetAndStoredHoldsAtItsBitRate) {
+TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001, req::INC_STORE_002>();
     write(0x2000, 0, 1, 1);
     store_all();
@@ -101,7 +101,7 @@ TEST_F(SlewRate, OneThatWasSetAndStoredHoldsAtItsBitRate) {
     expect_fast(false, "restored: as suits 125 kbit/s");
 }
 
-TEST_F(SlewRate, OneThatWasSetGivesWayToANewBitRateWithAndWithoutPowerOn) {
+TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     verifies<req::INC_SLEW_002>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
@@ -114,7 +114,7 @@ TEST_F(SlewRate, OneThatWasSetGivesWayToANewBitRateWithAndWithoutPowerOn) {
     expect_fast(true, "the bit rate of the save again");
 }
 
-TEST_F(SlewRate, ASaveOfTheCommunicationLeavesItsBitRateAlone) {
+TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
@@ -127,7 +127,7 @@ TEST_F(SlewRate, ASaveOfTheCommunicationLeavesItsBitRateAlone) {
     expect_fast(true, "what was stored at 125 kbit/s");
 }
 
-TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
+TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
     verifies<req::INC_SLEW_002>();
     activate(2);  // 500 kbit/s until the next power-on
     send("7E5#0400");
@@ -136,7 +136,7 @@ TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, RestoredDefaultsSuitTheBitRateInUse) {
+TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_002>();
     activate_and_store(0);
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all, those of the manufacturer

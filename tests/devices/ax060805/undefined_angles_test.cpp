@@ -55,7 +55,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
     EXPECT_EQ(roll(), -9000);  // 0.57 degrees from it: atan2(-0.01, 0)
 }
 
-TEST_F(UndefinedAngles, ANewFrameTurnsTheRollThatIsKept) {
+TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210>();
     use_euler_angles();
     angles_of(0.0, 40.0);
@@ -72,7 +72,7 @@ TEST_F(UndefinedAngles, ANewFrameTurnsTheRollThatIsKept) {
 }
 
 /// The only direction so far lies upright in the new frame, but for a hundred-thousandth of a degree to one side.
-TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionHasNoneInTheNewFrame) {
+TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_008>();
     use_euler_angles();
     feel(0.0, 3.0e-7, -1.0);
@@ -83,7 +83,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionHasNoneInTheNewFrame
     EXPECT_EQ(roll(), 0);
 }
 
-TEST_F(UndefinedAngles, TiltRollGoesOnAtTheVertical) {
+TEST_F(UndefinedAngles, TiltRollIsMeasuredAtTheVertical) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_008>();
     angles_of(0.0, 40.0);
     EXPECT_EQ(angles_at(1.0, 0.0, 0.0), (Row{9000, 0, 9000}));
@@ -106,7 +106,7 @@ TEST_F(UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesKnowsNoGimbalLock) {
+TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesIgnoresGimbalLock) {
     verifies<req::INC_FOM_001, req::INC_OD_2100>();
     angles_of(89.5, 30.0);
     EXPECT_EQ(merit(), 0U);
@@ -116,7 +116,7 @@ TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesKnowsNoGimbalLock) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, FigureOfMeritIsThatOfTheMachinesFrame) {
+TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     verifies<req::INC_FOM_001, req::INC_INSTALL_002>();
     use_euler_angles();
     angles_at(1.0, 0.0, 0.0);
@@ -127,7 +127,7 @@ TEST_F(UndefinedAngles, FigureOfMeritIsThatOfTheMachinesFrame) {
     EXPECT_EQ(merit(), 1U);  // the unit is level, the machine on its end
 }
 
-TEST_F(UndefinedAngles, WithoutGravityTheyKeepTheirLastValue) {
+TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
     verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
     const Row before = angles_of(30.0, 0.0);
     acceleration_digits(1000);
@@ -142,7 +142,7 @@ TEST_F(UndefinedAngles, WithoutGravityTheyKeepTheirLastValue) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravityANewFrameCountsAtOnce) {
+TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2200, req::INC_OD_2210>();
     angles_of(30.0, 0.0);
     angles_at(0.0, 0.0, 0.0);
@@ -156,7 +156,7 @@ TEST_F(UndefinedAngles, WithoutGravityANewFrameCountsAtOnce) {
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeCountsAtOnce) {
+TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeAppliesAtOnce) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -167,7 +167,7 @@ TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeCountsAtOnce) {
     EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityAfterAFailureTheyAreThoseOfTheSettingsInUse) {
+TEST_F(UndefinedAngles, WithoutGravityAfterAFailureAnglesFollowThePresentSettings) {
     verifies<req::INC_ANGLE_011, req::INC_FV_007>();
     angles_of(30.0, 0.0);
     inputs.accelerometer_fault = true;
@@ -179,7 +179,7 @@ TEST_F(UndefinedAngles, WithoutGravityAfterAFailureTheyAreThoseOfTheSettingsInUs
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravitySincePowerOnTheyAreZero) {
+TEST_F(UndefinedAngles, WithoutGravitySincePowerOnAnglesAreZero) {
     verifies<req::INC_ANGLE_011>();
     feel(0.0, 0.0, 0.0);
     power_on();
@@ -187,7 +187,7 @@ TEST_F(UndefinedAngles, WithoutGravitySincePowerOnTheyAreZero) {
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, HalfATurnIsPlus180OnEitherSideOfIt) {
+TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
     for (const double across : {0.0, 1e-8, -1e-8, 4e-7, -4e-7}) {  // 4e-7 is 0.000023 degrees
         EXPECT_EQ(angles_at(across, across, 1.0), (Row{18000, 18000, 18000})) << across;
@@ -201,7 +201,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180OnEitherSideOfIt) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // reversed
 }
 
-TEST_F(UndefinedAngles, AMachineOnItsBackReadsPlus180InEveryInstallation) {
+TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEveryInstallation) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

@@ -27,7 +27,7 @@ class Ax130751Accuracy : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Accuracy, VoltageWithinTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_VOLTAGE>();
     const double tolerance = 20.0 * 0.002;  // -10 V to 10 V
     for (const int millivolts : {0, 1, 2500, 4999, 5000}) {
@@ -39,7 +39,7 @@ TEST_F(Ax130751Accuracy, VoltageWithinTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, CurrentWithinTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, CurrentErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_CURRENT>();
     const double tolerance = 24.0 * 0.002;  // 0 to 24 mA
     for (const int microamperes : {0, 4000, 12345, 20000}) {
@@ -48,7 +48,7 @@ TEST_F(Ax130751Accuracy, CurrentWithinTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, DutyCycleAndFrequencyWithinOneThousandthOfTheirRange) {
+TEST_F(Ax130751Accuracy, DutyCycleAndFrequencyErrByAtMostOneThousandthOfTheirRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_DUTY, req::AOR_S_FREQUENCY>();
     for (const int tenths : {1, 333, 1000}) {
         command(1, 40, tenths);

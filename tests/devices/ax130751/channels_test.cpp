@@ -33,7 +33,7 @@ class Ax130751Channels : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Channels, OverridesHaveTheirOwnInputResponseAndValue) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnOverrideInputResponseAndValue) {
     verifies<req::AOR_OUT_010, req::AOR_T08, req::AOR_DO_006>();
     for (const int type : {10, 1020}) {
         for (const int ours : {1, 2}) {
@@ -57,7 +57,7 @@ TEST_F(Ax130751Channels, OverridesHaveTheirOwnInputResponseAndValue) {
     }
 }
 
-TEST_F(Ax130751Channels, EnablesHaveTheirOwnInputAndResponse) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
     verifies<req::AOR_OUT_009, req::AOR_T07>();
     command(1, 4000);
     command(2, 4000);
@@ -80,7 +80,7 @@ TEST_F(Ax130751Channels, EnablesHaveTheirOwnInputAndResponse) {
     }
 }
 
-TEST_F(Ax130751Channels, FaultsOfAnalogueOutputsHaveTheirOwnModeAndValue) {
+TEST_F(Ax130751Channels, EachAnalogueOutputHasItsOwnFaultModeAndValue) {
     verifies<req::AOR_OUT_011, req::AOR_T09>();
     for (const int ours : {1, 2}) {
         SCOPED_TRACE(ours);
@@ -98,7 +98,7 @@ TEST_F(Ax130751Channels, FaultsOfAnalogueOutputsHaveTheirOwnModeAndValue) {
     }
 }
 
-TEST_F(Ax130751Channels, FaultsOfDigitalOutputsHaveTheirOwnModeAndState) {
+TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
     verifies<req::AOR_DO_005, req::AOR_T02>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
@@ -123,7 +123,7 @@ TEST_F(Ax130751Channels, FaultsOfDigitalOutputsHaveTheirOwnModeAndState) {
     }
 }
 
-TEST_F(Ax130751Channels, LevelsPolaritiesAndBlinkRatesAreTheirOwn) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
     verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_004, req::AOR_T_DIGITAL_RANGE>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Channels, LevelsPolaritiesAndBlinkRatesAreTheirOwn) {
     }
 }
 
-TEST_F(Ax130751Channels, DigitsOfAllFourScalingsAreTheirOwn) {
+TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005>();
     for (const int output : {1, 2}) {
         SCOPED_TRACE(output);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Channels, DigitsOfAllFourScalingsAreTheirOwn) {
 }
 
 // What one type left at the terminals the next does not have.
-TEST_F(Ax130751Channels, ANewTypeLeavesNothingOfTheOldOneAtTheTerminals) {
+TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {
         int type;
@@ -206,7 +206,7 @@ TEST_F(Ax130751Channels, ANewTypeLeavesNothingOfTheOldOneAtTheTerminals) {
     }
 }
 
-TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
     verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {
@@ -229,7 +229,7 @@ TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
     }
 }
 
-TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
+TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
     set16(0x6310, 1, 20);
     set16(0x7323, 1, 16000);
@@ -245,7 +245,7 @@ TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
     EXPECT_EQ(get16(0x7323, 2), 4000);
 }
 
-TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
+TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
     set16(0x1800, 5, 0);  // no TPDO1
     set16(0x6310, 2, 1020);
@@ -273,7 +273,7 @@ TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
     EXPECT_EQ(device->next_deadline(), never) << "a voltage does not blink";
 }
 
-TEST_F(Ax130751Channels, ADigitalOutputWithoutAControlHasItsFaultState) {
+TEST_F(Ax130751Channels, DigitalOutputWithoutAControlHasItsFaultState) {
     verifies<req::AOR_DO_005, req::AOR_OUT_029>();
     set16(0x6310, 2, 1020);
     set8(0x2340, 2, not_used);

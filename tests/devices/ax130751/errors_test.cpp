@@ -26,7 +26,7 @@ class Ax130751Errors : public Ax130751Test {
 }  // namespace
 
 // 3.2.4, Table 23
-TEST_F(Ax130751Errors, ALostHeartbeatIsListedWithItsProducer) {
+TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
              req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is nobody: it monitors nothing
@@ -47,7 +47,7 @@ TEST_F(Ax130751Errors, ALostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(refusal(0x1015, 0), "06020000");
 }
 
-TEST_F(Ax130751Errors, TheListHasTheErrorsThatLastNewestFirst) {
+TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
     verifies<req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_OD_1003, req::AOR_OD_1016>();
     lose(1, 0x21);
     lose(2, 0x22);
@@ -65,7 +65,7 @@ TEST_F(Ax130751Errors, TheListHasTheErrorsThatLastNewestFirst) {
     EXPECT_EQ(read(0x1001, 0), 1U);
 }
 
-TEST_F(Ax130751Errors, OfFiveErrorsTheOldestLeavesTheList) {
+TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
     verifies<req::AOR_ERR_002, req::AOR_ERR_004, req::AOR_OD_1003>();
     lose(1, 0x21);
     lose(2, 0x22);
@@ -88,7 +88,7 @@ TEST_F(Ax130751Errors, OfFiveErrorsTheOldestLeavesTheList) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Errors, ClearingTheListEndsNoError) {
+TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     verifies<req::AOR_ERR_005, req::AOR_OD_1003, req::AOR_OD_1001>();
     lose(1, 0x21);
     for (int value = 1; value <= 5; ++value) {
@@ -107,7 +107,7 @@ TEST_F(Ax130751Errors, ClearingTheListEndsNoError) {
     EXPECT_EQ(read(0x1003, 0), 1U);
 }
 
-TEST_F(Ax130751Errors, ErrorBehaviourDecidesTheState) {
+TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
     verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
     struct Case {
         int behaviour;
@@ -139,7 +139,7 @@ TEST_F(Ax130751Errors, ErrorBehaviourDecidesTheState) {
     }
 }
 
-TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
+TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAnError) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");
@@ -150,7 +150,7 @@ TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
 }
 
 // 3.2.5, 3.2.6: 100 ms times 2
-TEST_F(Ax130751Errors, LifeGuardingIsLostWithoutRequestsAndOffWithAHeartbeat) {
+TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D>();
     EXPECT_EQ(write(0x100C, 0, 100, 2), "");
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
@@ -176,7 +176,7 @@ TEST_F(Ax130751Errors, LifeGuardingIsLostWithoutRequestsAndOffWithAHeartbeat) {
 }
 
 // 3.2.10
-TEST_F(Ax130751Errors, TheHeartbeatIsProducedEachTenMillisecondsAtTheFastest) {
+TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
     verifies<req::AOR_HB_002, req::AOR_OD_1017>();
     for (int time = 1; time <= 9; ++time) {
         EXPECT_EQ(write(0x1017, 0, time, 2), "06090032") << time;
@@ -188,7 +188,7 @@ TEST_F(Ax130751Errors, TheHeartbeatIsProducedEachTenMillisecondsAtTheFastest) {
     EXPECT_EQ(pass(100), Frames{});
 }
 
-TEST_F(Ax130751Errors, ControllerErrorsAreNotTold) {
+TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
     verifies<req::AOR_ERR_011, req::AOR_S_CAN_STATE, req::AOR_S_CAN_OVERRUN>();
     for (const int state : {2, 3, 0}) {  // error passive, bus-off, error active
         inputs.can_state = static_cast<std::uint8_t>(state);
@@ -203,7 +203,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotTold) {
 }
 
 // 3.4.86 with 3.2.13: a communication fault of 1029h:1 outranks 5555h
-TEST_F(Ax130751Errors, BusOffAtPowerOnHoldsANodeThatStartsByItself) {
+TEST_F(Ax130751Errors, BusOffAtPowerOnPreventsTheSelfStart) {
     verifies<req::AOR_START_003, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
         {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};
@@ -229,7 +229,7 @@ TEST_F(Ax130751Errors, BusOffAtPowerOnHoldsANodeThatStartsByItself) {
 }
 
 // 3.2.7: the set in memory is damaged behind its header
-TEST_F(Ax130751Errors, ADamagedStoredSetIsToldAndDefaultsHold) {
+TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store();
@@ -243,7 +243,7 @@ TEST_F(Ax130751Errors, ADamagedStoredSetIsToldAndDefaultsHold) {
 }
 
 // The boot-up message is lost, what the boot reported of errors is not.
-TEST_F(Ax130751Errors, ADamagedSetFoundAtPowerOnInBusOffIsReportedAfterIt) {
+TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AOR_ERR_009, req::CO_EMCY_017>();
     store();
     memory.bytes()[100] ^= 0x01;

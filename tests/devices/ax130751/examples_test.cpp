@@ -121,7 +121,7 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
 }
 
 // 1.5, 1.6: three tables in a row, chosen by where the input is; extra values 2 and 3 are the borders
-TEST_F(Ax130751Examples, ThirtySlopesFromThreeTables) {
+TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_OD_3310, req::AOR_OD_3320>();
     for (int number = 1; number <= 3; ++number) {
         declare_extra(number, 3000);

@@ -37,7 +37,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751LateCalls, AFrameCountsFromTheCycleAfterIt) {
+TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
     send("37F#000001000000");  // 1 % a cycle
@@ -53,7 +53,7 @@ TEST_F(Ax130751LateCalls, AFrameCountsFromTheCycleAfterIt) {
     EXPECT_EQ(counted(), 1100);
 }
 
-TEST_F(Ax130751LateCalls, InputsCountFromTheCycleAfterThem) {
+TEST_F(Ax130751LateCalls, InputsTakeEffectInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_DIAG_002, req::AOR_DIAG_007>();
     inputs.supply = 7.5F;
     EXPECT_EQ(set_inputs(), Frames{});
@@ -68,7 +68,7 @@ TEST_F(Ax130751LateCalls, InputsCountFromTheCycleAfterThem) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0042010000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, AnRpdoThatComesTooLateHasTimedOut) {
+TEST_F(Ax130751LateCalls, LateRpdoHasTimedOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);
     start();
@@ -79,7 +79,7 @@ TEST_F(Ax130751LateCalls, AnRpdoThatComesTooLateHasTimedOut) {
     EXPECT_EQ(send("27F#E803000000"), (Frames{"0FF#0081010000000000", "0FF#0000000000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, ALostMessageReachesTheOutputInTheNextCycle) {
+TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -102,7 +102,7 @@ TEST_F(Ax130751LateCalls, ALostMessageReachesTheOutputInTheNextCycle) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751LateCalls, ATimeOutOnTheWayWakesTheBlocks) {
+TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -114,7 +114,7 @@ TEST_F(Ax130751LateCalls, ATimeOutOnTheWayWakesTheBlocks) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
 
-TEST_F(Ax130751LateCalls, AnEmergencyThatFindsNoRoomHoldsNoTimeOutUp) {
+TEST_F(Ax130751LateCalls, EmcyWithoutRoomInTheQueueDelaysNoTimeOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -136,7 +136,7 @@ TEST_F(Ax130751LateCalls, AnEmergencyThatFindsNoRoomHoldsNoTimeOutUp) {
     EXPECT_EQ(sent(), (Frames{"0FF#1082010000000000", "0FF#0081010000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, NothingThatWaitsIsAheadOfItsTime) {
+TEST_F(Ax130751LateCalls, NextDeadlineIsNeverTooEarly) {
     verifies<req::AOR_OUT_027>();
     pass(500);
     EXPECT_EQ(device->next_deadline(), never) << "at rest";
@@ -148,7 +148,7 @@ TEST_F(Ax130751LateCalls, NothingThatWaitsIsAheadOfItsTime) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Ax130751LateCalls, CyclesCountFromTheReset) {
+TEST_F(Ax130751LateCalls, CyclesAreCountedFromTheReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     pass(100);
     now = now + Duration{400};
@@ -162,7 +162,7 @@ TEST_F(Ax130751LateCalls, CyclesCountFromTheReset) {
     EXPECT_EQ(device->next_deadline(), now + Duration{900});
 }
 
-TEST_F(Ax130751LateCalls, BlocksThatHaveNothingToDoNeedNoCycle) {
+TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 in tables 1 and 4, logic block 2 (table 4), math block 1 and output 1: all with a value.
     extra_as_percent(1);

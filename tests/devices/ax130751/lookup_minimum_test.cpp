@@ -28,7 +28,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
 }  // namespace
 
 // The example of 1.5.1: a temperature of -40 to 210 °C
-TEST_F(Ax130751LookupMinimum, ATemperatureFromMinus40To210) {
+TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     for (int table = 1; table <= 10; ++table) {
@@ -48,7 +48,7 @@ TEST_F(Ax130751LookupMinimum, ATemperatureFromMinus40To210) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
+TEST_F(Ax130751LookupMinimum, Point1FollowsTheScalingOfItsSource) {
     verifies<req::AOR_LT_018>();
     choose(1, canopen, 4);
     EXPECT_EQ(x(1, 1), 0) << "0 to 0 as shipped";
@@ -69,7 +69,7 @@ TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, TheLastPointOfAnotherTableCounts) {
+TEST_F(Ax130751LookupMinimum, LastPointOfTheSourceTableSetsTheMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);
     set16(0x3107, 11, -90);
@@ -79,7 +79,7 @@ TEST_F(Ax130751LookupMinimum, TheLastPointOfAnotherTableCounts) {
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
+TEST_F(Ax130751LookupMinimum, EverySourceOfTable5SetsTheMinimum) {
     verifies<req::AOR_LT_018>();
     // 7320h in thousandths of a volt
     set8(0x3013, 0, 3);
@@ -138,7 +138,7 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(4, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwn) {
+TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     verifies<req::AOR_LT_018, req::AOR_SRC_007>();
     for (int block = 1; block <= 4; ++block) {
         set16(0x4021, block, -1000 * block);  // in hundredths as shipped
@@ -156,7 +156,7 @@ TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwn) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
+TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);  // table 10 has no source itself
     set16(0x3107, 3, -70);
@@ -171,7 +171,7 @@ TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
     EXPECT_EQ(x(5, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, ADigitalOutputsCommandHasNone) {
+TEST_F(Ax130751LookupMinimum, CommandOfADigitalOutputHasMinimum0) {
     verifies<req::AOR_LT_018>();
     set8(0x5550, 0, 0);
     set8(0x3013, 0, 3);
@@ -182,7 +182,7 @@ TEST_F(Ax130751LookupMinimum, ADigitalOutputsCommandHasNone) {
     EXPECT_EQ(x(1, 1), 0) << "6220h:1 is 0 or 1";
 }
 
-TEST_F(Ax130751LookupMinimum, RoundingKeepsItWithinTheLimits) {
+TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     set16(0x2522, 1, 2100);
     set16(0x2520, 1, -405);  // -40.5
@@ -193,7 +193,7 @@ TEST_F(Ax130751LookupMinimum, RoundingKeepsItWithinTheLimits) {
     EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
 }
 
-TEST_F(Ax130751LookupMinimum, WhatAUserHasMovedStays) {
+TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);
@@ -210,7 +210,7 @@ TEST_F(Ax130751LookupMinimum, WhatAUserHasMovedStays) {
     EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
 }
 
-TEST_F(Ax130751LookupMinimum, ItNeverLiesAbovePoint2) {
+TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -221,7 +221,7 @@ TEST_F(Ax130751LookupMinimum, ItNeverLiesAbovePoint2) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, OverTimeItIs0) {
+TEST_F(Ax130751LookupMinimum, Point1OfATimeProfileIs0) {
     verifies<req::AOR_LT_018, req::AOR_LT_014>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -233,7 +233,7 @@ TEST_F(Ax130751LookupMinimum, OverTimeItIs0) {
     EXPECT_EQ(x(1, 1), -50);
 }
 
-TEST_F(Ax130751LookupMinimum, AStoredTableGoesOnFollowing) {
+TEST_F(Ax130751LookupMinimum, StoredTableContinuesToFollowItsSource) {
     verifies<req::AOR_LT_018, req::AOR_STORE_003>();
     make_extra(-40, 210);
     choose(1, canopen, 4);

@@ -38,7 +38,7 @@ TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
     }
 }
 
-TEST_F(Ax130751Lookup, JumpsAndIgnoredPoints) {
+TEST_F(Ax130751Lookup, JumpAndIgnoreResponsesAreFollowed) {
     verifies<req::AOR_LT_003, req::AOR_LT_004, req::AOR_T14>();
     connect(1, 1);
     set8(0x3015, 3, 2);  // jump to (20, 20)
@@ -56,7 +56,7 @@ TEST_F(Ax130751Lookup, JumpsAndIgnoredPoints) {
     EXPECT_EQ(write(0x3015, 1, 2, 1), "06090031") << "2 is no type of the X axis";
 }
 
-TEST_F(Ax130751Lookup, PointsOfEqualX) {
+TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
     verifies<req::AOR_LT_005>();
     connect(1, 1);
     set32(0x3016, 3, 30);
@@ -68,7 +68,7 @@ TEST_F(Ax130751Lookup, PointsOfEqualX) {
     EXPECT_EQ(output(1), 76);  // 80 on the way to 40 at 40
 }
 
-TEST_F(Ax130751Lookup, DigitsOfBothAxes) {
+TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
     set8(0x2502, 1, 2);  // 2500h:1 is now 0.00…1.00
@@ -84,7 +84,7 @@ TEST_F(Ax130751Lookup, DigitsOfBothAxes) {
     EXPECT_EQ(output(1), 53);
 }
 
-TEST_F(Ax130751Lookup, LimitsForOtherBlocks) {
+TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Seen through logic block 1, whose output is a percentage of the limits of table 1.
     connect(1, 1);
@@ -144,7 +144,7 @@ TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
     }
 }
 
-TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadUpward) {
+TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
     set8(0x3015, 1, 1);    // as intervals of time, points need no order
@@ -187,7 +187,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
-TEST_F(Ax130751Lookup, ASourceThatGivesNothingLimitsNoPoint) {
+TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
     set8(0x3021, 0, 1);
@@ -199,7 +199,7 @@ TEST_F(Ax130751Lookup, ASourceThatGivesNothingLimitsNoPoint) {
     EXPECT_EQ(write_x(2, 11, 100), "");
 }
 
-TEST_F(Ax130751Lookup, NewLimitsReachATableBeforeItACycleLater) {
+TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     verifies<req::AOR_OUT_001, req::AOR_LT_007, req::AOR_LT_010>();
     // 2500h:1 → table 2 → table 1, whose profile rises to 50 in 100 ms
     connect(2, 1);
@@ -254,7 +254,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     EXPECT_EQ(output(3), 5) << "from the beginning";
 }
 
-TEST_F(Ax130751Lookup, AutoRepeat) {
+TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
     verifies<req::AOR_LT_013>();
     connect(3, 1);
     set8(0x3035, 1, 1);
@@ -273,7 +273,7 @@ TEST_F(Ax130751Lookup, AutoRepeat) {
     EXPECT_EQ(output(3), 0);
 }
 
-TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
+TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     verifies<req::AOR_LT_014, req::AOR_K_SHORTEST_INTERVAL, req::AOR_K_LONGEST_INTERVAL>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
@@ -306,7 +306,7 @@ TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
     EXPECT_EQ(output(10), 5);
 }
 
-TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
+TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
     verifies<req::AOR_LT_015>();
     connect(1, 1);
     extra(1, 60);
@@ -326,7 +326,7 @@ TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no control: OFF, not the 1 V of scaling 1";
 }
 
-TEST_F(Ax130751Lookup, AnErrorRunsThroughAChainAgainstTheOrder) {
+TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_001>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
@@ -351,7 +351,7 @@ TEST_F(Ax130751Lookup, AnErrorRunsThroughAChainAgainstTheOrder) {
     EXPECT_EQ(output(1), 40);
 }
 
-TEST_F(Ax130751Lookup, AnErrorOfItsInputIsHandedOn) {
+TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     verifies<req::AOR_LT_016, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1

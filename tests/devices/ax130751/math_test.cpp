@@ -36,7 +36,7 @@ class Ax130751Math : public Ax130751Blocks {
     int output(int block) { return get16(0x4030, block); }
 };
 
-TEST_F(Ax130751Math, EveryBlockAddsAsShipped) {
+TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_008, req::AOR_SRC_001>();
     for (int block = 1; block <= 4; ++block) {
         SCOPED_TRACE(block);
@@ -51,7 +51,7 @@ TEST_F(Ax130751Math, EveryBlockAddsAsShipped) {
     }
 }
 
-TEST_F(Ax130751Math, OperatorsOfTable21) {
+TEST_F(Ax130751Math, OperatorsFollowTable21) {
     verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005>();
     make(1, 2);
     struct Row {
@@ -92,7 +92,7 @@ TEST_F(Ax130751Math, OperatorsOfTable21) {
     EXPECT_EQ(output(1), 0) << "divided by zero";
 }
 
-TEST_F(Ax130751Math, SeventyFiveAndTwentyFivePercent) {
+TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
     verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 75);
@@ -107,7 +107,7 @@ TEST_F(Ax130751Math, SeventyFiveAndTwentyFivePercent) {
     EXPECT_EQ(write(0x4140, 1, -101, 1), "06090032");
 }
 
-TEST_F(Ax130751Math, ScalingHasItsOwnDigits) {
+TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
@@ -119,7 +119,7 @@ TEST_F(Ax130751Math, ScalingHasItsOwnDigits) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Ax130751Math, ThreeFunctionsInAChain) {
+TEST_F(Ax130751Math, ThreeFunctionsFormAChain) {
     verifies<req::AOR_MATH_002>();
     make(2, 4);
     set8(0x4250, 2, 14);
@@ -128,7 +128,7 @@ TEST_F(Ax130751Math, ThreeFunctionsInAChain) {
     EXPECT_EQ(output(2), 3000);  // (0.2 + 0.6) * 0.5 - 0.1
 }
 
-TEST_F(Ax130751Math, UnusedInputsArePassedOver) {
+TEST_F(Ax130751Math, UnusedInputsAreSkipped) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_011>();
     make(1, 4);
     set8(0x4100, 3, not_used);
@@ -144,7 +144,7 @@ TEST_F(Ax130751Math, UnusedInputsArePassedOver) {
     EXPECT_EQ(output(1), 0) << "no function to do: 0, not scaling 1";
 }
 
-TEST_F(Ax130751Math, DisabledIsZeroWhateverItsScaling) {
+TEST_F(Ax130751Math, DisabledMathBlockIsZeroWhateverItsScaling) {
     verifies<req::AOR_MATH_011, req::AOR_SRC_009>();
     set16(0x4021, 1, 500);
     pass(1);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Math, DisabledIsZeroWhateverItsScaling) {
     EXPECT_EQ(output(1), 500);
 }
 
-TEST_F(Ax130751Math, OutputScalingAndDigits) {
+TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     verifies<req::AOR_MATH_008>();
     make(1, 2);
     set8(0x4032, 1, 1);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Math, OutputScalingAndDigits) {
     EXPECT_EQ(output(2), 5000);
 }
 
-TEST_F(Ax130751Math, NegativeDifferences) {
+TEST_F(Ax130751Math, NegativeDifferenceIsClampedUnlessAGainIsNegative) {
     verifies<req::AOR_MATH_005>();
     make(1, 3);
     set8(0x4150, 1, 13);
@@ -187,7 +187,7 @@ TEST_F(Ax130751Math, NegativeDifferences) {
     EXPECT_EQ(output(1), 2000) << "-0.2 - 0.5 + 0.9";
 }
 
-TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
+TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     verifies<req::AOR_MATH_009, req::AOR_MATH_010>();
     make(1, 4);
     set8(0x4150, 2, 14);
@@ -222,7 +222,7 @@ TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 
-TEST_F(Ax130751Math, ASumGrowsAlsoWhileTheOutputStandsStill) {
+TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
     verifies<req::AOR_MATH_009, req::AOR_OUT_001>();
     make(1, 3);
     set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
@@ -240,7 +240,7 @@ TEST_F(Ax130751Math, ASumGrowsAlsoWhileTheOutputStandsStill) {
     EXPECT_EQ(output(1), 10000);
 }
 
-TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
+TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     verifies<req::AOR_MATH_006>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // 2500h:1 to 3
@@ -258,7 +258,7 @@ TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
     EXPECT_EQ(output(1), 3000);
 }
 
-TEST_F(Ax130751Math, ADisabledBlockForgetsItsSum) {
+TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_009>();
     make(1, 3);
     set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
@@ -278,7 +278,7 @@ TEST_F(Ax130751Math, ADisabledBlockForgetsItsSum) {
     EXPECT_EQ(output(1), 0) << "the sum begins at 0";
 }
 
-TEST_F(Ax130751Math, AGainOfZeroCountsAfterAnother) {
+TEST_F(Ax130751Math, GainOfZeroAppliesAfterAnotherGain) {
     verifies<req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 50);

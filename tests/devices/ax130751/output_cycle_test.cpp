@@ -5,7 +5,7 @@
 
 namespace canproof::test {
 
-TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
+TEST_F(Ax130751Output, OutputsAreOffAfterPowerOnAndReset) {
     verifies<req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: the relay is ON
     set16(0x7321, 1, 2000);
@@ -32,7 +32,7 @@ TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
     EXPECT_FLOAT_EQ(volts(1), 3.5F);
 }
 
-TEST_F(Ax130751Output, AResetPutsBothOutputsOffWithoutARamp) {
+TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     verifies<req::AOR_OUT_026>();
     command(1, 5000);
     command(2, 5000);
@@ -45,7 +45,7 @@ TEST_F(Ax130751Output, AResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
+TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
     extra_as_percent(1);
@@ -83,7 +83,7 @@ TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     EXPECT_EQ(get16(0x4030, 2), 10000) << "bounded by its scaling";
 }
 
-TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
+TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_002>();
     // 2500h:1 → table 10 → table 9 → … → table 1: ten cycles
     extra_as_percent(1);
@@ -106,7 +106,7 @@ TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
     EXPECT_EQ(get16(0x3018, 0), 70);
 }
 
-TEST_F(Ax130751Output, AnOutputFollowsABlinkingOneACycleLater) {
+TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     verifies<req::AOR_OUT_001, req::AOR_DO_004>();
     make(10);
     set8(0x2340, 1, 7);  // output 1 is 0 or 5 V with the drive state of output 2
@@ -129,7 +129,7 @@ TEST_F(Ax130751Output, AnOutputFollowsABlinkingOneACycleLater) {
     }
 }
 
-TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
+TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     verifies<req::AOR_OUT_001>();
     // Output 2 repeats what output 1 does, which is a tenth of a volt or of a milliampere more than output 2 did.
     const auto close_loop = [this](int type, int source, int full) {
@@ -184,7 +184,7 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     EXPECT_EQ(device->objects().read(0x4030, 2), 2000U);
 }
 
-TEST_F(Ax130751Output, ALateCallMakesUpForWhatWasDue) {
+TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
     start();                 // TPDO1 from here on each 100 ms: 2370h:1 and 2370h:2
@@ -199,7 +199,7 @@ TEST_F(Ax130751Output, ALateCallMakesUpForWhatWasDue) {
     EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
 }
 
-TEST_F(Ax130751Output, AFullQueueHoldsNoOutputUp) {
+TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     verifies<req::AOR_OUT_027>();
     set16(0x1800, 5, 1);
     start();
@@ -210,7 +210,7 @@ TEST_F(Ax130751Output, AFullQueueHoldsNoOutputUp) {
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
 
-TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
+TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7323, 1, 100);  // 0.1 V in 10 s: a digit in 100 ms
@@ -224,7 +224,7 @@ TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
     EXPECT_FLOAT_EQ(volts(1), 0.1F);
 }
 
-TEST_F(Ax130751Output, NothingToDoNeedsNoCycle) {
+TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
     set16(0x1800, 5, 0);  // no TPDO1
     pass(5000);

@@ -39,7 +39,7 @@ TEST_F(Ax130751Pdo, Rpdo4SetsTheDigitalOutputs) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, OutsideOperationalRpdosSetNothing) {
+TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
     verifies<req::AOR_PDO_001>();
     send("27F#E80318FC01");
     EXPECT_EQ(read(0x7300, 1), 0U);
@@ -64,7 +64,7 @@ TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
     }
 }
 
-TEST_F(Ax130751Pdo, Tpdo1IsSentEachTenthOfASecond) {
+TEST_F(Ax130751Pdo, Tpdo1IsSentEveryTenthOfASecond) {
     verifies<req::AOR_PDO_004, req::AOR_OD_1800, req::AOR_OD_1A00, req::AOR_OD_2370>();
     EXPECT_EQ(pass(300), Frames{});  // pre-operational
     EXPECT_EQ(start(), (Frames{"1FF#00000000"}));
@@ -82,7 +82,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
+TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
     verifies<req::AOR_PDO_005, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803, req::AOR_OD_1A01, req::AOR_OD_1A02,
              req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030>();
     inputs.supply = 24.0F;
@@ -107,7 +107,7 @@ TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
     }
 }
 
-TEST_F(Ax130751Pdo, WithoutATimerAChangeOfValueSendsNothing) {
+TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
     verifies<req::AOR_PDO_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // its timer is 0
@@ -118,7 +118,7 @@ TEST_F(Ax130751Pdo, WithoutATimerAChangeOfValueSendsNothing) {
     EXPECT_EQ(read(0x7330, 1), 1000U);  // the mapped value has changed
 }
 
-TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncMakesNoPdo) {
+TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
     verifies<req::AOR_PDO_007, req::AOR_OD_1400, req::AOR_OD_1800>();
     for (const int index : {0x1400, 0x1401, 0x1402, 0x1403}) {
         EXPECT_EQ(read(static_cast<std::uint16_t>(index), 2), 255U);
@@ -190,7 +190,7 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
 }
 
 // 3.2.14: a time-out is a network fault; 1029h:1 decides
-TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
+TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
@@ -212,7 +212,7 @@ TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, AnRpdoTooShortChangesNothingAndIsTold) {
+TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
@@ -254,7 +254,7 @@ TEST_F(Ax130751Pdo, AnyWriteStateButZeroIsOn) {
     }
 }
 
-TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
+TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     verifies<req::AOR_OD_2223>();
     EXPECT_EQ(write(0x1401, 1, 0xC000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
@@ -270,7 +270,7 @@ TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
     EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
-TEST_F(Ax130751Pdo, AnRpdoWithAValueThatIsRefusedIs8200h) {
+TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
@@ -288,7 +288,7 @@ TEST_F(Ax130751Pdo, AnRpdoWithAValueThatIsRefusedIs8200h) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, AnEmergencyWaitsForRoomInTheQueueAndTheOutputsDoNotWaitForIt) {
+TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
     verifies<req::CO_EMCY_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");

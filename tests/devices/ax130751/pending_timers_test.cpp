@@ -69,7 +69,7 @@ class Ax130751Pending : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Pending, DelayOfOnAndEachEvent) {
+TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -113,7 +113,7 @@ TEST_F(Ax130751Pending, DelayOfOnAndEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, DelayOfOffAndEachEvent) {
+TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -150,7 +150,7 @@ TEST_F(Ax130751Pending, DelayOfOffAndEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, BlinkingOfTheRelayAndEachEvent) {
+TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -186,7 +186,7 @@ TEST_F(Ax130751Pending, BlinkingOfTheRelayAndEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, ARelayThatIsResetDoesNotChangeLater) {
+TEST_F(Ax130751Pending, RelayDoesNotChangeAfterAReset) {
     verifies<req::AOR_OUT_026>();
     connect_relay();
     command_relay(1);

@@ -55,7 +55,7 @@ class Ax130751Restart : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Restart, InputsOfOutputsForgetTheirHysteresis) {
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfOutputInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     for (const int output : {1, 2}) {
         set16(0x6310, output, 1020);
@@ -76,7 +76,7 @@ TEST_F(Ax130751Restart, InputsOfOutputsForgetTheirHysteresis) {
     }
 }
 
-TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfRelayInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
@@ -107,7 +107,7 @@ TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
     });
 }
 
-TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
+TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_012, req::AOR_OUT_026>();
     set8(0x2242, 1, 3);  // latched
     store();
@@ -134,7 +134,7 @@ TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
+TEST_F(Ax130751Restart, NewTypeClearsTheHysteresisOfItsInputs) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {
         SCOPED_TRACE(name);
@@ -166,7 +166,7 @@ TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
     type_changes("override");
 }
 
-TEST_F(Ax130751Restart, FaultsWithinTheirHysteresisEndWithAResetOfTheNode) {
+TEST_F(Ax130751Restart, ResetNodeEndsFaultsWithinTheirHysteresis) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_OUT_026>();
     struct Case {
         const char* name;
@@ -199,7 +199,7 @@ TEST_F(Ax130751Restart, FaultsWithinTheirHysteresisEndWithAResetOfTheNode) {
 }
 
 // Table 1 and logic block 1 are evaluated before what they read here.
-TEST_F(Ax130751Restart, BlocksBeginAsNotAvailable) {
+TEST_F(Ax130751Restart, BlocksAreNotAvailableAfterAReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
     extra_as_percent(1);
     set16(0x3017, 1, 50);  // 50 at X = 0
@@ -231,7 +231,7 @@ TEST_F(Ax130751Restart, BlocksBeginAsNotAvailable) {
     }
 }
 
-TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
+TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
     verifies<req::AOR_LT_010, req::AOR_LT_015>();
     extra_as_percent(1);
     set8(0x3015, 1, 1);
@@ -257,7 +257,7 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
     EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
 }
 
-TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
+TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
     verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
     const std::array<std::uint16_t, 3> tables{0x3010, 0x3070, 0x3100};
     const auto at = [](std::uint16_t table, int offset) { return static_cast<std::uint16_t>(table + offset); };
@@ -286,7 +286,7 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
     }
 }
 
-TEST_F(Ax130751Restart, ASumBeginsAt0) {
+TEST_F(Ax130751Restart, SumIs0AfterAReset) {
     verifies<req::AOR_MATH_009, req::AOR_OUT_026>();
     // Function 1 adds 2500h:1 percent to itself.
     extra_as_percent(1);
@@ -309,7 +309,7 @@ TEST_F(Ax130751Restart, ASumBeginsAt0) {
     EXPECT_EQ(get16(0x4030, 1), 0);
 }
 
-TEST_F(Ax130751Restart, ANodeIdThatWaitsForPowerOnShowsAfterAReset) {
+TEST_F(Ax130751Restart, PendingNodeIdAndBitRateAreReadBackAfterAReset) {
     verifies<req::AOR_NODE_003, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");

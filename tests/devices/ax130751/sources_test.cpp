@@ -154,7 +154,7 @@ TEST_F(Ax130751Sources, OtherPairsCountAsNotUsed) {
     EXPECT_FALSE(is_not_used(9, 0));
 }
 
-TEST_F(Ax130751Sources, ADigitalOutputGivesItsStates) {
+TEST_F(Ax130751Sources, DigitalOutputAsASourceGivesItsStates) {
     verifies<req::AOR_SRC_002, req::AOR_T05>();
     set16(0x6310, 2, 1020);
     set8(0x2241, 2, 1);
@@ -170,7 +170,7 @@ TEST_F(Ax130751Sources, ADigitalOutputGivesItsStates) {
     EXPECT_EQ(tenths(7, 2), 10);
 }
 
-TEST_F(Ax130751Sources, LimitsOfTable5) {
+TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     verifies<req::AOR_SRC_007, req::AOR_T05, req::AOR_SRC_008>();
     for (int point = 11; point >= 3; --point) {
         set32(0x3026, point, 32000);
@@ -216,7 +216,7 @@ TEST_F(Ax130751Sources, LimitsOfTable5) {
     EXPECT_EQ(limits(3, 1), (Pair{0, 10000})) << "0 to 90 lies within 0 to 100";
 }
 
-TEST_F(Ax130751Sources, WhatWasNeverReceivedIsValid) {
+TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
     verifies<req::AOR_SRC_006>();
     no_ramps(1);
     set8(0x2342, 1, 0);
@@ -228,7 +228,7 @@ TEST_F(Ax130751Sources, WhatWasNeverReceivedIsValid) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "0 of 7300h, not the fault value";
 }
 
-TEST_F(Ax130751Sources, OnlyWhatTheOverdueRpdoMapsIsInError) {
+TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set16(0x2500, 4, 50);
@@ -265,7 +265,7 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 
-TEST_F(Ax130751Sources, ALostHeartbeatCountsAlsoWhileAnRpdoIsOverdue) {
+TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     verifies<req::AOR_SRC_005>();
     no_ramps(2);
     set16(0x7341, 2, 3000);
@@ -287,7 +287,7 @@ TEST_F(Ax130751Sources, ALostHeartbeatCountsAlsoWhileAnRpdoIsOverdue) {
     EXPECT_FLOAT_EQ(volts(2), 3.0F) << "101 ms after the heartbeat";
 }
 
-TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {
+TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -308,7 +308,7 @@ TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, SoDoesLostLifeGuarding) {
+TEST_F(Ax130751Sources, LostLifeGuardingPutsAllReceivedValuesInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

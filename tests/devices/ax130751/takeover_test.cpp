@@ -22,7 +22,7 @@ class Ax130751Takeover : public Ax130751Test {
 }  // namespace
 
 // 1.2 Table 1: blinking begins with ON
-TEST_F(Ax130751Takeover, BlinkingBeginsAnewAfterAnOverride) {
+TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
     write(0x2241, 1, 3, 1);   // blinks while ON
@@ -48,7 +48,7 @@ TEST_F(Ax130751Takeover, BlinkingBeginsAnewAfterAnOverride) {
 }
 
 // 1.5.4, 1.2: within the hysteresis as before, OFF before it was ever outside
-TEST_F(Ax130751Takeover, ATableThatBecomesOneOverTimeTakesNoOldOn) {
+TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_010>();
     write(0x2522, 1, 100, 2);  // EC1: 0 to 100
     write(0x3011, 0, 4, 1);
@@ -71,7 +71,7 @@ TEST_F(Ax130751Takeover, ATableThatBecomesOneOverTimeTakesNoOldOn) {
 }
 
 // 1.5: only the input starts a profile, and a new point takes effect where it is
-TEST_F(Ax130751Takeover, AProfileRunsOnWhileItsPointsAreWritten) {
+TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
     write(0x3015, 1, 1, 1);
@@ -117,7 +117,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
     }
 }
 
-TEST_F(Ax130751Takeover, OverTimeYOfPoint1IsNoMinimum) {
+TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileIsNoMinimum) {
     verifies<req::AOR_LT_018, req::AOR_LT_014>();
     write(0x3021, 0, 1, 1);
     write(0x3020, 0, 3, 1);  // table 2 over table 1
@@ -129,7 +129,7 @@ TEST_F(Ax130751Takeover, OverTimeYOfPoint1IsNoMinimum) {
 }
 
 // 1.6: a block that is off gives no value
-TEST_F(Ax130751Takeover, AnOutputGoesOffWithTheLogicBlockThatControlsIt) {
+TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_008>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);
@@ -151,7 +151,7 @@ TEST_F(Ax130751Takeover, AnOutputGoesOffWithTheLogicBlockThatControlsIt) {
 }
 
 // 1.2: a valid override acts whatever has happened to the control
-TEST_F(Ax130751Takeover, ADigitalOutputIsOverriddenWhileItsControlIsInError) {
+TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
     write(0x6310, 2, 1020, 2);
     write(0x6260, 2, 1, 1);
@@ -178,7 +178,7 @@ TEST_F(Ax130751Takeover, ADigitalOutputIsOverriddenWhileItsControlIsInError) {
     EXPECT_FALSE(device->outputs().out_on[1]) << "6220h:2 is 0";
 }
 
-TEST_F(Ax130751Takeover, ALostHeartbeatPutsTheRelayOff) {
+TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
     write(0x1016, 3, 0x00050064, 4);
     for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both 6220h:3
@@ -200,7 +200,7 @@ TEST_F(Ax130751Takeover, ALostHeartbeatPutsTheRelayOff) {
 }
 
 // 1.4: the unlatch input is read whatever the polarity, so that its hysteresis holds when a latch is chosen
-TEST_F(Ax130751Takeover, AnUnlatchThatCameBeforeTheLatchCounts) {
+TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
     start();
@@ -222,7 +222,7 @@ TEST_F(Ax130751Takeover, AnUnlatchThatCameBeforeTheLatchCounts) {
 }
 
 // 1.8: detection has nothing to do with measuring
-TEST_F(Ax130751Takeover, MeasuresWithoutDetection) {
+TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005>();
     write(0x5021, 0, 0, 1);
     write(0x5031, 0, 0, 1);

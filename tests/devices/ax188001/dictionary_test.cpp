@@ -11,7 +11,7 @@ using Ax188001Dictionary = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
+TEST_F(Ax188001Dictionary, DictionaryHasTheObjectsOfTheThreeTablesAndNoOthers) {
     verifies<req::TCS_OD_001>();
     const std::vector<int> objects{0x1000, 0x1001, 0x1002, 0x1003, 0x100C, 0x100D, 0x1010, 0x1011, 0x1016, 0x1017,
                                    0x1018, 0x1020, 0x1029, 0x1400, 0x1401, 0x1402, 0x1403, 0x1600, 0x1601, 0x1602,
@@ -112,7 +112,7 @@ TEST_F(Ax188001Dictionary, EachEntryHasTheLengthOfItsType) {
     }
 }
 
-TEST_F(Ax188001Dictionary, SaysWhatItIs) {
+TEST_F(Ax188001Dictionary, DeviceTypeAndIdentityMatchTheManual) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1002, req::TCS_OD_1018, req::TCS_OD_1020>();
     EXPECT_EQ(read(0x1000).value, 0x00020194U);
     EXPECT_EQ(read(0x1002).value, 0U);
@@ -135,7 +135,7 @@ TEST_F(Ax188001Dictionary, SaysWhatItIs) {
     EXPECT_EQ(write(0x1020, 2, 4, 0), read_only);
 }
 
-TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreTheUnits) {
+TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreThoseOfTheUnit) {
     verifies<req::TCS_OD_1018>();
     factory.serial_number = 0x12345678;
     factory.revision = 0x00010002;
@@ -144,7 +144,7 @@ TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreTheUnits) {
     EXPECT_EQ(read(0x1018, 3).value, 0x00010002U);
 }
 
-TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValue) {
+TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValueMatchTheManual) {
     verifies<req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1016, req::TCS_OD_1017>();
     EXPECT_EQ(read(0x100C).value, 0U);
     EXPECT_EQ(read(0x100C).size, 2);

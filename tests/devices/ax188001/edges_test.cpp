@@ -66,7 +66,7 @@ class Edges : public TcsTest {
 
 }  // namespace
 
-TEST_F(Edges, ALimitIsPassedJustAboveIt) {
+TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
     verifies<req::TCS_LIM_001, req::TCS_K_LIMIT_RESOLUTION>();
     const Reading above = closest(true);
     const Reading below = closest(false);
@@ -82,7 +82,7 @@ TEST_F(Edges, ALimitIsPassedJustAboveIt) {
     EXPECT_EQ(status(1), 2);
 }
 
-TEST_F(Edges, TheHysteresisIsOneDegree) {
+TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
@@ -95,7 +95,7 @@ TEST_F(Edges, TheHysteresisIsOneDegree) {
     }
 }
 
-TEST_F(Edges, TheHysteresisOfALowLimitIsOneDegree) {
+TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     show_high_limit(5000);
     for (const bool above : {true, false}) {
@@ -124,7 +124,7 @@ TEST_F(Edges, EachGainEndsAtItsFullScale) {
     EXPECT_EQ(process_value(1), -512);
 }
 
-TEST_F(Edges, TheGainIsRaisedAt90PercentOfFullScale) {
+TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     verifies<req::TCS_IN_004, req::TCS_K_GAIN_BACK>();
     // 0.9 of 19531.25 uV is 17578.1 uV, of 39062.5 uV 35156.2 uV
     const std::vector<std::pair<double, int>> cases{{17578.0, 128}, {17579.0, 64}, {35156.0, 64}, {35157.0, 32}};
@@ -136,7 +136,7 @@ TEST_F(Edges, TheGainIsRaisedAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, ARangeEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
     verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -154,7 +154,7 @@ TEST_F(Edges, ARangeEndsTenMicrovoltsBeyondItsFigure) {
 }
 
 /// The cold junction adds any voltage to a reading: 0.05 uV on either side of the margin.
-TEST_F(Edges, TheMarginOfARangeToHalfAPercent) {
+TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -175,7 +175,7 @@ TEST_F(Edges, TheMarginOfARangeToHalfAPercent) {
     }
 }
 
-TEST_F(Edges, TheColdJunctionIsReadFromMinus40To110Degrees) {
+TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{
         {-39.9F, -39.9F}, {-40.1F, -40.0F}, {109.9F, 109.9F}, {110.1F, 110.0F}};
@@ -187,7 +187,7 @@ TEST_F(Edges, TheColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Edges, WhatIsLeftOfHum) {
+TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION>();
     // 1 V of hum: 110 dB leave 3.16 uV, the wrong frequency 1330 uV (60 Hz selected) or 590 uV (50 Hz selected).
     struct Case {
@@ -207,7 +207,7 @@ TEST_F(Edges, WhatIsLeftOfHum) {
     }
 }
 
-TEST_F(Edges, TenthsOfTheUnitsOwnValuesAreRounded) {
+TEST_F(Edges, SupplyAndProcessorTemperatureAreRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC
@@ -227,7 +227,7 @@ TEST_F(Edges, TenthsOfTheUnitsOwnValuesAreRounded) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Edges, LastAcceptedAndFirstRefusedValues) {
+TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
     verifies<req::TCS_VAL_008, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

@@ -20,7 +20,7 @@ class LateCalls : public TcsTest {
 
 }  // namespace
 
-TEST_F(LateCalls, ADelayCountsFromTheReadingThatWasDue) {
+TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
     verifies<req::TCS_LIM_003, req::TCS_IN_001>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);
@@ -29,7 +29,7 @@ TEST_F(LateCalls, ADelayCountsFromTheReadingThatWasDue) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // 165 + 1000
 }
 
-TEST_F(LateCalls, AFaultThatEndsBeforeItsDelayIsOverIsNotTold) {
+TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     verifies<req::TCS_LIM_003>();
     write(0x4030, 1, 2, 400);
     heat(1, 130.0);  // read at 165: due at 565
@@ -39,14 +39,14 @@ TEST_F(LateCalls, AFaultThatEndsBeforeItsDelayIsOverIsNotTold) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
 }
 
-TEST_F(LateCalls, AFrameFindsTheReadingThatWasDue) {
+TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // nobody has asked the device since 0
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingsStayOnTheirTimes) {
+TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
     verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
     EXPECT_EQ(next_in_ms(), 60U);  // 660 is the fourth

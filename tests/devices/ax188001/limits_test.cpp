@@ -31,7 +31,7 @@ TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     EXPECT_EQ(status_at(-20.012), 0x04);
 }
 
-TEST_F(Limits, ClearOneDegreeInside) {
+TEST_F(Limits, LimitFaultsClearOneDegreeInside) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS, req::TCS_LIM_004>();
     write(0x4030, 1, 2, 0);
     const auto status_at = [&](double celsius) {
@@ -51,7 +51,7 @@ TEST_F(Limits, ClearOneDegreeInside) {
     EXPECT_EQ(status_at(-18.988), 0x00);
 }
 
-TEST_F(Limits, AResetOfTheNodeForgetsThem) {
+TEST_F(Limits, ResetNodeClearsLimitFaults) {
     verifies<req::TCS_LIM_002, req::CO_NMT_005>();
     write(0x4030, 1, 2, 0);
     heat(1, 126.0);
@@ -63,7 +63,7 @@ TEST_F(Limits, AResetOfTheNodeForgetsThem) {
     EXPECT_EQ(status(1), 0x00);  // a new life never saw it above 125.0
 }
 
-TEST_F(Limits, AreToldWhenTheyHaveLasted) {
+TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
     verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
     heat(1, 130.0);
@@ -74,7 +74,7 @@ TEST_F(Limits, AreToldWhenTheyHaveLasted) {
     EXPECT_EQ(status(1), 0x02);
 }
 
-TEST_F(Limits, ABreakBeginsTheDelayAnew) {
+TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     verifies<req::TCS_LIM_003>();
     heat(1, 130.0);
     pass(3000);  // the reading at 165 showed it
@@ -85,7 +85,7 @@ TEST_F(Limits, ABreakBeginsTheDelayAnew) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
 }
 
-TEST_F(Limits, AreClearedWithTheReadingThatShowsIt) {
+TEST_F(Limits, LimitFaultsClearWithTheReadingThatShowsIt) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
     pass(5165);  // now at 5165; readings at 5115, 5280
@@ -95,7 +95,7 @@ TEST_F(Limits, AreClearedWithTheReadingThatShowsIt) {
     EXPECT_EQ(status(1), 0x00);
 }
 
-TEST_F(Limits, WarningAndShutdownEachHaveTheirDelay) {
+TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009>();
     heat(1, 130.0);  // read at 165
     pass(2000);
@@ -109,7 +109,7 @@ TEST_F(Limits, WarningAndShutdownEachHaveTheirDelay) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
 }
 
-TEST_F(Limits, OpenCircuitIsTheGravest) {
+TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
     verifies<req::TCS_LIM_005, req::TCS_T7, req::TCS_LIM_007>();
     write(0x4030, 1, 2, 0);
     heat(1, 260.0);
@@ -130,7 +130,7 @@ TEST_F(Limits, OpenCircuitIsTheGravest) {
     EXPECT_EQ(status(1), 0x05);
 }
 
-TEST_F(Limits, WaitingLimitsAreDroppedByAnOpenCircuit) {
+TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_007>();
     heat(1, 130.0);
     pass(4000);  // waits since 165
@@ -154,7 +154,7 @@ TEST_F(Limits, WaitingLimitsAreDroppedByAnOpenCircuit) {
     EXPECT_GT(std::stoi(frames[0]), 5000);
 }
 
-TEST_F(Limits, OpenCircuitIsToldAfterItsDelay) {
+TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     verifies<req::TCS_LIM_003, req::TCS_VAL_006, req::TCS_S_OPEN>();
     cut(2);
     // Read at 165, known at 165 + 1320 = 1485, told at 6485.
@@ -168,7 +168,7 @@ TEST_F(Limits, OpenCircuitIsToldAfterItsDelay) {
     EXPECT_EQ(status(2), 0);
 }
 
-TEST_F(Limits, DisablingClearsAtOnce) {
+TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     verifies<req::TCS_LIM_006, req::TCS_VAL_005>();
     heat(1, 300.0);
     heat(2, 130.0);
@@ -184,7 +184,7 @@ TEST_F(Limits, DisablingClearsAtOnce) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }
 
-TEST_F(Limits, DisablingStopsWhatWaits) {
+TEST_F(Limits, DisablingAChannelDropsPendingFaults) {
     verifies<req::TCS_LIM_006>();
     heat(1, 130.0);
     pass(3000);
@@ -192,7 +192,7 @@ TEST_F(Limits, DisablingStopsWhatWaits) {
     EXPECT_EQ(pass(5000), Frames{});
 }
 
-TEST_F(Limits, ANewLimitIsJudgedAtOnce) {
+TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
     verifies<req::TCS_LIM_010>();
     heat(1, 100.0);
     pass(1000);
@@ -201,7 +201,7 @@ TEST_F(Limits, ANewLimitIsJudgedAtOnce) {
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));  // 125.0 degC
 }
 
-TEST_F(Limits, ANewDelayCountsFromTheBeginning) {
+TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_010>();
     heat(1, 130.0);  // read at 165
     pass(1000);
@@ -210,7 +210,7 @@ TEST_F(Limits, ANewDelayCountsFromTheBeginning) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165
 }
 
-TEST_F(Limits, DelayIsAtMostAMinute) {
+TEST_F(Limits, DelayIsAtMostOneMinute) {
     verifies<req::TCS_LIM_011, req::TCS_OD_4030>();
     EXPECT_EQ(write(0x4030, 2, 2, 60001), too_high);
     EXPECT_EQ(write(0x4030, 2, 2, 60000), 0U);
@@ -220,7 +220,7 @@ TEST_F(Limits, DelayIsAtMostAMinute) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010210000000"}));
 }
 
-TEST_F(Limits, KeepTenDegreesApart) {
+TEST_F(Limits, LimitsStayTenDegreesApart) {
     verifies<req::TCS_LIM_008, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020>();
     const auto word = [](int value) { return static_cast<std::uint32_t>(value) & 0xFFFFU; };
     EXPECT_EQ(read(0x4000, 1).word(), -200);
@@ -243,7 +243,7 @@ TEST_F(Limits, KeepTenDegreesApart) {
     }
 }
 
-TEST_F(Limits, AVoltageBeyondTheTypesRangeIsAFault) {
+TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
@@ -271,7 +271,7 @@ TEST_F(Limits, AVoltageBeyondTheTypesRangeIsAFault) {
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 
-TEST_F(Limits, RangesOfAllTypes) {
+TEST_F(Limits, RangesOfAllTypesFollowTheManual) {
     verifies<req::TCS_T1, req::TCS_CONV_006>();
     struct Range {
         std::uint32_t type;

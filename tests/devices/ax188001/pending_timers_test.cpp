@@ -56,7 +56,7 @@ class Ax188001Pending : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Pending, DelayOfAChannelsLimitAndEachEvent) {
+TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_006, req::TCS_LIM_010>();
     for (const int channel : {1, 2}) {
         const int other = 3 - channel;
@@ -104,7 +104,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelsLimitAndEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, DelayOfTheSuppliesFaultAndEachEvent) {
+TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::TCS_FD_004, req::TCS_FD_005>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
@@ -143,7 +143,7 @@ TEST_F(Ax188001Pending, DelayOfTheSuppliesFaultAndEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, ABreakThatHasNotBeenKnownForItsDelay) {
+TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_006>();
     // Read at 165, known at 165 + 1320 = 1485.
     const std::vector<Case> cases{
@@ -167,7 +167,7 @@ TEST_F(Ax188001Pending, ABreakThatHasNotBeenKnownForItsDelay) {
 
 // Read at 165 ms. The circuit breaks at 500 ms, which is known at 660 + 1320 = 1980, and is whole again at 2500, which
 // the reading at 2640 shows.
-TEST_F(Ax188001Pending, AnOpenCircuitDropsEachLimitThatWaits) {
+TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_007>();
     struct Limit {
         double celsius;

@@ -19,7 +19,7 @@ class Ax188001Resets : public TcsTest {
 
 /// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but are above 90 % of it: a converter that comes from a
 /// lower gain stays there.
-TEST_F(Ax188001Resets, AConverterBeginsWithItsHighestGain) {
+TEST_F(Ax188001Resets, ConverterStartsWithItsHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
         for (const char* reset : {"000#827F", "000#817F"}) {
@@ -37,7 +37,7 @@ TEST_F(Ax188001Resets, AConverterBeginsWithItsHighestGain) {
 }
 
 /// Hum falls on the one side of the voltage and on the other in turn, beginning with the same one each time.
-TEST_F(Ax188001Resets, TheFirstReadingFallsOnTheSameSideOfTheHum) {
+TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
     inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV are left
@@ -53,7 +53,7 @@ TEST_F(Ax188001Resets, TheFirstReadingFallsOnTheSameSideOfTheHum) {
 }
 
 /// 1029h:2 outranks the self-start, whichever fault of a channel it is that lasts.
-TEST_F(Ax188001Resets, EachFaultOfAChannelThatLastsHoldsTheNode) {
+TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     for (const int channel : {1, 2}) {
         for (const double celsius : {130.0, -30.0, 0.0}) {  // 0: an open circuit

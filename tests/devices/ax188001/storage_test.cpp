@@ -67,7 +67,7 @@ std::vector<Parameter> every_parameter() {
 
 }  // namespace
 
-TEST_F(Storage, TellsWhatItCanDo) {
+TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
     verifies<req::TCS_STORE_001, req::TCS_OD_1010, req::TCS_OD_1011>();
     for (const int index : {0x1010, 0x1011}) {
         EXPECT_EQ(read(index, 0).value, 4U);
@@ -79,7 +79,7 @@ TEST_F(Storage, TellsWhatItCanDo) {
     }
 }
 
-TEST_F(Storage, KeepsEveryParameterWhenSaved) {
+TEST_F(Storage, SavedParametersAreKept) {
     verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
@@ -106,14 +106,14 @@ TEST_F(Storage, KeepsEveryParameterWhenSaved) {
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
-TEST_F(Storage, LosesWhatWasNotSaved) {
+TEST_F(Storage, UnsavedParametersAreLost) {
     verifies<req::TCS_STORE_002>();
     write(0x4030, 1, 2, 1);
     power_on();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
-TEST_F(Storage, SavesAndRestoresByGroup) {
+TEST_F(Storage, ParametersAreSavedAndRestoredByGroup) {
     verifies<req::TCS_STORE_002, req::TCS_STORE_003, req::TCS_OD_1010, req::TCS_OD_1011>();
     struct Group {
         int sub;

@@ -21,7 +21,7 @@ class CbxObjectSheet : public ObjectSheet {
 }  // namespace
 
 // 7.9.2 to 7.9.23
-TEST_F(CbxObjectSheet, CommunicationObjects) {
+TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1005, req::AO4_OD_1006, req::AO4_OD_100C,
              req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014, req::AO4_OD_1015,
              req::AO4_OD_1016, req::AO4_OD_1017, req::AO4_OD_1018, req::AO4_OD_1019, req::AO4_OD_1020, req::AO4_OD_1029,
@@ -50,7 +50,7 @@ TEST_F(CbxObjectSheet, CommunicationObjects) {
 }
 
 // 7.9.4: ten entries; the count takes nothing but 0
-TEST_F(CbxObjectSheet, ErrorList) {
+TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::AO4_OD_1003>();
     check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
     for (int sub = 1; sub <= 10; ++sub) {
@@ -60,7 +60,7 @@ TEST_F(CbxObjectSheet, ErrorList) {
 }
 
 // 7.9.7 to 7.9.9; the versions of a unit may have eight characters
-TEST_F(CbxObjectSheet, Texts) {
+TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     verifies<req::AO4_OD_1008, req::AO4_OD_1009, req::AO4_OD_100A>();
     check_text(0x1008, 13, "CAN-CBX-AO412");
     check_text(0x1009, 8, "1.00");
@@ -75,7 +75,7 @@ TEST_F(CbxObjectSheet, NmtStartupIsTwoOrEight) {
 }
 
 // 7.9.24
-TEST_F(CbxObjectSheet, PdoCommunicationParameters) {
+TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AO4_OD_1401, req::AO4_OD_1402>();
     check_count(0x1401, 2);
     check_entry({0x1401, 2, u32, Access::rw, {}, none, none}, 1, 0x303);
@@ -86,7 +86,7 @@ TEST_F(CbxObjectSheet, PdoCommunicationParameters) {
 }
 
 // 7.9.25; RPDO3 holds four dummies of INTEGER16
-TEST_F(CbxObjectSheet, PdoMappings) {
+TEST_F(CbxObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::AO4_OD_1601, req::AO4_OD_1602>();
     const std::vector<std::int64_t> outputs{0x64110110, 0x64110210, 0x64110310, 0x64110410};
     for (const int index : {0x1601, 0x1602}) {
@@ -101,7 +101,7 @@ TEST_F(CbxObjectSheet, PdoMappings) {
 }
 
 // 7.10.2 to 7.11.3: only 6411h may be mapped
-TEST_F(CbxObjectSheet, OutputsAndCalibration) {
+TEST_F(CbxObjectSheet, OutputAndCalibrationObjectsMatchTheManual) {
     verifies<req::AO4_OD_6411, req::AO4_OD_6443, req::AO4_OD_6444, req::AO4_OD_2404, req::AO4_OD_2405,
              req::AO4_STORE_003>();
     check({
@@ -114,7 +114,7 @@ TEST_F(CbxObjectSheet, OutputsAndCalibration) {
 }
 
 // 7.12
-TEST_F(CbxObjectSheet, FirmwareUpdate) {
+TEST_F(CbxObjectSheet, FirmwareUpdateObjectsMatchTheManual) {
     verifies<req::AO4_OD_1F50, req::AO4_OD_1F51, req::AO4_OD_1F52>();
     const EntryRef program = entry(0x1F50, 0);
     EXPECT_EQ(program.row->type, DataType::domain);

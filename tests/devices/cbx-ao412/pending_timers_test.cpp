@@ -45,7 +45,7 @@ class CbxPending : public testing::Test, public CbxBench {
 
 }  // namespace
 
-TEST_F(CbxPending, SelfStartAndEachEvent) {
+TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_004>();
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 500},
@@ -87,7 +87,7 @@ TEST_F(CbxPending, SelfStartAndEachEvent) {
     }
 }
 
-TEST_F(CbxPending, InhibitTimeOfEmergencyMessagesAndEachEvent) {
+TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;

@@ -25,7 +25,7 @@ TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
     EXPECT_EQ(power_on(), (Frames{"701#00"}));
 }
 
-TEST_F(Startup, AnInvalidNodeIdKeepsTheModuleSilent) {
+TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
     verifies<req::AO4_SW_002>();
     for (const int node_id : {0x00, 0x80, 0xFF}) {
         inputs.switch_high = static_cast<std::uint8_t>(node_id / 16);
@@ -59,7 +59,7 @@ TEST_F(Startup, BitRateFollowsTable11) {
     }
 }
 
-TEST_F(Startup, StartsItselfAfterTheDelay) {
+TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
     verifies<req::AO4_START_001, req::AO4_OD_1F80, req::AO4_OD_1F91>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -78,13 +78,13 @@ TEST_F(Startup, StartsItselfAfterTheDelay) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Startup, WaitsForTheMasterByDefault) {
+TEST_F(Startup, ModuleWaitsForTheMasterByDefault) {
     verifies<req::AO4_START_001>();
     pass(10000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, TakesTwoAndEightOnly) {
+TEST_F(Startup, NmtStartupTakesTwoAndEightOnly) {
     verifies<req::AO4_START_002, req::AO4_OD_1F80>();
     for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
         EXPECT_EQ(send(std::string{"603#23801F00"} + value), (Frames{"583#80801F0030000906"})) << value;
@@ -93,7 +93,7 @@ TEST_F(Startup, TakesTwoAndEightOnly) {
     write("603#23801F0002000000");
 }
 
-TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
+TEST_F(Startup, NmtCommandCancelsTheSelfStart) {
     verifies<req::CO_NMT_008, req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -104,7 +104,7 @@ TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, ProgramDataIsForTheBootLoader) {
+TEST_F(Startup, ProgramDataIsRefusedOutsideTheBootLoader) {
     verifies<req::AO4_PROG_001, req::AO4_OD_1F50>();
     EXPECT_EQ(send("603#40501F0000000000"), (Frames{"583#80501F0022000008"}));
     EXPECT_EQ(send("603#21501F0000010000"), (Frames{"583#80501F0022000008"}));
@@ -127,7 +127,7 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     EXPECT_EQ(send("603#23521F0100000000"), (Frames{"583#80521F0102000106"}));
 }
 
-TEST_F(Startup, AResetLetsTheDelayBeginAnew) {
+TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -172,7 +172,7 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
 }
 
 /// The boot-up message is lost, what the boot reported of errors is not: passive, failed software, then the recovery.
-TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
+TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;
     bench.inputs.can_state = 3;
@@ -185,7 +185,7 @@ TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
 }
 
 /// The bus goes off with the failure: nothing can be sent, and nothing is lost.
-TEST(CbxStartup, AFailureThatComesWithBusOffIsToldAfterIt) {
+TEST(CbxStartup, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;
     bench.power_on();

@@ -64,7 +64,7 @@ TEST(SignalConversion, DiscreteToContinuousKeepsTheValueToSinglePrecision) {
     EXPECT_EQ(as_continuous(undefined_signal()), 0.0F);
 }
 
-TEST(UnaryFunctions, AreThoseOfTable9) {
+TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     verifies<req::INC_BIN_003, req::INC_T9>();
     EXPECT_EQ(apply_unary(0, -2.5F), -2.5F);
     EXPECT_EQ(apply_unary(1, 0.0F), 1.0F);
@@ -80,7 +80,7 @@ TEST(UnaryFunctions, AreThoseOfTable9) {
     EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: left alone
 }
 
-TEST(BinaryFunctions, ArithmeticOfTable10) {
+TEST(BinaryFunctions, ArithmeticFollowsTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_TRUE(is_undefined(0, 1.0F, 2.0F));
     EXPECT_EQ(result(1, 1.5F, -4.0F), -2.5F);
@@ -93,7 +93,7 @@ TEST(BinaryFunctions, ArithmeticOfTable10) {
     EXPECT_TRUE(is_undefined(255, 1.0F, 2.0F));
 }
 
-TEST(BinaryFunctions, MaximumAndMinimumOfTable10) {
+TEST(BinaryFunctions, MaximumAndMinimumFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(6, 2.0F, -3.0F), 2.0F);
     EXPECT_EQ(result(6, -3.0F, 2.0F), 2.0F);
@@ -101,7 +101,7 @@ TEST(BinaryFunctions, MaximumAndMinimumOfTable10) {
     EXPECT_EQ(result(7, -3.0F, 2.0F), -3.0F);
 }
 
-TEST(BinaryFunctions, ComparisonsOfTable10) {
+TEST(BinaryFunctions, ComparisonsFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     struct Row {
         int operation;
@@ -130,7 +130,7 @@ TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
     EXPECT_EQ(result(15, 4.0F, 2.0F), 1.0F);  // logical, although 4 & 2 is 0
 }
 
-TEST(BinaryFunctions, BitsOfTable10) {
+TEST(BinaryFunctions, BitOperationsFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(16, 12.0F, 10.7F), 14.0F);  // 1100b | 1010b
     EXPECT_EQ(result(17, 12.0F, 10.7F), 8.0F);
@@ -163,7 +163,7 @@ TEST(BinaryFunctions, ShiftsBy32AndMoreGiveZero) {
     EXPECT_EQ(result(20, 4294967040.0F, 5.0e9F), 0.0F);
 }
 
-TEST(BinaryFunctions, WhatIsNoNumberMakesTheOutputUndefined) {
+TEST(BinaryFunctions, NanInputOrResultMakesTheOutputUndefined) {
     verifies<req::INC_BIN_007>();
     for (int operation = 0; operation <= 20; ++operation) {
         EXPECT_TRUE(is_undefined(operation, no_number, 1.0F)) << operation;
@@ -176,7 +176,7 @@ TEST(BinaryFunctions, WhatIsNoNumberMakesTheOutputUndefined) {
     EXPECT_EQ(result(3, -infinite, 2.0F), -infinite);
 }
 
-TEST(FunctionBlocks, FollowEquation4) {
+TEST(FunctionBlocks, FunctionBlockFollowsEquation4) {
     verifies<req::INC_BIN_001>();
     FunctionBlock block;
     block.inputs[0] = input(continuous_signal(-10.0F));
@@ -191,7 +191,7 @@ TEST(FunctionBlocks, FollowEquation4) {
     EXPECT_EQ(result.continuous, 90.25F);
 }
 
-TEST(FunctionBlocks, AnUndefinedInputTakesItsDefaultOrMakesTheOutputUndefined) {
+TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
     verifies<req::INC_BIN_002, req::INC_SIG_002>();
     FunctionBlock block;
     block.operation = 1;
@@ -207,7 +207,7 @@ TEST(FunctionBlocks, AnUndefinedInputTakesItsDefaultOrMakesTheOutputUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(FunctionBlocks, TheDefaultPassesUnaryFunctionScaleAndOffset) {
+TEST(FunctionBlocks, DefaultPassesUnaryFunctionScaleAndOffset) {
     verifies<req::INC_BIN_002>();
     FunctionBlock block;
     block.operation = 1;
@@ -219,7 +219,7 @@ TEST(FunctionBlocks, TheDefaultPassesUnaryFunctionScaleAndOffset) {
     EXPECT_EQ(evaluate(block).continuous, 7.0F);  // |-3| * 2 + 1
 }
 
-TEST(FunctionBlocks, AnUndefinedOutputScaleResultIsUndefined) {
+TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
     verifies<req::INC_BIN_007>();
     FunctionBlock block;
     block.operation = 1;
@@ -229,7 +229,7 @@ TEST(FunctionBlocks, AnUndefinedOutputScaleResultIsUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(CountValue, IsScaledOffsetAndRounded) {
+TEST(CountValue, CountIsScaledOffsetAndRounded) {
     verifies<req::INC_FV_001>();
     EXPECT_EQ(count_value(44.4F, {1, 0.0F}), 44);
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
@@ -239,7 +239,7 @@ TEST(CountValue, IsScaledOffsetAndRounded) {
     EXPECT_EQ(count_value(-1.0F, {1000, 0.0F}), -1000);
 }
 
-TEST(CountValue, SaturatesAtInteger16) {
+TEST(CountValue, CountSaturatesAtInteger16) {
     verifies<req::INC_FV_002>();
     EXPECT_EQ(count_value(32.767F, {1000, 0.0F}), 32767);
     EXPECT_EQ(count_value(40.0F, {1000, 0.0F}), 32767);
@@ -260,7 +260,7 @@ TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }
 
-TEST(CountValue, MillisecondsAreWholeAndBounded) {
+TEST(CountValue, MillisecondsAreIntegersAndClamped) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_EQ(whole_milliseconds(31.83F), 32U);
     EXPECT_EQ(whole_milliseconds(31.4F), 31U);

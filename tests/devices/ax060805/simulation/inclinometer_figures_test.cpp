@@ -32,7 +32,7 @@ void expect_angles(const LinePlot& plot, double second, double pitch, double rol
 
 }  // namespace
 
-TEST(InclinometerFigures, TheTumblePassesAllOrientations) {
+TEST(InclinometerFigures, TumbleCoversAllOrientations) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
@@ -59,7 +59,7 @@ TEST(InclinometerFigures, EulerPitchStaysWithin90Degrees) {
     expect_angles(plot, 42.5, 30.0, 35.26, 45.0);
 }
 
-TEST(InclinometerFigures, SinglePrecisionIsWithin100Microdegrees) {
+TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
     verifies<req::INC_ANGLE_012>();
     const LinePlot plot = angle_error_plot();
     double worst = 0.0;
@@ -73,7 +73,7 @@ TEST(InclinometerFigures, SinglePrecisionIsWithin100Microdegrees) {
     EXPECT_GT(worst, 0.0);  // it is the error of something
 }
 
-TEST(InclinometerFigures, ThePitchHasSettledAt5HzAfter200Milliseconds) {
+TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {
     verifies<req::INC_FILTER_003, req::INC_FILTER_002>();
     const LinePlot plot = settling_plot();
     ASSERT_EQ(plot.curves.size(), 3U);

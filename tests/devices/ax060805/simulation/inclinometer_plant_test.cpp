@@ -57,7 +57,7 @@ Frames frames_until(host::SimulatedDevice& device, Instant end) {
 
 }  // namespace
 
-TEST_F(InclinometerPlantTest, PitchAndRollMakeAccelerations) {
+TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_PITCH, req::INC_S_ROLL>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
@@ -65,7 +65,7 @@ TEST_F(InclinometerPlantTest, PitchAndRollMakeAccelerations) {
     expect_felt(0.5F, -0.8660254F, 0.0F);
 }
 
-TEST_F(InclinometerPlantTest, AQuaternionMakesAccelerations) {
+TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
              req::INC_S_ATTITUDE_Z>();
     // 30 degrees about Y: (cos 15, 0, sin 15, 0), nose up
@@ -87,7 +87,7 @@ TEST_F(InclinometerPlantTest, AQuaternionMakesAccelerations) {
     expect_felt(0.0F, 0.0F, -1.0F);
 }
 
-TEST_F(InclinometerPlantTest, WhatCameLastMakesTheAccelerations) {
+TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
     verifies<req::INC_PLANT_001>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     set(&ax060805::Inputs::acceleration_y, "acceleration_y", 0.25F);
@@ -129,7 +129,7 @@ TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
     EXPECT_NE(first[0], first[1]);
 }
 
-TEST_F(InclinometerPlantTest, TheProtectionCircuitTakes800mV) {
+TEST_F(InclinometerPlantTest, ProtectionCircuitTakes800mV) {
     verifies<req::INC_PLANT_003, req::INC_K_SUPPLY_DROP, req::INC_S_CONNECTOR>();
     set(&ax060805::Inputs::connector_voltage, "connector_voltage", 12.0F);
     EXPECT_NEAR(inputs.supply_voltage, 11.2F, 1e-5F);
@@ -137,7 +137,7 @@ TEST_F(InclinometerPlantTest, TheProtectionCircuitTakes800mV) {
     EXPECT_EQ(inputs.supply_voltage, 0.0F);
 }
 
-TEST(InclinometerSimulation, SendsTheAngleOfItsStimulus) {
+TEST(InclinometerSimulation, SimulationSendsTheAngleOfItsStimulus) {
     verifies<req::INC_PLANT_001, req::INC_S_PITCH>();
     const auto device = host::make_device("ax060805");
     ASSERT_NE(device, nullptr);
@@ -151,7 +151,7 @@ TEST(InclinometerSimulation, SendsTheAngleOfItsStimulus) {
     EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");  // 30, 0, 30
 }
 
-TEST(InclinometerSimulation, ItsPitchScattersByTheRatedResolution) {
+TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {
     verifies<req::INC_PLANT_002>();
     const auto device = host::make_device("ax060805");
     device->power_on(Instant{});

@@ -42,25 +42,25 @@ class DigitalOutputTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(DigitalOutputTest, NormalFollowsAndInverseOpposes) {
+TEST_F(DigitalOutputTest, NormalPolarityFollowsTheControlAndInverseOpposesIt) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##.#", normal), "..##.#");
     EXPECT_EQ(run("..##.#", inverse), "##..#.");
 }
 
-TEST_F(DigitalOutputTest, LatchedChangesWithEachOffToOn) {
+TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
-TEST_F(DigitalOutputTest, BlinksWhileOnBeginningWithOn) {
+TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileOnStartingWithOn) {
     verifies<req::AOR_DO_004>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
-TEST_F(DigitalOutputTest, KnowsWhenItWillChangeByItself) {
+TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
     verifies<req::AOR_DO_004>();
     EXPECT_EQ(output.next_change(), never);
     run("#", blinking);  // ON at 0 ms, for 3 ms
@@ -79,7 +79,7 @@ TEST_F(DigitalOutputTest, LogicStateIsBeforePolarity) {
     EXPECT_FALSE(logic(false, inverse));
 }
 
-TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
+TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
     verifies<req::AOR_DO_006, req::AOR_DO_005>();
     EXPECT_EQ(run(".", inverse), "#");
     EXPECT_EQ(run("..", inverse, OutputDrive::shut_off), "..");
@@ -91,7 +91,7 @@ TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
     EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
 }
 
-TEST_F(DigitalOutputTest, LogicStateOfOtherDrivesIsTheirs) {
+TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
     verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_005>();
     const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
         return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;
@@ -109,7 +109,7 @@ TEST_F(DigitalOutputTest, LogicStateOfOtherDrivesIsTheirs) {
     EXPECT_TRUE(logic_of(OutputDrive::keep, false, false)) << "as before";
 }
 
-TEST_F(DigitalOutputTest, KeepsItsState) {
+TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
     verifies<req::AOR_DO_005, req::AOR_DO_006>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
@@ -117,7 +117,7 @@ TEST_F(DigitalOutputTest, KeepsItsState) {
     EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
 }
 
-TEST_F(DigitalOutputTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     verifies<req::AOR_DO_008>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");

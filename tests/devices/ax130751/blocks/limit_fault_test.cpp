@@ -17,7 +17,7 @@ bool under(LimitFault& fault, double volts, bool enabled = true) {
 
 }  // namespace
 
-TEST(LimitFault, BeginsBeyondTheLimitAndEndsWithTheHysteresis) {
+TEST(LimitFault, FaultBeginsBeyondTheLimitAndEndsAtTheHysteresis) {
     verifies<req::AOR_DIAG_002>();
     LimitFault fault;
     EXPECT_FALSE(under(fault, 12.0));
@@ -28,7 +28,7 @@ TEST(LimitFault, BeginsBeyondTheLimitAndEndsWithTheHysteresis) {
     EXPECT_FALSE(under(fault, 8.0));
 }
 
-TEST(LimitFault, GoesWithItsDetection) {
+TEST(LimitFault, FaultEndsWhenItsDetectionIsSwitchedOff) {
     verifies<req::AOR_DIAG_005>();
     LimitFault fault;
     EXPECT_TRUE(under(fault, 5.0));

@@ -37,7 +37,7 @@ class Ax130751Eds : public testing::Test {
 
 }  // namespace
 
-TEST_F(Ax130751Eds, HasASectionForEachObjectAndEntry) {
+TEST_F(Ax130751Eds, EdsHasASectionForEachObjectAndEntry) {
     verifies<req::AOR_OD_1000>();
     std::size_t objects = 0;
     std::size_t entries = 0;
@@ -55,7 +55,7 @@ TEST_F(Ax130751Eds, HasASectionForEachObjectAndEntry) {
     }
 }
 
-TEST_F(Ax130751Eds, SaysWhatThePagesOfTheObjectsSay) {
+TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
     verifies<req::AOR_OD_1000, req::AOR_OD_2342, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_1400>();
     const auto lines = [](const std::string& text) {
         std::string all;

@@ -39,7 +39,7 @@ Played play(const std::string& log, const std::string& stimuli, std::uint64_t un
 }  // namespace
 
 // Frames 95 to 102 of the capture, power-on at 11:42:40: 125 to 250 kbit/s on node 80 (50h)
-TEST(Ax130751Replay, TheSessionOfTheManualGivesItsFrames) {
+TEST(Ax130751Replay, SessionOfTheManualGivesItsFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     const std::string log =
         "(5.248000) can0 7E5#0401\n"
@@ -73,7 +73,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
 }
 
 // The other part number: its own housing and isolation, the same device on the bus
-TEST(Ax130751Replay, Ax130771AnswersAlike) {
+TEST(Ax130751Replay, Ax130771AnswersLikeTheAx130751) {
     verifies<req::AOR_ID_001>();
     const std::string log =
         "(0.500000) can0 000#0150\n(0.600000) can0 650#4018100200000000\n(0.700000) can0 250#E803D00701\n";
@@ -84,7 +84,7 @@ TEST(Ax130751Replay, Ax130771AnswersAlike) {
     EXPECT_EQ(one.outputs, other.outputs);
 }
 
-TEST(Ax130751Replay, TheSameInputsGiveTheSameBytes) {
+TEST(Ax130751Replay, SameInputsGiveTheSameBytes) {
     verifies<req::AOR_PDO_004>();
     const std::string log = "(0.500000) can0 000#0150\n(0.700000) can0 250#E803D00701\n";
     const Played once = play(log, "0.9,load1,100\n", 1500);

@@ -53,7 +53,7 @@ TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
     }
 }
 
-TEST(FixedPoint, APolynomialIsTakenAboutItsMiddle) {
+TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     shows_rule("numbers in fixed point");
     // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the furthest is 3 away: 2^2.
     const auto made = fixed_polynomial(Coefficients{5.0, -3.0, 1.0}, 3U, -1.0, 5.0);
@@ -70,7 +70,7 @@ TEST(FixedPoint, APolynomialIsTakenAboutItsMiddle) {
     EXPECT_NEAR(from_fixed(made.value(to_fixed(-1000.0))), 15.0, 1e-11);
 }
 
-TEST(FixedPoint, TheEndsOfItsRangeLieWithinItsReach) {
+TEST(FixedPoint, ReachIncludesTheEndsOfTheRange) {
     shows_rule("numbers in fixed point");
     // x itself, from -1 to 1: a reach of 2^0 would end before them.
     const auto made = fixed_polynomial(Coefficients{0.0, 1.0}, 2U, -1.0, 1.0);
@@ -79,7 +79,7 @@ TEST(FixedPoint, TheEndsOfItsRangeLieWithinItsReach) {
     EXPECT_EQ(made.value(to_fixed(-1.0)), to_fixed(-1.0));
 }
 
-TEST(FixedPoint, WithoutTermsItIsZero) {
+TEST(FixedPoint, PolynomialWithoutTermsIsZero) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(fixed_polynomial(Coefficients{}, 0U, 0.0, 1.0).value(to_fixed(0.3)), 0);
 }

@@ -28,7 +28,7 @@ long double lowest_convertible(const Its90Type& type) {
 
 }  // namespace
 
-TEST(Thermocouple, ReferenceFunctionsAreThoseOfTheIts90) {
+TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
              req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
     for (const auto& type : its90_types()) {
@@ -41,7 +41,7 @@ TEST(Thermocouple, ReferenceFunctionsAreThoseOfTheIts90) {
     }
 }
 
-TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
+TEST(Thermocouple, PiecesHaveThePublishedRanges) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
@@ -62,7 +62,7 @@ TEST(Thermocouple, PiecesBeginAndEndAsPublished) {
     }
 }
 
-TEST(Thermocouple, EachPieceStandsOnceInItsTable) {
+TEST(Thermocouple, EachPieceIsOnceInItsTable) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     namespace reference = generated::ax188001::reference_function;
     namespace inverse = generated::ax188001::inverse_function;
@@ -82,7 +82,7 @@ TEST(Thermocouple, EachPieceStandsOnceInItsTable) {
     }
 }
 
-TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
+TEST(Thermocouple, SlopeMatchesTheDifferenceQuotient) {
     verifies<req::TCS_CONV_001>();
     for (const auto& type : its90_types()) {
         for (long double celsius = type.lowest() + 1.0L; celsius < type.highest() - 1.0L; celsius += 7.3L) {
@@ -94,7 +94,7 @@ TEST(Thermocouple, SlopeIsTheDifferenceOfNeighbours) {
     }
 }
 
-TEST(Thermocouple, PublishedTablePointsToHalfTheirLastDigit) {
+TEST(Thermocouple, PublishedTablePointsAreMetToHalfTheirLastDigit) {
     verifies<req::TCS_CONV_005>();
     std::size_t points = 0;
     for (const auto& type : its90_types()) {
@@ -121,7 +121,7 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
     }
 }
 
-TEST(Thermocouple, ConversionErrsByAMillionthOfADegree) {
+TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     verifies<req::TCS_CONV_002>();
     // 0.02 degC are promised. The two published functions of type J lie 7.5e-8 mV apart where they meet, at 760 degC:
     // over a slope of 0.0639 mV/degC that is 1.17e-6 degC, and a rounding decides which of them a voltage comes from.
@@ -136,7 +136,7 @@ TEST(Thermocouple, ConversionErrsByAMillionthOfADegree) {
     }
 }
 
-TEST(Thermocouple, TheLowestDegreesAreFoundFromEveryVoltage) {
+TEST(Thermocouple, LowestTemperaturesAreFoundFromEveryVoltage) {
     verifies<req::TCS_CONV_002>();
     // There the curves are flat and the inverse functions do not reach: the search begins from outside.
     for (const auto& type : its90_types()) {
@@ -149,7 +149,7 @@ TEST(Thermocouple, TheLowestDegreesAreFoundFromEveryVoltage) {
     }
 }
 
-TEST(Thermocouple, InverseFunctionsAreThoseOfTheIts90) {
+TEST(Thermocouple, InverseFunctionsMatchIts90) {
     verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
     for (const auto& type : its90_types()) {
         for (std::size_t i = 0; i < type.inverse.size(); ++i) {
@@ -185,7 +185,7 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
     }
 }
 
-TEST(Thermocouple, BesideTheEndsNothingLiesBeyondThem) {
+TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
     constexpr double step_mv = 1.0 / 1099511627776.0;  // of the numbers, 2^-40; 300 of them are worth 1e-6 degC at most
     for (const auto& type : its90_types()) {
@@ -249,13 +249,13 @@ TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
     }
 }
 
-TEST(Thermocouple, FunctionsContinueBeyondTheirRange) {
+TEST(Thermocouple, ReferenceFunctionsContinueBeyondTheirRange) {
     verifies<req::TCS_CJ_003>();
     // B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
     EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);
 }
 
-TEST(ThermocoupleArithmetic, TermsEndWithTheLastCoefficientThatIsNotZero) {
+TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
     // No constant, and as long as the firmware's: what the compiler computes, or makes for a test alone, is not
     // altered.
@@ -267,7 +267,7 @@ TEST(ThermocoupleArithmetic, TermsEndWithTheLastCoefficientThatIsNotZero) {
     EXPECT_EQ(terms_of(coefficients), 0U);
 }
 
-TEST(ThermocoupleArithmetic, AnExponentTooSteepForTheRangeIsHeld) {
+TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
     shows_rule("thermocouples in fixed point");
     // 1024 °C from the centre 2e-4 × 1024² = 209.7 is e^-209.7 = 2^-302.6: more than the 256 halvings that a fraction
     // holds.
@@ -278,7 +278,7 @@ TEST(ThermocoupleArithmetic, AnExponentTooSteepForTheRangeIsHeld) {
                 1e-15);
 }
 
-TEST(Thermocouple, ExponentialNeedsNoLibrary) {
+TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     verifies<req::TCS_CONV_008>();
     // Type K's: 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
     const ExponentialTerm term = exponential_term(0.1185976, -1.183432e-4, 126.9686);
@@ -292,7 +292,7 @@ TEST(Thermocouple, ExponentialNeedsNoLibrary) {
     EXPECT_EQ(exponential_mv(term, -1e300), 0.0);
 }
 
-TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
+TEST(Thermocouple, BadFirstGuessOnASteepCurveIsSolvedByBisection) {
     shows_rule("work is bounded");
     // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
     ThermocoupleCurve cubic{};
@@ -304,7 +304,7 @@ TEST(Thermocouple, ABadFirstGuessOnASteepCurveIsHalvedIn) {
     EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
 }
 
-TEST(Thermocouple, AStepToTheOppositeTemperatureIsAStep) {
+TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
     shows_rule("work is bounded");
     // t^3 from -100 to 100, first guess 10, -5000 wanted. No parabola through there is 0: its slope 300 alone leads
     // 6000 / 300 = 20 down, to -10, which is a step of 20 and not the end of the search. The root is -17.0997594668.
@@ -318,7 +318,7 @@ TEST(Thermocouple, AStepToTheOppositeTemperatureIsAStep) {
     EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
 }
 
-TEST(Thermocouple, ASearchThatGoesToAndFroEndsAsWell) {
+TEST(Thermocouple, OscillatingSearchEnds) {
     shows_rule("work is bounded");
     // t - 5 below 0 degC and t + 5 above: from 5 the line leads to -5, and from there back to 5.
     ThermocoupleCurve gap{};
@@ -332,7 +332,7 @@ TEST(Thermocouple, ASearchThatGoesToAndFroEndsAsWell) {
     EXPECT_LE(std::fabs(exact_celsius(gap, 0.0)), 5.0);
 }
 
-TEST(Thermocouple, ACurveThatNeverSettlesEndsAtItsLastStep) {
+TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     shows_rule("work is bounded");
     // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
     ThermocoupleCurve step{};

@@ -57,7 +57,7 @@ std::string ramp() {
 //  61      248 degC, first below 249; read at 370 * 165 = 61.050
 //  74      118 degC, first below 124; read at 449 * 165 = 74.085
 //  88      -22 degC, first below -20; read at 534 * 165 = 88.110 told at 93.110
-TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWire) {
+TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
              req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
     EXPECT_EQ(replayed("", ramp(), 95.0),
@@ -73,7 +73,7 @@ TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWire) {
               "(93.110000) can0 0FF#11F0010120000000\n");
 }
 
-TEST(Ax188001Replay, TheSameEveryTime) {
+TEST(Ax188001Replay, ReplayIsTheSameEveryTime) {
     verifies<req::TCS_IN_001>();
     std::string outputs[2];
     const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";
@@ -82,7 +82,7 @@ TEST(Ax188001Replay, TheSameEveryTime) {
 }
 
 // 100 degC is 5968 = 1750h; 25 degC 4768 = 12A0h. Each value is that of the last reading before the TPDO.
-TEST(Ax188001Replay, ProcessValuesEachSecond) {
+TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_S_CELSIUS>();
     EXPECT_EQ(replayed("(0.500000) can0 000#0100\n", "2.4,tc1_celsius,100\n", 3.6),
               "(0.000000) can0 77F#00\n"
@@ -94,7 +94,7 @@ TEST(Ax188001Replay, ProcessValuesEachSecond) {
 
 // The wire is of the type that 6110h is set to, until tc1_wire names another: K's 4.096 mV at 100 degC are 78 degC in
 // J.
-TEST(Ax188001Replay, WiresFollowTheTypeOrTheirOwn) {
+TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
@@ -110,7 +110,7 @@ TEST(Ax188001Replay, WiresFollowTheTypeOrTheirOwn) {
     EXPECT_NE(mixed.find("5FF#4B307101AC18"), std::string::npos) << mixed;  // 121.76 * 16 + 4368 = 6316 = 18ACh
 }
 
-TEST(Ax188001Replay, OutputsAreGainAndFilter) {
+TEST(Ax188001Replay, ReplayOutputsAreGainAndFilter) {
     verifies<req::TCS_S_ADC_FILTER, req::TCS_S_ADC_GAIN>();
     std::string outputs;
     replayed("(1.000000) can0 67F#2F20200032000000\n", "2,tc2_microvolts,30000\n", 4.0, &outputs);

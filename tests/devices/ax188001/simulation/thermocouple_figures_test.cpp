@@ -28,7 +28,7 @@ double hottest(const Curve& curve) {
 
 }  // namespace
 
-TEST(ThermocoupleFigures, TheConversionOfAllEightTypesIsWithinAFiftiethOfADegree) {
+TEST(ThermocoupleFigures, ConversionOfAllEightTypesErrsByAtMostAFiftiethOfADegree) {
     verifies<req::TCS_CONV_002>();
     const LinePlot plot = conversion_error_plot();
     ASSERT_EQ(plot.curves.size(), 8U);
@@ -42,7 +42,7 @@ TEST(ThermocoupleFigures, TheConversionOfAllEightTypesIsWithinAFiftiethOfADegree
     EXPECT_DOUBLE_EQ(hottest(plot.curves[7]), 1820.0);
 }
 
-TEST(ThermocoupleFigures, TheInverseFunctionsAloneWouldNotDo) {
+TEST(ThermocoupleFigures, InverseFunctionsAloneErrByMore) {
     verifies<req::TCS_CONV_009>();
     const LinePlot plot = inverse_error_plot();
     ASSERT_EQ(plot.curves.size(), 8U);
@@ -55,7 +55,7 @@ TEST(ThermocoupleFigures, TheInverseFunctionsAloneWouldNotDo) {
     EXPECT_NEAR(plot.curves[1].points.front().first, -200.0, 0.05);
 }
 
-TEST(ThermocoupleFigures, TheChannelIsWithinOneDegree) {
+TEST(ThermocoupleFigures, ChannelErrsByAtMostOneDegree) {
     verifies<req::TCS_IN_012>();
     const LinePlot plot = channel_error_plot();
     ASSERT_EQ(plot.curves.size(), 8U);
@@ -66,7 +66,7 @@ TEST(ThermocoupleFigures, TheChannelIsWithinOneDegree) {
     }
 }
 
-TEST(ThermocoupleFigures, TheRampMarksEachEmergencyMessage) {
+TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     verifies<req::TCS_LIM_003>();
     const LinePlot plot = ramp_plot();
     std::vector<std::string> words;

@@ -9,7 +9,7 @@ namespace {
 using namespace host;
 using ::testing::SizeIs;
 
-TEST(OutputFigures, ReplayedOutputsOfTheManualsTelegrams) {
+TEST(OutputFigures, ReplayOfTheManualTelegramsGivesItsOutputs) {
     const LinePlot plot = analog_outputs_plot();
     ASSERT_THAT(plot.curves, SizeIs(4));
     // CBX-AO412 7.10.2.3: 3EB3h is 5.0 V, C14Dh is -5.0 V; a bit of the twelve is some 5 mV.
