@@ -1,4 +1,4 @@
-// Events of a device before and after a reset. A failing sequence shrinks to the necessary events.
+// Generates events for a device before and after a reset, so that a failure shrinks to the events that it needs.
 #pragma once
 
 #include <rapidcheck.h>
@@ -12,8 +12,8 @@ namespace canproof::test {
 enum class EventKind : std::uint8_t {
     setting,        ///< a parameter of the device
     communication,  ///< a parameter of the communication
-    entry,          ///< any entry with any value
-    request,        ///< an SDO request that begins or continues a transfer
+    entry,          ///< any entry at all, with any value
+    request,        ///< an SDO request that starts or continues a transfer
     nmt,
     reset,
     pdo,
@@ -43,7 +43,7 @@ inline std::ostream& operator<<(std::ostream& out, const Event& event) {
                               event.value);
 }
 
-/// Generates events of `kinds`; a kind that occurs twice is twice as likely.
+/// Generates events of `kinds`; a kind that is listed twice is twice as frequent.
 inline rc::Gen<Event> some_event(const std::vector<EventKind>& kinds) {
     return rc::gen::exec([kinds] {
         Event event;
@@ -58,7 +58,7 @@ inline std::vector<Event> some_events(const std::vector<EventKind>& kinds) {
     return *rc::gen::container<std::vector<Event>>(some_event(kinds));
 }
 
-/// All kinds of events; kinds with deeper effects are more likely.
+/// All kinds of events; those with wider effects are more frequent.
 inline const std::vector<EventKind> every_kind{
     EventKind::setting,   EventKind::setting, EventKind::setting, EventKind::setting, EventKind::communication,
     EventKind::entry,     EventKind::request, EventKind::nmt,     EventKind::nmt,     EventKind::communication,
@@ -94,7 +94,7 @@ inline const std::vector<Setting>& communication_settings() {
     };
     return all;
 }
-/// Parameters of RPDOs, which decide which data reach the application.
+/// Parameters of RPDOs, which decide which frames reach the application.
 inline const std::vector<Setting>& reception_settings() {
     static const std::vector<Setting> all{
         {0x1400, 5, 1, {0, 1, 254, 255}}, {0x1401, 5, 1, {0, 1, 254, 255}}, {0x1400, 5, 2, {0, 20, 250}},
@@ -135,7 +135,7 @@ class Happening {
         }
     }
 
-    /// Applies an event that the application does not notice: no parameter of an RPDO, no other node to wait for.
+    /// Performs an event that does not affect the application: no parameter of an RPDO, no heartbeat consumer.
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (would_start_supervision(unit, event.kind)) {
             return;
@@ -146,15 +146,15 @@ class Happening {
         const Setting& setting = pick(communication_settings(), event.which);
         const bool is_watched = setting.index == 0x1016 || setting.index == 0x100C || setting.index == 0x100D;
         const bool syncs = setting.index == 0x1005 || setting.index == 0x1006 || setting.index == 0x1019;
-        // These objects empty a list, delay or cancel messages, or lead to a state without answers.
+        // Skips settings that empty the list, delay or drop messages, or lead to a state that does not answer.
         const bool tells =
             setting.index == 0x1003 || setting.index == 0x1014 || setting.index == 0x1015 || setting.index == 0x1029;
         if (!is_watched && !syncs && !tells) {
             put(unit, setting, event);
         }
     }
-    /// Leaves activities unfinished that must end with the reset: an RPDO that waits for its SYNC, a heartbeat,
-    /// guarding, a SYNC of its own, a transfer.
+    /// Leaves activities pending that must not continue after the reset: an RPDO that waits for its SYNC, a heartbeat,
+    /// guarding, a produced SYNC, a transfer.
     static void leave_waiting(Unit& unit, unsigned number) {
         unit.write(0x1400U + number, 2, 1, 1);
         if (unit.value(0x1400U + number, 2) == 1) {
