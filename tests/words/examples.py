@@ -1,7 +1,13 @@
 """Good and bad texts for tests/words_check: file, text, and a part of each fault in the order of the faults."""
+import textwrap
 
 LONG = " ".join(["word"] * 46)
 FITS = " ".join(["word"] * 45)
+
+
+def wrapped(text):
+    return "\n  ".join(textwrap.wrap(text, 80)) + "\n"
+
 
 EXAMPLES = (
     # Banned words, in each kind of text; the line is that of the word.
@@ -19,7 +25,8 @@ EXAMPLES = (
     ("a.toml", 'name = "held"\n', []),
     ("a.toml", 'reason = """\nOne.\nIt is told."""\n', ["2: text: `told`"]),
     ("a.md", "# Title\n\nIt is told.\n", ["3: prose: `told`"]),
-    ("a.md", "```\nIt is told.\n```\n\n| told |\n|---|\n", []),
+    ("a.md", "```\nIt is told.\n```\n", []),
+    ("a.md", "| a |\n|---|\n| It is told. |\n", ["3: layout: `told`"]),
     # Names, parts of words, strings of a program.
     ("a.cpp", "// `held` and \"told\" are names; amend, threshold and re-mend are other words.\n", []),
     ("a.cpp", 'const char* a = "it is told // told";\n', []),
@@ -33,8 +40,10 @@ EXAMPLES = (
     ("a.cpp", f"// {FITS}. Two.\n", []),
     ("a.cpp", f"// {FITS}\n//\n// word\n", []),
     ("a.cpp", f"int a;  // {FITS}\nint b;  // word\n", []),
-    ("a.md", f"- {FITS}\n- word\n".replace("word word word word word ", "word word word word word\n  "), []),
+    ("a.md", wrapped(f"- {FITS}") + "- word\n", []),
     ("a.toml", f'text = "{LONG}"\n', ["1: text: `word"]),
+    ("a.md", wrapped(f"`a` {FITS} · `b` word"), ["1: prose: `_ word"]),
+    ("a.md", wrapped(f"{FITS} · `b` word"), []),
     ("a.sh", f"# {FITS}   word\n", []),
     # Width and length of pages.
     ("a.md", "x" * 60 + " " + "y" * 40 + "\n", ["1: prose: 101 characters"]),

@@ -88,7 +88,7 @@ def markdown_passages(text):
     for number, line in enumerate(text.splitlines(), 1):
         fence = line.lstrip().startswith("```")
         fenced ^= fence
-        code = fence or fenced or line.startswith("|") or (line.startswith("    ") and not lines[-1:][0].text)
+        code = fence or fenced or (line.startswith("    ") and not (lines and lines[-1].text))
         text_of_line = "" if code else line.lstrip("#> ") if line.startswith(("#", ">")) else line
         item = LIST_ITEM.match(text_of_line)
         lines.append(Line(number, 0, text_of_line if item else text_of_line.strip(), line.startswith("#")))
