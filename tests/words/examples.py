@@ -34,6 +34,7 @@ EXAMPLES = (
     ("a.cpp", "// What the bus sends.\n", ["1: comment: begins with `What`"]),
     ("a.cpp", "int a;  ///< which of the two\n", ["1: comment: begins with `which`"]),
     ("a.cpp", "// Returns\n// what the bus sends.\n", []),
+    ("a.cpp", "// SPDX-License-Identifier: Apache-2.0\n// What the bus sends.\n", ["2: comment: begins with `What`"]),
     ("a.py", "# Which of the two?\n", []),
     # Long sentences: a blank line, a list item and a full stop end one; a table has none.
     ("a.cpp", f"// {LONG}.\n", ["1: comment: `word word word word word word …` has 46 words"]),
@@ -44,6 +45,8 @@ EXAMPLES = (
     ("a.toml", f'text = "{LONG}"\n', ["1: text: `word"]),
     ("a.md", wrapped(f"`a` {FITS} · `b` word"), ["1: prose: `_ word"]),
     ("a.md", wrapped(f"{FITS} · `b` word"), []),
+    ("a.toml", f'text = "{FITS}; word"\n', []),
+    ("a.sh", f"# {FITS}; word.\n", ["1: comment: `word"]),
     ("a.sh", f"# {FITS}   word\n", []),
     # Width and length of pages.
     ("a.md", "x" * 60 + " " + "y" * 40 + "\n", ["1: prose: 101 characters"]),

@@ -29,6 +29,8 @@ def joined(lines, kind):
     """Yields a passage for each run of lines without a blank, a list item or a change of column between them."""
     group = []
     for line in lines:
+        if line.text.strip().startswith("SPDX-"):
+            line = line._replace(text="")
         layout = LAYOUT.search(line.text) and not LIST_ITEM.match(line.text)
         follows = group and line.number == group[-1].number + 1 and line.column == group[-1].column and not line.begins
         if group and (not follows or layout or not line.text.strip() or LIST_ITEM.match(line.text)):
