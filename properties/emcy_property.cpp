@@ -1,4 +1,4 @@
-// Emergency messages, 1001h and 1003h beside a naive node: any errors in any order (CiA 301, 7.2.7).
+// Compares emergency messages, 1001h and 1003h with a naive node for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -82,7 +82,7 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
+RC_GTEST_PROP(EmcyLaw, AnyErrorsAreReportedAsByTheNaiveNode, ()) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006,
              req::CO_EMCY_010>("property");
     LoggedSlave slave;
@@ -99,8 +99,8 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreToldAsANaiveNodeTellsThem, ()) {
     });
 }
 
-// Whatever the controller goes through, a master that reads 1001h finds what it was told last.
-RC_GTEST_PROP(ErrorRegisterLaw, OfEveryDeviceTheLastMessageSaysWhat1001hReads, ()) {
+// After any controller events, 1001h reads the error register of the last emergency message.
+RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());
     DeviceBySdo unit{name, 5};
@@ -114,7 +114,7 @@ RC_GTEST_PROP(ErrorRegisterLaw, OfEveryDeviceTheLastMessageSaysWhat1001hReads, (
             const Frame sent = unit.device->queue().pop();
             told = sent.id == 0x085 ? sent.data[2] : told;
         }
-        if (state != 3) {  // it hears nothing in bus-off
+        if (state != 3) {  // no frame is received in bus-off
             RC_ASSERT((unit.read(0x1001, 0) & 0xFFU) == told);
         }
     }

@@ -1,4 +1,4 @@
-// NMT, heartbeat and guarding beside a naive node: any conversation, at any times (CiA 301, 7.2.8, 7.3.2).
+// Compares NMT, heartbeat and guarding with a naive node for any exchange at any times (CiA 301, 7.2.8, 7.3.2).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -59,7 +59,7 @@ class Happens : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(ErrorControlLaw, AnyConversationIsThatOfANaiveNode, ()) {
+RC_GTEST_PROP(ErrorControlLaw, AnyExchangeOfErrorControlMatchesTheNaiveNode, ()) {
     verifies<req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_HB_001, req::CO_HB_002, req::CO_HB_003,
              req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_003>("property");
     LoggedSlave slave;

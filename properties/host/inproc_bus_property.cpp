@@ -1,4 +1,4 @@
-// The in-process bus does what a list of stations and a clock do, frame for frame and state for state.
+// Compares the in-process bus with a list of stations and a clock, frame for frame and state for state.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -25,8 +25,8 @@ struct Act {
     Frame frame{};
 };
 
-/// Of a few numbers as 11 bits, as 29 bits, and as the beginning of 29 bits. `station` keeps them apart, as CANopen
-/// does.
+/// Returns a frame with one of a few numbers as an 11-bit identifier, as a 29-bit identifier, or as the beginning of
+/// one. `station` makes the identifiers of stations different, as in CANopen.
 Frame any_frame(std::size_t station) {
     Frame frame{};
     const std::uint32_t number =
@@ -89,7 +89,7 @@ std::vector<std::string> lines_of(const std::vector<std::pair<std::uint64_t, int
     return lines;
 }
 
-/// The bus and the naive one, told the same.
+/// The bus and the naive bus with the same input.
 class TwoBuses {
   public:
     TwoBuses(std::uint64_t us_per_bit, const NaiveFaults& faults)
@@ -195,7 +195,7 @@ class TwoBuses {
 
 }  // namespace
 
-RC_GTEST_PROP(InprocBusLaw, DoesWhatTheNaiveBusDoes, ()) {
+RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveBus, ()) {
     const auto us_per_bit = *rc::gen::element<std::uint64_t>(1, 2, 8);
     TwoBuses buses{us_per_bit, any_faults()};
     for (const Act& act : any_acts(us_per_bit)) {
@@ -205,12 +205,12 @@ RC_GTEST_PROP(InprocBusLaw, DoesWhatTheNaiveBusDoes, ()) {
     buses.check();
 }
 
-RC_GTEST_PROP(InprocBusLaw, FrameIsAsLongAsItsBits, ()) {
+RC_GTEST_PROP(InprocBusLaw, FrameLastsAsLongAsItsBits, ()) {
     const Frame frame = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT(frame_bits(frame) == naive_frame_bits(frame));
 }
 
-RC_GTEST_PROP(InprocBusLaw, ArbitrationIsBitByBit, ()) {
+RC_GTEST_PROP(InprocBusLaw, ArbitrationIsDecidedBitByBit, ()) {
     const Frame one = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     const Frame other = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT((arbitration_rank(one) < arbitration_rank(other)) ==

@@ -1,6 +1,6 @@
-// Naive model of the errors of the conformance slave (node 5) after CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16,
-// 7.5.2.17): the error register, the list of the last four errors, and emergency messages with their inhibit time, on a
-// clock of milliseconds. It shares no code with the firmware.
+// Naive model of the errors of the conformance slave (node 5) by CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17):
+// the error register, the list of the last four errors, and emergency messages with their inhibit time, on a clock of
+// milliseconds. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class State { pre_operational, operational, stopped };
 
 class Node {
   public:
-    /// Handles an NMT command to this node or to all nodes.
+    /// Receives a command to this node or all nodes.
     void command(unsigned specifier) {
         if (can_ == Can::off) {
             return;
@@ -60,13 +60,13 @@ class Node {
         set(Error::overrun, lost);
     }
     void internal_fault(bool present) { set(Error::internal, present); }
-    /// Handles a SYNC. Without a counter it has no data.
+    /// Receives a SYNC. Without a counter a SYNC has no data.
     void sync(unsigned length) {
         if (hears() && state_ != State::stopped) {
             set(Error::sync_length, length != 0);
         }
     }
-    /// Handles RPDO 1, which maps two bytes.
+    /// Receives RPDO 1, which maps two bytes.
     void rpdo(unsigned length) {
         if (hears() && state_ == State::operational) {
             set(Error::rpdo_length, length < 2);
@@ -77,7 +77,7 @@ class Node {
             list_.clear();
         }
     }
-    /// Handles a write of 1014h COB-ID EMCY: messages that wait when it switches them off are never sent.
+    /// Writes bit 31 of 1014h COB-ID EMCY: messages that wait when it disables EMCY are never sent.
     void write_valid(bool valid) {
         if (has_sdo()) {
             valid_ = valid;
@@ -111,7 +111,7 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// A waiting message. Its other fields get their values when it is sent.
+    /// A waiting message; the rest of its content is that of the moment of transmission.
     struct Waiting {
         Error error;
         bool cured;
@@ -138,7 +138,7 @@ class Node {
         waiting_.clear();
         list_.clear();
         may_send_at_ = 0;
-        state_ = State::stopped;  // silent until the boot-up message is out
+        state_ = State::stopped;  // nothing is sent until the boot-up message is out
         restore_defaults();
         set(Error::overrun, lost_);
         set(Error::passive, can_ >= Can::passive);
@@ -167,7 +167,7 @@ class Node {
         }
         announce({error, !present});
     }
-    /// Reports an error that is already over when it is detected.
+    /// Reports an error that is already over.
     void report(Error error) {
         enlist(error);
         announce({error, false});
@@ -178,8 +178,8 @@ class Node {
             list_.pop_back();
         }
     }
-    /// Adds a message. At most two messages of an error wait: its first state and its present one. A message that
-    /// cancels the second one leaves the first, which has the same content.
+    /// Queues a message. At most two messages of an error wait: its first state and its present state. When the last
+    /// one is withdrawn, the other one remains and has the same content.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -191,7 +191,7 @@ class Node {
             }
         }
         if (!same.empty() && waiting_[same.back()].cured == told.cured) {
-            return;  // the same message already waits
+            return;  // a message waits already
         }
         if (same.size() == 2) {
             waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));
@@ -225,7 +225,7 @@ class Node {
     Sent sent_;
 };
 
-/// One step of a conversation, with numbers that a generator or a fuzzer chooses freely.
+/// One step of an exchange, made of any numbers of a generator or a fuzzer.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -237,7 +237,7 @@ inline unsigned command_of(const Event& event) {
     return commands[event.a % commands.size()];
 }
 
-/// The frame of an event: identifier and bytes. An event of the controller, the device or the time has none.
+/// The frame of an event: identifier and bytes. Controller, device and time events have none.
 struct EventFrame {
     bool is_one{false};
     unsigned id{0};

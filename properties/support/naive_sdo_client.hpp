@@ -1,4 +1,4 @@
-// An SDO client that always sends the request that the naive server expects, so that transfers reach their end.
+// An SDO client that always sends the request that the naive server expects: it completes transfers.
 #pragma once
 
 #include <initializer_list>
@@ -14,7 +14,7 @@ inline Message message(unsigned command, std::initializer_list<unsigned> rest = 
     return m;
 }
 
-/// Returns a message with `command` and the next seven bytes of the stream.
+/// Returns a request with `command` and the next seven bytes of the stream.
 inline Message with_data(unsigned command, std::uint8_t& next) {
     Message m = message(command);
     for (std::size_t i = 1; i < m.size(); ++i) {
@@ -24,7 +24,7 @@ inline Message with_data(unsigned command, std::uint8_t& next) {
     return m;
 }
 
-/// Returns the next request. `ends` marks the last segment, of which `unused` (0 to 7) bytes contain no data. `next` is
+/// Returns the next request. `ends`: a segment is the last one; `unused` (0...7) of its bytes have no data. `next` is
 /// the next byte of data.
 inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
     switch (server.doing()) {

@@ -1,5 +1,5 @@
-// A naive SDO server after CiA 301, with containers for whole values and whole blocks. The firmware's server must give
-// the same answers. It shares no code with the firmware.
+// A naive SDO server, written from CiA 301 with containers and without limits of memory: whole values, whole blocks.
+// The server of the firmware must give the same answers. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -38,10 +38,10 @@ class Server {
 
     const Objects& objects() const { return store_.objects(); }
     Doing doing() const { return doing_; }
-    /// Returns the number of pieces of the sub-block that the client has not acknowledged yet.
+    /// Returns the pieces of the sub-block that the client has not acknowledged yet.
     std::size_t pieces_out() const { return out_; }
     std::uint8_t next_toggle() const { return toggle_; }
-    /// Returns the data of a download so far.
+    /// Returns the bytes received in a download so far.
     const Bytes& received() const { return data_; }
     /// Returns the number that the next segment of a block download must have.
     std::uint8_t next_sequence() const { return static_cast<std::uint8_t>(in_order_ + 1); }
@@ -53,7 +53,7 @@ class Server {
         serve(request);
         return answers_;
     }
-    /// Returns the messages that are sent without a request until `now_ms`.
+    /// Returns the messages sent without a request until `now_ms`.
     const std::vector<Message>& pass(std::uint64_t now_ms) {
         answers_.clear();
         if (doing_ != Doing::nothing && now_ms >= progress_ + 1000) {

@@ -1,4 +1,4 @@
-// Events of a device before and after a reset. A failing sequence shrinks to the necessary events.
+// Generates events for a device before and after a reset, so that a failure shrinks to the events that it needs.
 #pragma once
 
 #include <rapidcheck.h>
@@ -12,8 +12,8 @@ namespace canproof::test {
 enum class EventKind : std::uint8_t {
     setting,        ///< a parameter of the device
     communication,  ///< a parameter of the communication
-    entry,          ///< any entry with any value
-    request,        ///< an SDO request that begins or continues a transfer
+    entry,          ///< any entry at all, with any value
+    request,        ///< an SDO request that starts or continues a transfer
     nmt,
     reset,
     pdo,
@@ -43,7 +43,7 @@ inline std::ostream& operator<<(std::ostream& out, const Event& event) {
                               event.value);
 }
 
-/// Generates events of `kinds`; a kind that occurs twice is twice as likely.
+/// Generates events of `kinds`; a kind that is listed twice is twice as frequent.
 inline rc::Gen<Event> some_event(const std::vector<EventKind>& kinds) {
     return rc::gen::exec([kinds] {
         Event event;
@@ -58,7 +58,7 @@ inline std::vector<Event> some_events(const std::vector<EventKind>& kinds) {
     return *rc::gen::container<std::vector<Event>>(some_event(kinds));
 }
 
-/// All kinds of events; kinds with deeper effects are more likely.
+/// All kinds of events; those with wider effects are more frequent.
 inline const std::vector<EventKind> every_kind{
     EventKind::setting,   EventKind::setting, EventKind::setting, EventKind::setting, EventKind::communication,
     EventKind::entry,     EventKind::request, EventKind::nmt,     EventKind::nmt,     EventKind::communication,
@@ -94,7 +94,7 @@ inline const std::vector<Setting>& communication_settings() {
     };
     return all;
 }
-/// Parameters of RPDOs, which decide which data reach the application.
+/// Parameters of RPDOs, which decide which frames reach the application.
 inline const std::vector<Setting>& reception_settings() {
     static const std::vector<Setting> all{
         {0x1400, 5, 1, {0, 1, 254, 255}}, {0x1401, 5, 1, {0, 1, 254, 255}}, {0x1400, 5, 2, {0, 20, 250}},
@@ -135,23 +135,26 @@ class Happening {
         }
     }
 
-    /// Applies an event that the application does not notice: no parameter of an RPDO, no other node to wait for.
+    /// Performs an event that does not affect the application: no parameter of an RPDO, no heartbeat consumer.
     static void happen_to_communication(Unit& unit, const Event& event) {
+        if (would_start_supervision(unit, event.kind)) {
+            return;
+        }
         if (event.kind != EventKind::communication) {
             return happen(unit, event);
         }
         const Setting& setting = pick(communication_settings(), event.which);
         const bool is_watched = setting.index == 0x1016 || setting.index == 0x100C || setting.index == 0x100D;
         const bool syncs = setting.index == 0x1005 || setting.index == 0x1006 || setting.index == 0x1019;
-        // These objects empty a list, delay or cancel messages, or lead to a state without answers.
+        // Skips settings that empty the list, delay or drop messages, or lead to a state that does not answer.
         const bool tells =
             setting.index == 0x1003 || setting.index == 0x1014 || setting.index == 0x1015 || setting.index == 0x1029;
         if (!is_watched && !syncs && !tells) {
             put(unit, setting, event);
         }
     }
-    /// Leaves activities unfinished that must end with the reset: an RPDO that waits for its SYNC, a heartbeat,
-    /// guarding, a SYNC of its own, a transfer.
+    /// Leaves activities pending that must not continue after the reset: an RPDO that waits for its SYNC, a heartbeat,
+    /// guarding, a produced SYNC, a transfer.
     static void leave_waiting(Unit& unit, unsigned number) {
         unit.write(0x1400U + number, 2, 1, 1);
         if (unit.value(0x1400U + number, 2) == 1) {
@@ -182,6 +185,17 @@ class Happening {
         return bytes;
     }
 
+    /// Whether an event of this kind may begin to watch another node, whose silence would then be an error of the device:
+    /// its heartbeat while 1016h (consumer heartbeat time) names a node, a remote frame while guarding is on.
+    static bool would_start_supervision(const Unit& unit, EventKind kind) {
+        const unsigned watched = unit.value(0x1016, 0);
+        bool names_a_node = false;
+        for (unsigned sub = 1; sub <= watched; ++sub) {
+            names_a_node = names_a_node || unit.value(0x1016, sub) != 0;
+        }
+        const bool guards = unit.value(0x100C, 0) != 0 && unit.value(0x100D, 0) != 0;
+        return (kind == EventKind::heartbeat && names_a_node) || (kind == EventKind::remote && guards);
+    }
     static void put(Unit& unit, const Setting& setting, const Event& event) {
         const unsigned sub = setting.subs == 0 ? 0 : 1 + event.sub % setting.subs;
         unit.write(setting.index, sub, setting.bytes, pick(setting.values, event.value));

@@ -1,5 +1,5 @@
-// One device with any sequence of events, for the properties in reset_law.hpp. `Traits` defines its types, its memory
-// and useful writes; see properties/devices/NAME/reset_property.cpp.
+// Runs one device under any events, for the properties of reset_law.hpp. `Traits` names its types, its memory and the
+// useful writes; see properties/devices/NAME/reset_property.cpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -42,13 +42,13 @@ struct Write {
     std::uint32_t value;
 };
 
-/// Traits of most devices.
+/// Defaults for most devices.
 struct UsualTraits {
-    /// Returns writes of a configuration in which the device has a state to keep.
+    /// Returns a configuration in which the device keeps state.
     static std::vector<Write> lively() { return {}; }
-    /// Returns whether an index may be written. Entries that take effect at the next power-on are not written.
+    /// Returns whether an entry may be written; entries that take effect at the next power-on are not written.
     static bool may_write(unsigned) { return true; }
-    /// Returns whether a reset of the node keeps the outputs.
+    /// Returns whether reset node keeps the outputs.
     template <typename Device, typename Inputs>
     static bool keeps_outputs(const Device&, const Inputs&) {
         return false;
@@ -115,22 +115,22 @@ class ResetUnit {
         take();
         return found;
     }
-    /// Length of each of the two delays of `activate bit timing`.
+    /// Longest of each delay of activate bit timing.
     static constexpr Duration longest_silence = milliseconds(20);
-    /// Restores the CAN controller, and waits until LSS has completed a change of the bit rate.
+    /// Restores a working CAN controller and lets LSS finish a change of the bit rate.
     void recover() {
         set_input("can_state", 0.0);
         set_input("can_overrun", 0.0);
         const Instant end = silent_until;
         silent_until = Instant{};
-        if (end != Instant{}) {  // a late driver has postponed the second delay
+        if (end != Instant{}) {  // a late driver has delayed the second delay
             pass(longest_silence);
             pass_until(end);
         }
     }
 
     void pass(Duration time) { pass_until(now + time); }
-    /// Advances the time to `end` and serves every deadline on the way.
+    /// Advances time to `end` and keeps every deadline on the way.
     void pass_until(Instant end) {
         while (device->next_deadline() <= end && !is_stuck) {
             now = now < device->next_deadline() ? device->next_deadline() : now;
@@ -138,7 +138,7 @@ class ResetUnit {
         }
         now = now < end ? end : now;
     }
-    /// Advances the time without serving deadlines, as a late driver does.
+    /// Advances time as with a late driver.
     void pass_unattended(Duration time) {
         now = now + time;
         advance();
@@ -164,7 +164,7 @@ class ResetUnit {
     typename Traits::Inputs inputs;
     Instant now;
     Instant silent_until{};
-    bool is_stuck{false};  ///< an overdue deadline was not served
+    bool is_stuck{false};  ///< work that was due was not done
     std::unique_ptr<Device> device;
 
   private:
@@ -182,7 +182,7 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// Returns the first entry with different values, among those that `counts` accepts; empty when there is none.
+/// Returns the first entry, of those that count, whose values differ; empty when there is none.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();
@@ -201,8 +201,8 @@ std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<T
     return "";
 }
 
-/// Returns the first external difference of two units since the last call: frames, outputs or values. Empty when there
-/// is none.
+/// Returns the observable difference of two units since the last call: frames, outputs, values. Empty when there is
+/// none.
 template <typename Traits, typename Counts>
 std::string difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const Counts& counts) {
     const auto frames = std::pair{one.take_frames(), other.take_frames()};

@@ -1,4 +1,4 @@
-// The same small dictionary twice: in the firmware's server, through the register's compiler, and in the naive server.
+// The same small dictionary twice: for the server of the firmware, compiled from a register, and for the naive server.
 #pragma once
 
 #include <algorithm>
@@ -190,7 +190,7 @@ inline Objects pair_model() {
     return objects;
 }
 
-/// The firmware's server in a complete node.
+/// The server of the firmware, in a whole node.
 class Ours {
   public:
     Ours() : device{pair_part(), memory, queue} {
@@ -198,7 +198,7 @@ class Ours {
         restart();
     }
 
-    /// Restarts with power-on at `start` and an empty memory.
+    /// Restarts: power-on at `start` with an empty memory.
     void restart(Instant start = {}) {
         queue = TransmitQueue{};
         now = start;
@@ -220,19 +220,19 @@ class Ours {
         pass(ms, all);
         return all;
     }
-    /// Advances the time and adds the answers to `all`.
+    /// Advances time and adds the answers to `all`.
     void pass(std::uint64_t ms, std::vector<Message>& all) {
         const Instant end = now + milliseconds(ms);
         keep_deadlines(end, all);
         now = end;
     }
-    /// Returns the SDO answers; other frames are ignored.
+    /// Returns SDO answers only; other frames are not checked here.
     std::vector<Message> answers() {
         std::vector<Message> all;
         answers(all);
         return all;
     }
-    /// Adds the SDO answers to `all`.
+    /// Adds the answers to `all`.
     void answers(std::vector<Message>& all) {
         while (!queue.empty()) {
             const Frame frame = queue.pop();

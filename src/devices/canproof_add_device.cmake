@@ -1,8 +1,8 @@
-# canproof_add_device(NAME): makes the device in this folder part of everything that is built of devices.
+# canproof_add_device(NAME) adds the device in this folder to every target that is built from devices.
 #   firmware/    the library canproof_NAME_firmware
-#   simulation/  the library canproof_NAME_simulation, and a line of the catalogue
+#   simulation/  the library canproof_NAME_simulation, and an entry of the catalogue
 #   target/      its images for the microcontroller (preset target)
-# A part that is missing stops the configure step: device_parts.cmake.
+# If a part is missing, the configure step stops: device_parts.cmake.
 include(${CMAKE_CURRENT_LIST_DIR}/device_parts.cmake)
 
 function(canproof_add_device name)
@@ -29,7 +29,8 @@ function(canproof_device_simulation word)
   endif()
 endfunction()
 
-# BUILD/devices.txt: a line a device, with tabs: its name, its C++ name, its folder. Scripts read it.
+# Writes BUILD/devices.txt for scripts: one line per device with its name, its C++ name and its folder, separated by
+# tabs.
 function(canproof_list_devices)
   get_property(devices GLOBAL PROPERTY CANPROOF_DEVICES)
   set(lines "")
@@ -40,7 +41,7 @@ function(canproof_list_devices)
   file(WRITE ${CMAKE_BINARY_DIR}/devices.txt "${lines}")
 endfunction()
 
-# The library canproof_devices: the generated list of all devices.
+# Adds the library canproof_devices: the generated list of all devices.
 function(canproof_write_catalogue)
   get_property(devices GLOBAL PROPERTY CANPROOF_DEVICES)
   set(declarations "")

@@ -1,4 +1,4 @@
-// The devices of the catalogue: all that canproof_add_device() names.
+// The catalogue: all devices that canproof_add_device() added.
 #pragma once
 
 #include <map>
@@ -11,17 +11,17 @@
 namespace canproof::host {
 
 struct CatalogueEntry {
-    std::string name;  ///< cbx-ao412
+    std::string name;  ///< for example cbx-ao412
     const DeviceModel* model;
 };
 
-/// All devices, in alphabetical order.
+/// Returns all devices in alphabetical order.
 const std::vector<CatalogueEntry>& catalogue();
-/// The model of that name; nullptr when there is none.
+/// Returns the model of that name; nullptr when there is none.
 const DeviceModel* find_model(const std::string& name);
-/// The device of that name (`cbx-ao412`) with its factory data; nullptr when it cannot be run.
+/// Makes the device of that name (`cbx-ao412`) with its factory data; returns nullptr when there is no such device.
 std::unique_ptr<SimulatedDevice> make_device(const std::string& name, const FactoryValues& factory = {});
-/// The figures of all devices, by file name.
+/// Returns the plots of all devices, by file name.
 std::map<std::string, LinePlot> all_figures();
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// A device as the catalogue knows it: what src/devices/NAME/simulation/model.cpp says of it.
+// The description of a device in the catalogue; src/devices/NAME/simulation/model.cpp defines it.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct DemoRequest {
     const char* frame;  ///< `603#4000100000000000`
 };
 
-/// What `canproof demo` plays against the device after power-on.
+/// The requests that `canproof demo` sends to the device after power-on.
 struct DemoScene {
     const char* title;
     const char* boot_section;  ///< of the manual
@@ -29,12 +29,13 @@ struct DemoScene {
 };
 
 struct DeviceModel {
-    std::vector<std::string> other_names;  ///< further part numbers that the same simulation serves
+    std::vector<std::string> other_names;  ///< further part numbers with the same simulation
     std::unique_ptr<SimulatedDevice> (*make)(const FactoryValues& factory);
-    /// Plots of its behaviour by file name, which begins with the name of the device.
+    /// Makes the plots of its behaviour by file name, which begins with the name of the device.
     std::map<std::string, LinePlot> (*figures)();
     DemoScene demo;
-    /// Factory data that no object shows, by part number (the device's own name where none was given); may be nullptr.
+    /// Returns the keys of factory data that no object contains, for a part number (the device's own name when none is
+    /// given); may be nullptr.
     std::vector<FactoryKey> (*further_factory_keys)(const std::string& part_number);
 };
 

@@ -1,7 +1,7 @@
-# What a device consists of. canproof_add_device() checks it, and so does, without a build:
+# Checks the parts of a device. canproof_add_device() calls it; to run it without a build:
 #   cmake -DROOT=. -DNAME=ax188001 -P src/devices/device_parts.cmake
 
-# canproof_check_device(ROOT NAME): stops when a part of the device is missing, and names it.
+# canproof_check_device(ROOT NAME) stops when a part of the device is missing, and names it.
 function(canproof_check_device root name)
   string(REPLACE "-" "_" word ${name})
   set(device src/devices/${name})

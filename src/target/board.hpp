@@ -1,6 +1,6 @@
-// The smallest board that a device can run on, for measuring it: its clock, CAN mailboxes and signals lie in one
-// memory-mapped window, its parameter memory in another (the two static memory banks of the STM32F405's FSMC). A real
-// board puts its drivers in this place; what is measured is the device and this loop around it, nothing else.
+// The smallest board on which a device can run, for measurements. Its clock, CAN mailboxes and signals lie in one
+// memory-mapped window, its parameter memory in another (two static memory banks of the STM32F405's FSMC). A real board
+// replaces this file by drivers; measurements cover only the device and this loop around it.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -11,7 +11,7 @@ namespace canproof::target {
 
 /// FSMC bank 1, NOR/SRAM 1: FRAM with the stored parameters.
 constexpr std::uintptr_t parameter_memory = 0x60000000U;
-/// FSMC bank 1, NOR/SRAM 2: what changes from outside.
+/// FSMC bank 1, NOR/SRAM 2: clock, CAN mailboxes and signals.
 constexpr std::uintptr_t window = 0x64000000U;
 
 /// Parameter memory of `size` bytes.
@@ -34,14 +34,14 @@ class MappedMemory final : public NonVolatileMemory {
         }
         return inside;
     }
-    /// FRAM: a byte that was written is permanent.
+    /// Returns true: in FRAM a written byte is permanent.
     bool commit() override { return true; }
 
   private:
     static volatile std::uint8_t* bytes() { return reinterpret_cast<volatile std::uint8_t*>(parameter_memory); }
 };
 
-/// A CAN mailbox: `full` is set by the one side and cleared by the other.
+/// A CAN mailbox: the sender sets `full`, the receiver clears it.
 struct Mailbox {
     volatile std::uint32_t full;
     volatile std::uint32_t id;
@@ -81,7 +81,8 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// What src/target/footprint cannot read from an image: the RAM of the protocol layer, in bytes, and of the values.
+/// Figures that src/target/footprint cannot read from an image, in bytes: the RAM of the protocol layer and of the
+/// values.
 struct Footprint {
     std::uint32_t node;
     std::uint32_t values;
@@ -91,7 +92,7 @@ constexpr Footprint footprint{
     sizeof(Node) + sizeof(ObjectDictionary) + sizeof(PdoMemoryFor<Tables>) + sizeof(TransmitQueue),
     Tables.defaults.count};
 
-/// Power-on, then for ever: inputs in, frames in, what is due, frames out, outputs out.
+/// Powers the device on, then repeats: read inputs, receive frames, do what is due, send frames, write outputs.
 template <typename Device, typename Inputs, typename Outputs>
 [[noreturn]] void run(Device& device, TransmitQueue& queue) {
     auto& board = *reinterpret_cast<Window<Inputs, Outputs>*>(window);
@@ -100,7 +101,7 @@ template <typename Device, typename Inputs, typename Outputs>
     };
     device.power_on(board.inputs, now());
     for (;;) {
-        asm volatile("" ::: "memory");  // the window changes by itself
+        asm volatile("" ::: "memory");  // the contents of the window change from outside
         device.set_inputs(board.inputs, now());
         if (board.received.full != 0U) {
             device.receive(take(board.received), now());

@@ -12,7 +12,7 @@ class Device:
         self.root = self.folder.parents[2]
 
     def budgets(self):
-        """target/budgets.toml: bytes of flash, ram, stack and host_stack; the constant of its tick's period."""
+        """Returns target/budgets.toml: bytes of flash, ram, stack and host_stack; the constant with the period of its tick."""
         return tomllib.loads((self.folder / "target" / "budgets.toml").read_text())
 
 

@@ -1,4 +1,4 @@
-// From reset to image_main(): floating-point unit on, variables initialised, constructors run.
+// Start-up from reset to image_main(): switches the floating-point unit on, initialises variables, runs constructors.
 #include <cstddef>
 #include <cstdint>
 
@@ -49,7 +49,8 @@ void reset() {
     fault();
 }
 
-/// Stops where it is: the watchdog of the board ends it. The test images end QEMU instead, see semihosting.cpp.
+/// Stops the processor; the watchdog of the board then resets it. The test images replace this function and end QEMU,
+/// see semihosting.cpp.
 [[gnu::weak]] void fault() {
     for (;;) {
         asm volatile("wfi");
@@ -60,7 +61,7 @@ namespace {
 
 using Handler = void (*)();
 
-/// What ARMv7-M reads at reset and at the fifteen system exceptions.
+/// The table that ARMv7-M reads at reset and at the fifteen system exceptions.
 struct Vectors {
     const std::uint32_t* stack;
     Handler handlers[15];

@@ -1,5 +1,5 @@
-// Dictionaries that none of the four devices has: objects left out, shipped values that could not be written, entries
-// of other types. The services answer as CiA 301 says; node 5.
+// Tests dictionaries that none of the four devices has: absent objects, default values that could not be written,
+// entries of other types. The services answer as CiA 301 requires; node 5.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of a range.
+/// A range end without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -22,20 +22,20 @@ class AlteredDictionary : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(AlteredDictionary, WithoutErrorBehaviourACommunicationErrorEndsOperational) {
+TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
     verifies<req::CO_HB_002>();
     renumber(0x1029, 0x102A);
     EXPECT_EQ(power_on(), Frames{"705#00"});
     send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
     send("000#0105");
     send("710#05");
-    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: pre-operational
-    // where there is no 1029h.
+    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: without 1029h the
+    // node enters pre-operational.
     EXPECT_EQ(pass(100), Frames{"100:085#3081110100000000"});
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);
 }
 
-TEST_F(AlteredDictionary, WithoutAnErrorListEmergenciesAreSentAllTheSame) {
+TEST_F(AlteredDictionary, EmergenciesAreSentWithoutAnErrorListToo) {
     verifies<req::CO_EMCY_001>();
     renumber(0x1003, 0x1004);
     power_on();
@@ -44,7 +44,7 @@ TEST_F(AlteredDictionary, WithoutAnErrorListEmergenciesAreSentAllTheSame) {
     EXPECT_EQ(send("605#4003100000000000"), Frames{"585#8003100000000206"});
 }
 
-TEST_F(AlteredDictionary, ALongestErrorListHolds254Errors) {
+TEST_F(AlteredDictionary, LongestErrorListHolds254Errors) {
     verifies<req::CO_EMCY_001>();
     extend(0x1003, 254);
     power_on();
@@ -57,7 +57,7 @@ TEST_F(AlteredDictionary, ALongestErrorListHolds254Errors) {
     EXPECT_EQ(send("080#01"), Frames{"085#408211FE00000000"});
 }
 
-TEST_F(AlteredDictionary, AFifthHeartbeatConsumerWatchesNobody) {
+TEST_F(AlteredDictionary, FifthHeartbeatConsumerMonitorsNoNode) {
     verifies<req::CO_HB_002>();
     entry(0x1016, 4).subindex = 5;
     power_on();
@@ -69,7 +69,7 @@ TEST_F(AlteredDictionary, AFifthHeartbeatConsumerWatchesNobody) {
     EXPECT_EQ(pass(1000), Frames{"100:085#3081110100000000"});
 }
 
-TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverItsLimits) {
+TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverTheLimitsOfItsEntry) {
     verifies<req::CO_PDO_024>();
     entry(0x1802, 6).limit = no_limit;
     power_on();
@@ -77,7 +77,7 @@ TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverItsLimits) {
     EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
 }
 
-TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedWhateverItsLimits) {
+TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedWhateverTheLimitsOfItsEntry) {
     verifies<req::CO_SYNC_007>();
     entry(0x1019, 0).limit = no_limit;
     power_on();
@@ -98,7 +98,7 @@ TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
     EXPECT_EQ(send("605#2F02160008000000"), Frames{"585#6002160000000000"});
 }
 
-TEST_F(AlteredDictionary, APdoBeyondTheEighthIsAPlainObject) {
+TEST_F(AlteredDictionary, NinthPdoIsServedAsAPlainObject) {
     verifies<req::CO_PDO_001, req::CO_SDO_016>();
     renumber(0x1403, 0x1408);
     renumber(0x1603, 0x1608);
@@ -114,10 +114,10 @@ TEST_F(AlteredDictionary, APdoBeyondTheEighthIsAPlainObject) {
     EXPECT_EQ(send("605#4000200300000000"), Frames{"585#4F00200300000000"});
 }
 
-TEST_F(AlteredDictionary, AnAbsentObjectInAShippedMappingIsAGapOfZeros) {
+TEST_F(AlteredDictionary, AbsentObjectInADefaultMappingIsAGapOfZeros) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
     ship(0x1A00, 0, 3);
-    ship(0x1A00, 2, 0x29990008);  // there is no 2999h
+    ship(0x1A00, 2, 0x29990008);  // 2999h is absent
     ship(0x1A00, 3, 0x20010208);
     power_on();
     EXPECT_EQ(send("000#0105"), Frames{"185#000000"});
@@ -125,16 +125,16 @@ TEST_F(AlteredDictionary, AnAbsentObjectInAShippedMappingIsAGapOfZeros) {
     EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#110022", "585#6001200200000000"}));
 }
 
-TEST_F(AlteredDictionary, AnAbsentSubindexInAShippedMappingIsAGapBesideItsObject) {
+TEST_F(AlteredDictionary, AbsentSubindexInADefaultMappingIsAGapBesideItsObject) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
-    ship(0x1A00, 1, 0x20016308);  // there is no 2001h:99
+    ship(0x1A00, 1, 0x20016308);  // 2001h:99 is absent
     ship(0x1A00, 2, 0x20010108);
     power_on();
     send("000#0105");
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#0011", "585#6001200100000000"}));
 }
 
-TEST_F(AlteredDictionary, AShippedLineShorterThanItsObjectCarriesItsLowBits) {
+TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 1, 0x22070010);  // 16 of the 32 bits of 2207h
     ship(0x1A00, 2, 0x20010108);
@@ -144,7 +144,7 @@ TEST_F(AlteredDictionary, AShippedLineShorterThanItsObjectCarriesItsLowBits) {
     EXPECT_EQ(send("605#2F01200155000000"), (Frames{"185#112255", "585#6001200100000000"}));
 }
 
-TEST_F(AlteredDictionary, AShippedMappingOfAnEmptyLineMapsNothing) {
+TEST_F(AlteredDictionary, DefaultMappingOfAnEmptyEntryMapsNothing) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 0, 1);
     ship(0x1A00, 1, 0);
@@ -152,7 +152,7 @@ TEST_F(AlteredDictionary, AShippedMappingOfAnEmptyLineMapsNothing) {
     EXPECT_TRUE(send("000#0105").empty());
 }
 
-TEST_F(AlteredDictionary, AnEmptyLineOfAShippedMappingTakesNoBits) {
+TEST_F(AlteredDictionary, EmptyEntryOfADefaultMappingTakesNoBits) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 0, 3);
     ship(0x1A00, 2, 0);
@@ -163,7 +163,7 @@ TEST_F(AlteredDictionary, AnEmptyLineOfAShippedMappingTakesNoBits) {
     EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#1122", "585#6001200200000000"}));
 }
 
-TEST_F(AlteredDictionary, AShippedMappingLongerThanAFrameIsNotUsed) {
+TEST_F(AlteredDictionary, DefaultMappingLongerThanAFrameIsNotUsed) {
     verifies<req::CO_PDO_011>();
     for (const std::uint16_t mapping : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
         ship(mapping, 1, 0x22060040);  // 2206h, 64 bits, twice
@@ -175,7 +175,7 @@ TEST_F(AlteredDictionary, AShippedMappingLongerThanAFrameIsNotUsed) {
     EXPECT_EQ(device->objects().read(0x2206, 0), 0U);
 }
 
-TEST_F(AlteredDictionary, AShippedCountBeyondTheMappingObjectTakesTheLinesThatAreThere) {
+TEST_F(AlteredDictionary, DefaultCountBeyondTheMappingObjectUsesTheEntriesThatExist) {
     verifies<req::CO_PDO_001>();
     ship(0x1600, 0, 9);
     for (std::uint8_t line = 1; line <= 8; ++line) {
@@ -189,7 +189,7 @@ TEST_F(AlteredDictionary, AShippedCountBeyondTheMappingObjectTakesTheLinesThatAr
 }
 
 // CiA 301, 7.5.2.36: 64 entries of one bit fill a PDO.
-TEST_F(AlteredDictionary, SixtyFourLinesOfOneBitFillAPdo) {
+TEST_F(AlteredDictionary, SixtyFourMappingEntriesOfOneBitFillAPdo) {
     verifies<req::CO_PDO_001, req::CO_PDO_012>();
     extend(0x1600, 64);
     ship(0x1600, 0, 64);
@@ -205,7 +205,7 @@ TEST_F(AlteredDictionary, SixtyFourLinesOfOneBitFillAPdo) {
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200101000000"});
 }
 
-TEST_F(AlteredDictionary, ALineBehindThe64thTakesNoPlaceOfTheNextPdo) {
+TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
     verifies<req::CO_PDO_011, req::CO_PDO_001>();
     extend(0x1600, 65);
     ship(0x1600, 0, 65);
@@ -214,16 +214,16 @@ TEST_F(AlteredDictionary, ALineBehindThe64thTakesNoPlaceOfTheNextPdo) {
         ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
     }
     power_on();
-    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // RPDO1 is looked at anew
+    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // the mapping of RPDO1 is evaluated again
     send("000#0105");
-    send("205#0100000000000000");  // which has no room for 65 bits
+    send("205#0100000000000000");  // 65 bits do not fit
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
     send("305#1122334455667788");
     EXPECT_EQ(send("605#4000210100000000"), Frames{"585#4B00210111220000"});
     EXPECT_EQ(send("605#4000210400000000"), Frames{"585#4B00210477880000"});
 }
 
-TEST_F(AlteredDictionary, AValueThatItsServiceRefusesSpoilsTheWholePdo) {
+TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
     ship(0x1600, 1, 0x10190008);  // 1019h, in which 1 is reserved
     ship(0x1600, 2, 0x20000108);
@@ -237,7 +237,7 @@ TEST_F(AlteredDictionary, AValueThatItsServiceRefusesSpoilsTheWholePdo) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200155000000"});
 }
 
-TEST_F(AlteredDictionary, AMappingObjectHas64LinesAtMost) {
+TEST_F(AlteredDictionary, MappingObjectHasAtMost64Entries) {
     shows_rule("work is bounded");
     EXPECT_EQ(pdo_lines(description.rows.tables()), 8U);
     entry(0x1A03, 8).subindex = 64;
@@ -246,7 +246,7 @@ TEST_F(AlteredDictionary, AMappingObjectHas64LinesAtMost) {
     EXPECT_EQ(pdo_lines(description.rows.tables()), 64U);
 }
 
-TEST_F(AlteredDictionary, ARealMayHaveOneLimitOnly) {
+TEST_F(AlteredDictionary, Real32MayHaveOneLimitOnly) {
     verifies<req::CO_SDO_011, req::CO_SDO_016>();
     const std::uint32_t one_and_a_half = 0x3FC00000;
     entry(0x2207, 0).type = DataType::real32;
@@ -261,9 +261,9 @@ TEST_F(AlteredDictionary, ARealMayHaveOneLimitOnly) {
     EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#8007220032000906"});  // -2
 }
 
-TEST_F(AlteredDictionary, AnOctetStringMayBeShorterAndDoesNotEndAtAZero) {
+TEST_F(AlteredDictionary, OctetStringMayBeShorterAndMayContainZeros) {
     verifies<req::CO_SDO_010, req::CO_SDO_002>();
-    entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, shipped as abc
+    entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, default abc
     power_on();
     EXPECT_EQ(send("605#4000230000000000"), Frames{"585#4100230028000000"});
     EXPECT_EQ(send("605#2F00230041000000"), Frames{"585#6000230000000000"});
@@ -271,7 +271,7 @@ TEST_F(AlteredDictionary, AnOctetStringMayBeShorterAndDoesNotEndAtAZero) {
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041000000000000"});
 }
 
-TEST_F(AlteredDictionary, AnExpeditedDownloadLongerThanTheMemoryOfADomainIsRefused) {
+TEST_F(AlteredDictionary, ExpeditedDownloadLongerThanTheDomainIsRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_033>();
     power_on();
     device->lend(0x2400, 0, 2);
@@ -280,7 +280,7 @@ TEST_F(AlteredDictionary, AnExpeditedDownloadLongerThanTheMemoryOfADomainIsRefus
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#4B00240001020000"});
 }
 
-TEST_F(AlteredDictionary, AnEntryOfAServiceThatHasOtherIndicesIsReadAndWrittenAsAnyOther) {
+TEST_F(AlteredDictionary, EntryAssignedToAServiceOfOtherIndicesIsReadAndWrittenNormally) {
     verifies<req::CO_SDO_016>();
     for (const Service service : {Service::lss, Service::pdo}) {
         entry(0x2207, 0).service = service;
@@ -291,7 +291,7 @@ TEST_F(AlteredDictionary, AnEntryOfAServiceThatHasOtherIndicesIsReadAndWrittenAs
 }
 
 // 2302h has 72 bytes, more than the 64 of the server itself.
-TEST_F(AlteredDictionary, AnEntryLongerThanTheServersMemoryGathersInThatOfTheDevice) {
+TEST_F(AlteredDictionary, EntryLongerThanTheServerBufferUsesTheMemoryOfTheDevice) {
     verifies<req::CO_SDO_004, req::CO_SDO_034>();
     power_on();
     EXPECT_EQ(send("605#2102230048000000"), Frames{"585#8002230005000405"});
@@ -306,19 +306,19 @@ TEST_F(AlteredDictionary, AnEntryLongerThanTheServersMemoryGathersInThatOfTheDev
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041424344454647"});
 }
 
-TEST_F(AlteredDictionary, AValueOf64BytesIsTheLongestThatTheServerHoldsItself) {
+TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
-    entry(0x2302, 0).size = 64;  // "A value of …"
+    entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
-    device->lend(0x2302, 0, 2);  // needed by longer ones only
+    device->lend(0x2302, 0, 2);  // needed by longer values only
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});
-    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // as it was when the upload began
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // the value at the start of the upload
     EXPECT_EQ(send("605#2102230040000000"), Frames{"585#6002230000000000"});
 }
 
-TEST_F(AlteredDictionary, ABlockDownloadThatFillsItsPlaceMayEndWithAnEmptySegment) {
+TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegment) {
     verifies<req::CO_SDO_026, req::CO_SDO_029>();
     power_on();
     device->lend(0x2400, 0, 14);
@@ -332,7 +332,7 @@ TEST_F(AlteredDictionary, ABlockDownloadThatFillsItsPlaceMayEndWithAnEmptySegmen
     EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});
 }
 
-TEST_F(AlteredDictionary, AValueThatSharesAMarkWithAMappedOneIsNoEvent) {
+TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheSameWatchMarkTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     ASSERT_EQ(watch_mark(0x2001, 3), watch_mark(0x2003, 1));
     ship(0x1A00, 0, 1);
@@ -343,7 +343,7 @@ TEST_F(AlteredDictionary, AValueThatSharesAMarkWithAMappedOneIsNoEvent) {
     EXPECT_EQ(send("605#2F01200311000000"), (Frames{"185#11", "585#6001200300000000"}));
 }
 
-TEST_F(AlteredDictionary, AnEntryThatTheServerCanHoldNeedsNoMemoryOfTheDevice) {
+TEST_F(AlteredDictionary, EntryThatFitsTheServerBufferNeedsNoMemoryOfTheDevice) {
     verifies<req::CO_SDO_004>();
     power_on();
     device->lend(0x2207, 0, 2);
@@ -352,9 +352,9 @@ TEST_F(AlteredDictionary, AnEntryThatTheServerCanHoldNeedsNoMemoryOfTheDevice) {
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220011223344"});
 }
 
-TEST_F(AlteredDictionary, AResetOfCommunicationEndsBeforeTheFirstManufacturerEntry) {
+TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
-    EntryRow& first = entry(0x2000, 0);  // made a value like any other, as shipped 0
+    EntryRow& first = entry(0x2000, 0);  // made an ordinary value with default 0
     first.rights = rights::read | rights::write;
     first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
     description.rows.layout.image.push_back(0);
@@ -364,7 +364,7 @@ TEST_F(AlteredDictionary, AResetOfCommunicationEndsBeforeTheFirstManufacturerEnt
     EXPECT_EQ(send("605#4000200000000000"), Frames{"585#4F00200007000000"});
 }
 
-TEST_F(AlteredDictionary, AStoreSignatureInAPdoStoresNothing) {
+TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
     verifies<req::CO_STORE_001>();
     entry(0x2207, 0).service = Service::store;
     ship(0x1600, 0, 1);
@@ -380,7 +380,7 @@ TEST_F(AlteredDictionary, AStoreSignatureInAPdoStoresNothing) {
 TEST_F(AlteredDictionary, ManufacturerParametersAreStoredByAnySubindexFromFourOn) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
-    entry(0x1010, 3).subindex = 4;  // so that 3 is not the last
+    entry(0x1010, 3).subindex = 4;  // then sub-index 3 is not the last
     power_on();
     send("605#2F00200111000000");
     EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});

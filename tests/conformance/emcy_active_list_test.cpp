@@ -1,4 +1,4 @@
-// The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
+// The error list of the Axiomatic devices: active errors, with description and channel (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/shows_rule.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and an EMCY service of its own; two errors of two channels.
+/// A dictionary with the list and its own EMCY service; two errors of two channels.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;
@@ -49,7 +49,7 @@ class ActiveList : public testing::Test {
 
 }  // namespace
 
-TEST_F(ActiveList, ACuredErrorLeavesTheListAndTheRestMovesUp) {
+TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
     verifies<req::CO_EMCY_007>();
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_2, true, Instant{});
@@ -63,7 +63,7 @@ TEST_F(ActiveList, ACuredErrorLeavesTheListAndTheRestMovesUp) {
     EXPECT_TRUE(listed().empty());
 }
 
-TEST_F(ActiveList, DetailsStandInListAndMessage) {
+TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     verifies<req::CO_EMCY_008>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
@@ -82,19 +82,19 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WhatWaitsIsKeptApartByItsError) {
+TEST_F(ActiveList, WaitingMessagesAreKeptApartByTheirError) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // takes back the end of its own, the one before the last
+    emcy.set(channel_1, true, Instant{});  // withdraws its end, the last message but one
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both last: 81h
+    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both are active: 81h
 }
 
-TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
+TEST_F(ActiveList, SentMessageIsNotSentAgain) {
     verifies<req::CO_EMCY_006>();
     for (int round = 0; round < 2; ++round) {
         emcy.enable(false, Instant{});
@@ -105,16 +105,16 @@ TEST_F(ActiveList, WhatWasSentWaitsNoMore) {
     }
 }
 
-TEST_F(ActiveList, AnErrorReportedTwiceWhileItWaitsIsSentOnce) {
+TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it does not last: 1001h reads 00h
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it is not active: 1001h reads 00h
 }
 
-TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
+TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy.set(channel_2, true, Instant{});
     emcy.set(channel_1, true, Instant{});  // the latest, with the lower number
@@ -125,7 +125,7 @@ TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
     EXPECT_EQ(listed(), order);
     EXPECT_EQ(objects.read(0x1001, 0), 0x81U);
     objects.write(0x1003, 0, 0);
-    emcy.after_write(objects.lookup(0x1003, 0));  // a user empties it
+    emcy.after_write(objects.lookup(0x1003, 0));  // the user clears the list
     objects.load_defaults(ParameterGroup::communication, 5);
     emcy.refresh();
     EXPECT_TRUE(listed().empty());
@@ -136,7 +136,7 @@ TEST_F(ActiveList, AResetOfTheCommunicationLeavesTheListAsItIs) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0001F001}));
 }
 
-TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {
+TEST_F(ActiveList, ErrorWithoutACodeIsIgnored) {
     shows_rule("a device is silent about errors that it does not know");
     errors[static_cast<std::size_t>(channel_1)] = ErrorRow{0x0000, 0x81, true, true, 0x0001};
     emcy.set(channel_1, true, Instant{});
@@ -147,7 +147,7 @@ TEST_F(ActiveList, AnErrorWithoutACodeIsNone) {
     EXPECT_EQ(objects.read(0x1001, 0), 0U);
 }
 
-TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
+TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
@@ -156,7 +156,7 @@ TEST_F(ActiveList, AChangeOfTheRegisterIsTellableUntilItIsTaken) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, AnErrorWithTheBitsOfAnotherChangesNoRegister) {
+TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
@@ -167,10 +167,10 @@ TEST_F(ActiveList, AnErrorWithTheBitsOfAnotherChangesNoRegister) {
     emcy.enable(false, Instant{});
     emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 91h
     emcy.set(channel_1, true, Instant{});
-    EXPECT_TRUE(emcy.take_register_change());  // whether messages go out or not
+    EXPECT_TRUE(emcy.take_register_change());  // whether messages are sent or not
 }
 
-TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
+TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
     verifies<req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     sent();
@@ -182,7 +182,7 @@ TEST_F(ActiveList, AResetOfTheNodeShowsThatNothingIsActive) {
     EXPECT_EQ(sent(), Frames{"085#11F0000210000000"});
 }
 
-TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
+TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
     verifies<req::CO_EMCY_003>();
     objects.write(0x1015, 0, 10000);  // 1 s
     emcy.set(channel_1, true, Instant{});
@@ -195,7 +195,7 @@ TEST_F(ActiveList, AResetOfTheNodeForgetsWhatWaitsAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
-TEST_F(ActiveList, AMessageThatFindsNoRoomLeavesAMillisecondLater) {
+TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
         // until it is full
@@ -210,8 +210,8 @@ TEST_F(ActiveList, AMessageThatFindsNoRoomLeavesAMillisecondLater) {
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// 1014h as a stored set may bring it back: messages are switched off.
-TEST_F(ActiveList, WhatWaitsWhenAResetSwitchesMessagesOffIsNeverSent) {
+/// 1014h as loaded from a stored set: messages are disabled.
+TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});

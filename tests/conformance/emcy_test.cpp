@@ -26,13 +26,13 @@ class Errors : public CbxTest {
 
 }  // namespace
 
-TEST_F(Errors, MessageHoldsCodeRegisterAndCount) {
+TEST_F(Errors, EmcyMessageHoldsCodeErrorRegisterAndCount) {
     verifies<req::CO_EMCY_001, req::AO4_ERR_001, req::AO4_T_ERRORS, req::AO4_OD_1014>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
 }
 
-TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
+TEST_F(Errors, ErrorIsSentOnceAtItsStartAndOnceAtItsEnd) {
     verifies<req::CO_EMCY_015, req::AO4_ERR_002>();
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(overrun(true).empty());
@@ -41,7 +41,7 @@ TEST_F(Errors, SentOnceAndOnceAtTheEnd) {
     EXPECT_TRUE(overrun(false).empty());
 }
 
-TEST_F(Errors, RegisterShowsWhatIsActive) {
+TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
     verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
@@ -56,19 +56,19 @@ TEST_F(Errors, RegisterShowsWhatIsActive) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, EachErrorHasItsCode) {
+TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
-    EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun lasts
+    EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun is still active
     inputs.internal_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#1061110300000000"}));
-    EXPECT_TRUE(can_state(1).empty());  // the warning limit is no error yet
+    EXPECT_TRUE(can_state(1).empty());  // the warning limit is not yet an error
     EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
 }
 
-// 7.9.4 lists 5000h beside 6110h: two failures, told apart
-TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
+// 7.9.4 lists 5000h beside 6110h: two separate failures
+TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
     verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -76,7 +76,7 @@ TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
     inputs.internal_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#1061010200000000"}));
     inputs.hardware_fault = false;
-    EXPECT_EQ(set_inputs(), (Frames{"083#0000010200000000"}));  // that of the software lasts
+    EXPECT_EQ(set_inputs(), (Frames{"083#0000010200000000"}));  // the software failure is still active
     EXPECT_EQ(error_register(), "01");
     inputs.internal_fault = false;
     EXPECT_EQ(set_inputs(), (Frames{"083#0000000200000000"}));
@@ -85,7 +85,7 @@ TEST_F(Errors, AFailureOfTheHardwareIs5000hBesideThatOfTheSoftware) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
+TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
     verifies<req::CO_EMCY_013, req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
     can_state(2);
     EXPECT_EQ(listed(0), "01000000");
@@ -103,7 +103,7 @@ TEST_F(Errors, ListKeepsTheTenLatestNewestFirst) {
     EXPECT_EQ(send("603#4003100B00000000"), (Frames{"583#8003100B11000906"}));
 }
 
-TEST_F(Errors, WritingZeroEmptiesTheList) {
+TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
@@ -114,7 +114,7 @@ TEST_F(Errors, WritingZeroEmptiesTheList) {
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
 }
 
-TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
+TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
     verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     for (int i = 0; i < 10; ++i) {
         overrun(true);
@@ -127,7 +127,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullListToItsEnd) {
     }
 }
 
-TEST_F(Errors, ItsOwnIdentifierWrittenAgainLosesNothing) {
+TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
     verifies<req::CO_EMCY_003>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -144,7 +144,7 @@ TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
     EXPECT_EQ(error_register(), "11");
 }
 
-TEST_F(Errors, WhatWaitsWhenMessagesAreSwitchedOffIsNeverSent) {
+TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     verifies<req::CO_EMCY_002>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -156,7 +156,7 @@ TEST_F(Errors, WhatWaitsWhenMessagesAreSwitchedOffIsNeverSent) {
     EXPECT_EQ(overrun(false), (Frames{"083#0000110200000000"}));
 }
 
-TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
+TEST_F(Errors, InhibitTimeKeepsEmcyMessagesApart) {
     verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -165,15 +165,15 @@ TEST_F(Errors, InhibitTimeKeepsMessagesApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
-TEST_F(Errors, AResetOfTheCommunicationEndsTheInhibitTime) {
+TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_018>();
     write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
 }
 
-TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
+TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
@@ -181,18 +181,18 @@ TEST_F(Errors, AMessageThatWaitedSaysWhat1001hReadsWhenItLeaves) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // 8120h and the ends of 8110h and 8120h, all with the 00h and the two entries of now
+    // 8120h and the ends of 8110h and 8120h, all with the present 00h and two entries
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
-TEST_F(Errors, WhatArisesInStoppedIsAnnouncedAfterIt) {
+TEST_F(Errors, ErrorThatArisesInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
 }
 
-TEST_F(Errors, WhatTheControllerSaysInStoppedIsAnnouncedAfterItToo) {
+TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(can_state(2).empty());
@@ -202,34 +202,34 @@ TEST_F(Errors, WhatTheControllerSaysInStoppedIsAnnouncedAfterItToo) {
 
 TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     verifies<req::CO_EMCY_005>();
-    write("603#2314100083000000");  // its own identifier changes nothing
+    write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
     EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
     EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // bit 11
-    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is kept for SDO
+    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is reserved for SDO
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
-    write("603#2314100085000080");  // what switches them off may name another identifier
+    write("603#2314100085000080");  // disabling may set another identifier
     write("603#2314100085000000");
     EXPECT_EQ(overrun(false), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Errors, AResetOfCommunicationEmptiesTheListOfWhatHasBeen) {
+TEST_F(Errors, ResetCommunicationEmptiesTheErrorHistory) {
     verifies<req::CO_NMT_006, req::AO4_OD_1003>();
     overrun(true);
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100001000000"}));
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
-    EXPECT_EQ(error_register(), "11");  // the error lasts
+    EXPECT_EQ(error_register(), "11");  // the error is still active
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100000000000"}));
 }
 
-TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
+TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     verifies<req::CO_EMCY_016, req::CO_EMCY_017, req::AO4_ERR_008, req::AO4_ERR_011>();
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, with two in the
+    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent; they are sent first, with two in the
     // list, then 8140h, the third, then the end of 8120h.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
@@ -237,7 +237,7 @@ TEST_F(Errors, RecoveryFromBusOffIsToldOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
+TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     verifies<req::AO4_ERR_008>();
     EXPECT_TRUE(can_state(4).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
@@ -246,7 +246,7 @@ TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
     EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
-TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
+TEST_F(Errors, ErrorThatOutlastsAResetIsReportedAgain) {
     verifies<req::AO4_ERR_012>();
     overrun(true);
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
@@ -263,7 +263,7 @@ TEST_F(Errors, WhatOutlastsAResetIsToldAgain) {
     EXPECT_EQ(error_register(), "01");
 }
 
-TEST_F(Errors, AFailureOfTheHardwareThatOutlastsAResetIsToldAgain) {
+TEST_F(Errors, HardwareFailureThatOutlastsAResetIsReportedAgain) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -272,14 +272,14 @@ TEST_F(Errors, AFailureOfTheHardwareThatOutlastsAResetIsToldAgain) {
     EXPECT_EQ(listed(1), "00500000");
 }
 
-TEST_F(Errors, AFlickeringErrorLeavesItsLastWord) {
+TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
     verifies<req::CO_EMCY_006>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {
         overrun(true);
         overrun(false);
     }
-    // It came and went: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
+    // It began and ended: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

@@ -10,10 +10,10 @@ namespace canproof::test {
 
 using ErrorControlService = CbxTest;
 
-/// Node 5, whose 1016h has four entries without a range.
+/// Node 5, whose 1016h has four entries without limits.
 class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
-TEST_F(ErrorControlService, HeartbeatTellsTheStateEachPeriod) {
+TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
     verifies<req::CO_HB_001>();
     write("603#2B17100064000000");  // 100 ms
     EXPECT_EQ(pass(250), (Frames{"100:703#7F", "200:703#7F"}));
@@ -34,9 +34,9 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
     EXPECT_EQ(pass(100), (Frames{"100:703#7F"}));
 }
 
-TEST_F(ErrorControlService, AHeartbeatThatComesLateIsSentOnceAndThePeriodBeginsAnew) {
+TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
     verifies<req::CO_HB_001>();
-    write("603#2B17100064000000");  // 100 ms; those of 100, 200 and 300 ms are due when time is told again
+    write("603#2B17100064000000");  // 100 ms; heartbeats are due at 100, 200 and 300 ms at the next call
     now = now + milliseconds(350);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"703#7F"}));
@@ -44,7 +44,7 @@ TEST_F(ErrorControlService, AHeartbeatThatComesLateIsSentOnceAndThePeriodBeginsA
     EXPECT_EQ(pass(1), (Frames{"1:703#7F"}));
 }
 
-TEST_F(ErrorControlService, AnExtendedFrameIsNoHeartbeat) {
+TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     verifies<req::CO_HB_002>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     send("00000731#05");
@@ -53,7 +53,7 @@ TEST_F(ErrorControlService, AnExtendedFrameIsNoHeartbeat) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
 }
 
-TEST_F(ErrorControlService, ARunningLifeGuardingGoesOnWithANewTimeAndEndsWithNone) {
+TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero) {
     verifies<req::CO_GUARD_002>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
@@ -67,7 +67,7 @@ TEST_F(ErrorControlService, ARunningLifeGuardingGoesOnWithANewTimeAndEndsWithNon
     EXPECT_TRUE(pass(2000).empty());
 }
 
-TEST_F(ErrorControlService, AHeartbeatThatComesALittleLateMovesNoOther) {
+TEST_F(ErrorControlService, HeartbeatSentLateDoesNotDelayTheNextOnes) {
     verifies<req::CO_HB_001>();
     write("603#2B17100064000000");  // 100 ms
     now = now + milliseconds(130);
@@ -76,7 +76,7 @@ TEST_F(ErrorControlService, AHeartbeatThatComesALittleLateMovesNoOther) {
     EXPECT_EQ(pass(170), (Frames{"70:703#7F", "170:703#7F"}));  // at 200 and 300 ms
 }
 
-TEST_F(ErrorControlService, ALifeTimeFactorCountsFromItsWriteToo) {
+TEST_F(ErrorControlService, NewLifeTimeFactorRestartsLifeGuarding) {
     verifies<req::CO_GUARD_002>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
@@ -87,7 +87,7 @@ TEST_F(ErrorControlService, ALifeTimeFactorCountsFromItsWriteToo) {
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
-TEST_F(ErrorControlService, OtherWritesFeedNoLifeGuarding) {
+TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     verifies<req::CO_GUARD_002, req::CO_GUARD_003>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
@@ -99,10 +99,10 @@ TEST_F(ErrorControlService, OtherWritesFeedNoLifeGuarding) {
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
-TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
+TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
     verifies<req::CO_EMCY_016, req::CO_HB_002, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms
-    EXPECT_TRUE(pass(1000).empty());  // nothing heard yet, nothing watched
+    EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
     EXPECT_TRUE(pass(199).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
@@ -112,7 +112,7 @@ TEST_F(ErrorControlService, ConsumerWatchesFromTheFirstHeartbeatOn) {
     EXPECT_TRUE(pass(199).empty());
 }
 
-TEST_F(ErrorControlService, TheLowestAndTheHighestNodeAreWatched) {
+TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
     write("603#23161001C8000100");  // node 1, 200 ms
     send("701#05");
@@ -123,7 +123,7 @@ TEST_F(ErrorControlService, TheLowestAndTheHighestNodeAreWatched) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second in 1003h
 }
 
-TEST_F(ErrorControlService, OtherNodesAndOtherLengthsAreNoHeartbeat) {
+TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
     verifies<req::CO_HB_002>();
     write("603#23161001C8003100");
     send("732#05");
@@ -132,7 +132,7 @@ TEST_F(ErrorControlService, OtherNodesAndOtherLengthsAreNoHeartbeat) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, IncompleteEntriesWatchNobody) {
+TEST_F(ErrorControlService, IncompleteEntriesOf1016hMonitorNoNode) {
     verifies<req::CO_HB_003>();
     for (const char* entry : {"00003100", "C8000000"}) {
         write(std::string{"603#23161001"} + entry);
@@ -142,23 +142,23 @@ TEST_F(ErrorControlService, IncompleteEntriesWatchNobody) {
     }
 }
 
-TEST_F(SlaveErrorControl, OneProducerInTwoEntriesIsRefusedWhenBothAreActive) {
+TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));  // node 31h, 200 ms
-    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry anew
+    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
-    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it watches nobody
+    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
 }
 
-TEST_F(SlaveErrorControl, AnEntryWithANodeThatCannotExistWatchesNobody) {
+TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
     verifies<req::CO_HB_003>();
     EXPECT_EQ(send("605#23161001C8008000"), (Frames{"585#6016100100000000"}));  // node 128
     EXPECT_TRUE(send("780#05").empty());
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, AResetEndsTheMonitoringUntilTheNextHeartbeat) {
+TEST_F(ErrorControlService, ResetEndsTheMonitoringUntilTheNextHeartbeat) {
     verifies<req::CO_HB_002, req::CO_NMT_006>();
     write("603#23161001C8003100");
     send("731#05");
@@ -167,7 +167,7 @@ TEST_F(ErrorControlService, AResetEndsTheMonitoringUntilTheNextHeartbeat) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, WritingTheEntryAnewForgetsThatItsProducerFellSilent) {
+TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
     verifies<req::CO_HB_002>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     send("731#05");
@@ -178,7 +178,7 @@ TEST_F(ErrorControlService, WritingTheEntryAnewForgetsThatItsProducerFellSilent)
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110200000000"}));
 }
 
-TEST_F(ErrorControlService, AResetForgetsThatAProducerFellSilent) {
+TEST_F(ErrorControlService, ResetEndsTheHeartbeatError) {
     verifies<req::CO_HB_002, req::CO_NMT_006>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     send("731#05");
@@ -187,7 +187,7 @@ TEST_F(ErrorControlService, AResetForgetsThatAProducerFellSilent) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
+TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
     verifies<req::CO_GUARD_001>();
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
     EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
@@ -195,7 +195,7 @@ TEST_F(ErrorControlService, GuardingAnswersTheStateWithAToggleBit) {
     EXPECT_EQ(send("703#R1"), (Frames{"703#05"}));
     EXPECT_EQ(send("703#R1"), (Frames{"703#85"}));
     send("000#8203");
-    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit begins anew
+    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit restarts at 0
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
@@ -209,7 +209,7 @@ TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
     EXPECT_EQ(send("703#R1"), (Frames{"083#0000000100000000", "703#FF"}));
 }
 
-TEST_F(ErrorControlService, AResetEndsAFailedLifeGuardingAndBeginsWithAClearToggleBit) {
+TEST_F(ErrorControlService, ResetEndsAFailedLifeGuardingAndClearsTheToggleBit) {
     verifies<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_NMT_006>();
     for (const bool whole_node : {true, false}) {
         write("603#2B0C100064000000");  // 100 ms …
@@ -227,7 +227,7 @@ TEST_F(ErrorControlService, AResetEndsAFailedLifeGuardingAndBeginsWithAClearTogg
     }
 }
 
-TEST_F(ErrorControlService, AHeartbeatEndsAFailedLifeGuarding) {
+TEST_F(ErrorControlService, StartingTheHeartbeatEndsAFailedLifeGuarding) {
     verifies<req::CO_GUARD_003>();
     write("603#2B0C100064000000");
     write("603#2F0D100001000000");
@@ -236,7 +236,7 @@ TEST_F(ErrorControlService, AHeartbeatEndsAFailedLifeGuarding) {
     EXPECT_EQ(send("603#2B171000F4010000"), (Frames{"083#0000000100000000", "583#6017100000000000"}));
 }
 
-TEST_F(ErrorControlService, AGuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
+TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
     verifies<req::CO_GUARD_006>();
     for (const std::string off : {"603#2B0C100000000000", "603#2F0D100000000000"}) {
         write("603#2B0C100064000000");  // 100 ms …
@@ -246,11 +246,11 @@ TEST_F(ErrorControlService, AGuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
         EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
         EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
         EXPECT_TRUE(pass(1000).empty()) << off;
-        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h begin anew
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h are cleared
     }
 }
 
-TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
+TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
     verifies<req::CO_GUARD_003>();
     write("603#2B0C100064000000");
     write("603#2F0D100001000000");
@@ -260,7 +260,7 @@ TEST_F(ErrorControlService, AHeartbeatProducerIsNotGuarded) {
     EXPECT_EQ(pass(600), (Frames{"500:703#7F"}));
 }
 
-TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
+TEST_F(ErrorControlService, GuardingUsesTheIdentifierOf100Eh) {
     verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
     write("603#230E100020070000");  // 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
@@ -271,7 +271,7 @@ TEST_F(ErrorControlService, TheIdentifierIsThatOf100Eh) {
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
+TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestrictedOnes) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
@@ -285,7 +285,7 @@ TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
 
 namespace {
 
-/// The state after a heartbeat error with this value of 1029h:1, begun in a state.
+/// Returns the state after a heartbeat error with this value of 1029h:1, from a start state.
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -299,7 +299,7 @@ std::string state_after_error(const std::string& begin, const std::string& react
 
 }  // namespace
 
-TEST(ErrorBehaviour, AHeartbeatErrorActsBy1029h) {
+TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
     EXPECT_EQ(state_after_error("01", "00"), "7F");  // operational: to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // no change
@@ -309,13 +309,13 @@ TEST(ErrorBehaviour, AHeartbeatErrorActsBy1029h) {
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 
-TEST_F(ErrorControlService, BusOffActsBy1029h) {
+TEST_F(ErrorControlService, BusOffChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     send("000#0103");
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    // What arose in bus-off is told as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    // Errors of bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
     inputs.can_state = 0;
     EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

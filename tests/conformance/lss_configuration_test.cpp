@@ -21,7 +21,7 @@ TEST_F(Lss, ConfigureNodeIdTakes1To127And255) {
           {"7E5#11FE000000000000", {"7E4#1101000000000000"}}});
 }
 
-TEST_F(Lss, EveryNodeIdIsAnsweredRightly) {
+TEST_F(Lss, ConfigureNodeIdAcceptsOrRefusesEachOf256Values) {
     verifies<req::CO_LSS_010, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     configure();
     for (int node = 0; node <= 255; ++node) {
@@ -32,7 +32,7 @@ TEST_F(Lss, EveryNodeIdIsAnsweredRightly) {
     }
 }
 
-TEST_F(Lss, ARefusedNodeIdLeavesThePendingOne) {
+TEST_F(Lss, RefusedNodeIdKeepsThePendingNodeId) {
     verifies<req::CO_LSS_010>();
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
@@ -41,17 +41,17 @@ TEST_F(Lss, ARefusedNodeIdLeavesThePendingOne) {
           {"000#8205", {"70A#00"}}});
 }
 
-TEST_F(Lss, ANewNodeIdIsPendingUntilResetCommunication) {
+TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     verifies<req::CO_LSS_011>();
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
-          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active one
+          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active node-ID
           {"605#4000180100000000", {"585#4300180185010000"}},  // TPDO1 180h + 5
           {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY 80h + 5
-          {"7E5#0400000000000000", {}},                        // no reset by itself
+          {"7E5#0400000000000000", {}},                        // no reset without a command
           {"605#4014100000000000", {"585#4314100085000000"}},
           {"60A#4014100000000000", {}},
-          {"000#820A", {}},  // not yet its node-ID
+          {"000#820A", {}},  // not its node-ID yet
           {"000#8205", {"70A#00"}},
           {"605#4014100000000000", {}},
           {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY 80h + 10
@@ -96,8 +96,8 @@ TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-// AX130751, Table 22: 666 kbit/s where CiA has 800
-TEST_F(Lss, ADevicesOwnTableDecidesTheBitRate) {
+// AX130751, Table 22: 666 kbit/s where CiA has 800 kbit/s
+TEST_F(Lss, BitRatesComeFromTheTableOfTheDevice) {
     verifies<req::CO_LSS_012>();
     resets_itself = true;
     start({5, 125000});
@@ -120,8 +120,8 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-// 6.4.4; heartbeats each 30 ms show whether the node may speak
-TEST_F(Lss, ActivateBitTimingIsSilentForBothDelaysAndSwitchesBetweenThem) {
+// 6.4.4; heartbeats every 30 ms show whether the node may send
+TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
           {"7E5#0401000000000000", {}},
@@ -136,7 +136,7 @@ TEST_F(Lss, ActivateBitTimingIsSilentForBothDelaysAndSwitchesBetweenThem) {
     EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // from 199: 205 and 235
 }
 
-TEST_F(Lss, TheSwitchDelayIsSixteenBitsOfMilliseconds) {
+TEST_F(Lss, SwitchDelayIsSixteenBitsOfMilliseconds) {
     verifies<req::CO_LSS_014>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#15FFFF0000000000", {}}});
@@ -150,7 +150,7 @@ TEST_F(Lss, TheSwitchDelayIsSixteenBitsOfMilliseconds) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-TEST_F(Lss, ReceivedFramesHaveNoEffectDuringTheDelays) {
+TEST_F(Lss, FramesReceivedDuringTheSwitchDelaysHaveNoEffect) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#150A000000000000", {}}});
@@ -172,7 +172,7 @@ TEST_F(Lss, ReceivedFramesHaveNoEffectDuringTheDelays) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, AnActivationWithoutDelayIsDoneAtOnce) {
+TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}},
@@ -181,7 +181,7 @@ TEST_F(Lss, AnActivationWithoutDelayIsDoneAtOnce) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, AnActivationWithoutANewBitRateIsSilentAllTheSame) {
+TEST_F(Lss, ActivationWithoutANewBitRateKeepsTheSwitchDelays) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1505000000000000", {}}});
@@ -192,7 +192,7 @@ TEST_F(Lss, AnActivationWithoutANewBitRateIsSilentAllTheSame) {
     EXPECT_EQ(bit_rate(), 125000U);
 }
 
-TEST_F(Lss, WhatWaitsToBeSentIsDroppedAtActivation) {
+TEST_F(Lss, WaitingFramesAreDroppedAtActivation) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
@@ -202,7 +202,7 @@ TEST_F(Lss, WhatWaitsToBeSentIsDroppedAtActivation) {
     EXPECT_EQ(pass(2), Frames{});
 }
 
-TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
+TEST_F(Lss, ErrorDuringTheSwitchDelaysIsReportedAfterThem) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
@@ -214,7 +214,7 @@ TEST_F(Lss, AnErrorDuringTheDelaysIsToldAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // 8110h, register 11h
 }
 
-TEST_F(Lss, AnErrorAtTheEndOfTheDelaysIsToldWithTheirEnd) {
+TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
     verifies<req::CO_LSS_015, req::CO_EMCY_001>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
@@ -227,7 +227,7 @@ TEST_F(Lss, AnErrorAtTheEndOfTheDelaysIsToldWithTheirEnd) {
     EXPECT_EQ(sent(), (Frames{"085#1081110100000000"}));
 }
 
-TEST_F(Lss, TheEndOfTheDelaysTellsNoErrorInStopped) {
+TEST_F(Lss, EndOfTheSwitchDelaysReportsNoErrorInStopped) {
     verifies<req::CO_LSS_015, req::CO_EMCY_004>();
     configure();
     talk({{"000#0205", {}}, {"7E5#150A000000000000", {}}});
@@ -238,7 +238,7 @@ TEST_F(Lss, TheEndOfTheDelaysTellsNoErrorInStopped) {
     talk({{"000#8005", {"085#1081110100000000"}}});
 }
 
-TEST_F(Lss, AStartDuringTheDelaysBreaksNoSilence) {
+TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
@@ -248,24 +248,24 @@ TEST_F(Lss, AStartDuringTheDelaysBreaksNoSilence) {
     EXPECT_EQ(state(), NmtState::operational);
     const Frames told = pass(1);
     ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // and the error is not forgotten
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the error is not lost
 }
 
-// CiA 301, 7.2.8.2.2: node 31h, 100 ms, falls silent while the bit rate is switched
-TEST_F(Lss, HeartbeatsAreMonitoredDuringTheDelays) {
+// CiA 301, 7.2.8.2.2: node 31h, 100 ms, stops its heartbeat while the bit rate is switched
+TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // 150 ms
-          {"731#05", {}}});              // not heard any more
+          {"731#05", {}}});              // not received any more
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // 8130h, register 11h
 }
 
-TEST_F(Lss, TheEndOfBusOffDoesNotEndTheSilence) {
+TEST_F(Lss, EndOfBusOffDoesNotEndTheSwitchDelays) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2B17100003000000", {"585#6017100000000000"}}, {"7E5#0401000000000000", {}}});
     talk({{"7E5#150A000000000000", {}}});
@@ -277,19 +277,19 @@ TEST_F(Lss, TheEndOfBusOffDoesNotEndTheSilence) {
     EXPECT_FALSE(pass(10).empty());
 }
 
-TEST_F(Lss, PowerOnEndsTheSilence) {
+TEST_F(Lss, PowerOnEndsTheSwitchDelays) {
     verifies<req::CO_LSS_017, req::CO_LSS_004>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
     pass(50);
-    device->power_on({5, 125000}, now);  // the same device, off and on again
+    device->power_on({5, 125000}, now);  // the same device, switched off and on
     EXPECT_EQ(sent(), (Frames{"705#00"}));
     EXPECT_EQ(pass(200), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     talk({{"605#4000100000000000", {"585#4300100078563412"}}});
 }
 
-TEST_F(Lss, BusOffOutlastsTheSilence) {
+TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     verifies<req::CO_LSS_015>();
     configure();
     talk({{"7E5#150A000000000000", {}}});
@@ -316,7 +316,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-TEST_F(Lss, StoreConfigurationSaysWhenItFails) {
+TEST_F(Lss, StoreConfigurationReportsAFailedMemory) {
     verifies<req::CO_LSS_016, req::CO_LSS_017, req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}}});
@@ -327,13 +327,13 @@ TEST_F(Lss, StoreConfigurationSaysWhenItFails) {
           {"000#8105", {"705#00"}}});  // reset node: nothing was stored
 }
 
-TEST_F(Lss, ResetNodeStartsWithWhatIsStored) {
+TEST_F(Lss, ResetNodeStartsWithTheStoredConfiguration) {
     verifies<req::CO_LSS_017>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1700000000000000", {"7E4#1700000000000000"}},
-          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // not stored any more
+          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // no longer stored
           {"7E5#1300030000000000", {"7E4#1300000000000000"}},
           {"000#8105", {"720#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
@@ -342,7 +342,7 @@ TEST_F(Lss, ResetNodeStartsWithWhatIsStored) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-TEST_F(Lss, WhatIsNotStoredIsLostAtResetNode) {
+TEST_F(Lss, UnstoredConfigurationIsLostAtResetNode) {
     verifies<req::CO_LSS_017>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},

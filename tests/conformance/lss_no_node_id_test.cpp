@@ -1,11 +1,11 @@
-// LSS of a node without a node-ID (CiA 305, 6.4.2): what it serves, how it gets a node-ID.
+// LSS of a node without a node-ID (CiA 305, 6.4.2): which services it has and how it gets a node-ID.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(Unconfigured, WhatTheControllerWentThroughBeforeTheNodeBootsIsNotTold) {
+TEST_F(Unconfigured, ControllerErrorsBeforeTheNodeHasANodeIdAreNotReported) {
     verifies<req::CO_LSS_030, req::CO_LSS_031>();
     device->node().set_can_state(CanState::bus_off, now);
     device->node().set_can_state(CanState::error_active, now);
@@ -15,7 +15,7 @@ TEST_F(Unconfigured, WhatTheControllerWentThroughBeforeTheNodeBootsIsNotTold) {
     EXPECT_EQ(pass(100), Frames{});
 }
 
-TEST_F(Unconfigured, AControllerThatIsPassiveWhenTheNodeBootsIsAnError) {
+TEST_F(Unconfigured, ErrorPassiveAtBootUpIsReported) {
     verifies<req::CO_LSS_031, req::CO_EMCY_001>();
     device->node().set_can_state(CanState::error_passive, now);
     EXPECT_EQ(sent(), Frames{});
@@ -27,7 +27,7 @@ TEST_F(Unconfigured, AControllerThatIsPassiveWhenTheNodeBootsIsAnError) {
     EXPECT_EQ(sent(), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Unconfigured, NothingButLssIsServed) {
+TEST_F(Unconfigured, WithoutANodeIdOnlyLssIsServed) {
     verifies<req::CO_LSS_030, req::CO_K_LSS_UNCONFIGURED>();
     EXPECT_EQ(first_frames, Frames{});
     EXPECT_EQ(pass(5000), Frames{});
@@ -47,7 +47,7 @@ TEST_F(Unconfigured, NothingButLssIsServed) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Unconfigured, ANodeIdIsTakenAtTheSwitchToWaiting) {
+TEST_F(Unconfigured, NodeIdTakesEffectAtTheSwitchToWaiting) {
     verifies<req::CO_LSS_031, req::CO_LSS_041>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},
@@ -66,13 +66,13 @@ TEST_F(Unconfigured, LeavingConfigurationWithoutANodeIdChangesNothing) {
           {"7E5#0400000000000000", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1120000000000000", {"7E4#1100000000000000"}},
-          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // taken back
+          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // removed again
           {"7E5#0400000000000000", {}}});
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(state(), NmtState::initialising);
 }
 
-TEST_F(Unconfigured, ADeviceThatResetsItselfStaysSilentWithoutANodeId) {
+TEST_F(Unconfigured, SelfResettingDeviceSendsNothingWithoutANodeId) {
     verifies<req::CO_LSS_018, req::CO_LSS_030>();
     resets_itself = true;
     start({255, 125000});
@@ -80,9 +80,9 @@ TEST_F(Unconfigured, ADeviceThatResetsItselfStaysSilentWithoutANodeId) {
     talk({{"7E5#0401", {}}, {"7E5#1107", {"7E4#110000"}}, {"7E5#0400", {"707#00"}}});
 }
 
-TEST_F(Lss, ANodeIdCanBeTakenAway) {
+TEST_F(Lss, NodeIdCanBeRemovedByLss) {
     verifies<req::CO_LSS_010, req::CO_LSS_030>();
-    talk({{"605#2B1710000A000000", {"585#6017100000000000"}},  // heartbeat each 10 ms
+    talk({{"605#2B1710000A000000", {"585#6017100000000000"}},  // heartbeat every 10 ms
           {"7E5#0401000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
           {"7E5#0400000000000000", {}}});

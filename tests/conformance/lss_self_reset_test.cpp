@@ -1,4 +1,4 @@
-// LSS of devices that reset themselves when they leave LSS configuration, as the Axiomatic manuals say.
+// LSS of devices that reset themselves when they leave LSS configuration, as in the Axiomatic manuals.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device that ships as AX130751 3.1 and its siblings say.
+/// A device with the default settings of AX130751 3.1, AX188001 and AX060805.
 class AxLss : public Lss {
   protected:
     AxLss() {
@@ -19,7 +19,7 @@ class AxLss : public Lss {
 }  // namespace
 
 // The screen capture, frames 95 to 102, with its times; AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2
-TEST_F(AxLss, TheCapturedSessionTo250KbitPerSecond) {
+TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_061>();
     EXPECT_EQ(send("7E5#0401"), Frames{});                  // 95, 11:42:45.248
     EXPECT_EQ(pass(9220), Frames{});                        //
@@ -40,7 +40,7 @@ TEST_F(AxLss, TheCapturedSessionTo250KbitPerSecond) {
 }
 
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
-TEST_F(AxLss, TheManualsStepsForTheNodeId) {
+TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
     verifies<req::CO_LSS_018, req::CO_LSS_061, req::CO_LSS_016>();
     start({127, 125000});  // as shipped
     talk({{"7E5#0401", {}},
@@ -52,7 +52,7 @@ TEST_F(AxLss, TheManualsStepsForTheNodeId) {
     EXPECT_EQ(start(device->stored()), (Frames{"750#00"}));
 }
 
-TEST_F(AxLss, LeavingConfigurationResetsEvenWhenNothingWasConfigured) {
+TEST_F(AxLss, LeavingLssConfigurationResetsEvenWhenNothingChanged) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0401", {}}, {"7E5#0400", {"750#00"}}});
@@ -61,7 +61,7 @@ TEST_F(AxLss, LeavingConfigurationResetsEvenWhenNothingWasConfigured) {
     talk({{"7E5#0400000000000000", {"750#00"}}});
 }
 
-TEST_F(AxLss, TheResetIsOneOfCommunicationOnly) {
+TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationOnly) {
     verifies<req::CO_LSS_018>();
     talk({{"650#2B17100064000000", {"5D0#6017100000000000"}},  // 1017h = 100 ms
           {"650#2F002001AA000000", {"5D0#6000200100000000"}},
@@ -71,14 +71,14 @@ TEST_F(AxLss, TheResetIsOneOfCommunicationOnly) {
           {"650#4000200100000000", {"5D0#4F002001AA000000"}}});
 }
 
-TEST_F(AxLss, ASwitchToWaitingInWaitingResetsNothing) {
+TEST_F(AxLss, SwitchToWaitingInWaitingResetsNothing) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0400", {}}, {"7E5#0402", {}}});
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(Lss, ADeviceThatDoesNotDeclareItIsNotReset) {
+TEST_F(Lss, DeviceWithoutDeclaredSelfResetIsNotReset) {
     verifies<req::CO_LSS_018>();
     configure();
     talk({{"7E5#1107000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});

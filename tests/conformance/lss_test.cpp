@@ -1,4 +1,4 @@
-// LSS as CiA 305 asks it of a slave: its states and its frames.
+// LSS states and frames of a slave by CiA 305.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -12,7 +12,7 @@ namespace canproof::test {
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     verifies<req::CO_LSS_001, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID>();
-    talk({{"7E5#5E00000000000000", {}},  // waiting at first: no inquiry
+    talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0401000000000000", {}},  // again: nothing changes
@@ -36,7 +36,7 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
           {"7E5#5E00000000000000", {}}});
 }
 
-TEST_F(Lss, AWrongNumberOfSwitchStateSelectiveSelectsNobody) {
+TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
     const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // another vendor
                                                      {"7E5#41010302AA000000", {}},
@@ -54,29 +54,29 @@ TEST_F(Lss, AWrongNumberOfSwitchStateSelectiveSelectsNobody) {
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4320112620000000", {}}},  // another unit
-                                                    {{"7E5#41010302AA000000", {}},   // no vendor
+                                                    {{"7E5#41010302AA000000", {}},   // no vendor-ID
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#405F000000000000", {}},  // one left out
+                                                    {{"7E5#405F000000000000", {}},  // one number left out
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#405F000000000000", {}},  // two the wrong way round
+                                                    {{"7E5#405F000000000000", {}},  // two numbers in the wrong order
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#41010302AA000000", {}},  // twice
+                                                     {"7E5#41010302AA000000", {}},  // one number twice
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#4321112620000000", {}}}};  // the last alone
+                                                    {{"7E5#4321112620000000", {}}}};  // the last number alone
     for (const auto& conversation : others) {
         talk(conversation);
         EXPECT_FALSE(is_configuring());
     }
 }
 
-TEST_F(Lss, AVendorIdBeginsSwitchStateSelectiveAnew) {
+TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
     verifies<req::CO_LSS_003>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#41010302AA000000", {}},
@@ -84,7 +84,7 @@ TEST_F(Lss, AVendorIdBeginsSwitchStateSelectiveAnew) {
           {"7E5#41010302AA000000", {}},
           {"7E5#4202000100000000", {}},
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
-    talk({{"7E5#0400000000000000", {}}, {"7E5#4060000000000000", {}}});  // another slave first …
+    talk({{"7E5#0400000000000000", {}}, {"7E5#4060000000000000", {}}});  // first another slave …
     talk(own_address);                                                   // … then this one
 }
 
@@ -101,8 +101,8 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
 }
 
-// 6.3: NMT resets are resets of LSS as well
-TEST_F(Lss, ResetsEndConfigurationAndBegunSequences) {
+// 6.3: NMT resets also reset LSS
+TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     verifies<req::CO_LSS_004>();
     for (const char* reset : {"000#8105", "000#8205"}) {
         configure();
@@ -119,7 +119,7 @@ TEST_F(Lss, ResetsEndConfigurationAndBegunSequences) {
               {"7E5#4902000100000000", {}},
               {"7E5#4A21112620000000", {}},
               {"7E5#4B21112620000000", {}}});
-        // Nor does a sequence begin behind its first frame.
+        // A sequence without its first frame does not select either.
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
         talk({{"7E5#405F000000000000", {}}, {"7E5#465F000000000000", {}}, {reset, {"705#00"}}});
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
@@ -134,8 +134,8 @@ TEST_F(Lss, ResetsEndConfigurationAndBegunSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// CO-T-LSS, cell by cell: which service works in LSS waiting, in LSS configuration, and there in NMT operational
-TEST_F(Lss, EachServiceWorksInItsStates) {
+// CO-T-LSS, cell by cell: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT operational
+TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_T_LSS>();
     struct Row {
         const char* request;
@@ -172,14 +172,14 @@ TEST_F(Lss, EachServiceWorksInItsStates) {
     for (const Row& row : rows) {
         EXPECT_EQ(send(row.request), row.operational) << "operational: " << row.request;
     }
-    // Selection in configuration leaves nothing behind for the time after it.
+    // Selection in LSS configuration has no effect afterwards.
     send("7E5#0400");
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
 
-TEST_F(Lss, SelectiveFramesInConfigurationAreNotCounted) {
+TEST_F(Lss, SelectiveFramesInLssConfigurationAreNotCounted) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
-    // Each of the four in turn is sent while the slave is configured, and so is missing.
+    // Each of the four in turn is sent while the slave is in LSS configuration, and is therefore missing.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
         for (std::size_t i = 0; i < own_address.size(); ++i) {
             send(i == early ? "7E5#0401" : "7E5#0400");
@@ -205,7 +205,7 @@ TEST_F(Lss, LssWorksInStopped) {
     EXPECT_EQ(state(), NmtState::stopped);
 }
 
-TEST_F(Lss, NothingIsConfiguredInOperational) {
+TEST_F(Lss, LssConfiguresNothingInOperational) {
     verifies<req::CO_LSS_006>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
@@ -216,12 +216,12 @@ TEST_F(Lss, NothingIsConfiguredInOperational) {
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(device->stored().node_id, 5);
-    // What was refused there is not done later either.
+    // A request refused there is not executed later.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-TEST_F(Lss, SwitchStateIsFollowedInOperational) {
+TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
     verifies<req::CO_LSS_006, req::CO_LSS_001>();
     send("000#0105");
     talk({{"7E5#0401000000000000", {}},
@@ -235,7 +235,7 @@ TEST_F(Lss, SwitchStateIsFollowedInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Each service with one byte too few, with just enough, with seven and with eight bytes.
-TEST_F(Lss, AFrameNeedsTheBytesOfItsServiceAndIsAnsweredInKind) {
+TEST_F(Lss, FrameNeedsTheBytesOfItsServiceAndIsAnsweredWithAsMany) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -260,7 +260,7 @@ TEST_F(Lss, AFrameNeedsTheBytesOfItsServiceAndIsAnsweredInKind) {
           {"7E5#5EFFFFFFFFFFFF", {"7E4#5E05"}},
           {"7E5#5EFFFFFFFFFFFFFF", {"7E4#5E05000000000000"}},
           {"7E5#15", {}},
-          {"7E5#1500", {}}});  // too short: no silence follows
+          {"7E5#1500", {}}});  // too short: no switch delays follow
     EXPECT_EQ(bit_rate(), 125000U);
     talk({{"7E5#5E", {"7E4#5E05"}}, {"7E5#04", {}}, {"7E5#5E", {"7E4#5E05"}}, {"7E5#150000", {}}});
     EXPECT_EQ(bit_rate(), 250000U);
@@ -268,11 +268,11 @@ TEST_F(Lss, AFrameNeedsTheBytesOfItsServiceAndIsAnsweredInKind) {
     EXPECT_TRUE(is_configuring());
 }
 
-TEST_F(Lss, ShortFramesOfASequenceAreNotCounted) {
+TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
-         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence goes on
+         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence continues
          {"7E5#41010302AA", {}},         {"7E5#42020001", {}},   {"7E5#4202000100", {}}, {"7E5#43211126", {}},
          {"7E5#4321112620", {"7E4#44"}}, {"7E5#465F000000", {}}, {"7E5#47010302", {}},   {"7E5#47010302AA", {}},
          {"7E5#48020001", {}},           {"7E5#4802000100", {}}, {"7E5#49020001", {}},   {"7E5#4902000100", {}},
@@ -281,7 +281,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreNotCounted) {
          {"7E5#4A21112620", {}},         {"7E5#4B21112620", {}}});
 }
 
-TEST_F(Unconfigured, AFastscanRequestHasEightBytes) {
+TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     talk({{"7E5#51000000008000", {}},
           {"7E5#5100000000800000", {"7E4#4F00000000000000"}},
@@ -289,7 +289,7 @@ TEST_F(Unconfigured, AFastscanRequestHasEightBytes) {
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
 }
 
-TEST_F(Lss, OtherFramesAreNoRequests) {
+TEST_F(Lss, FramesOfOtherIdentifiersOrFormatsAreNoLssRequests) {
     verifies<req::CO_LSS_062, req::CO_K_LSS_REQUEST_ID>();
     talk({{"7E5#R", {}},
           {"7E5#R8", {}},
@@ -312,8 +312,8 @@ TEST_F(Lss, OtherFramesAreNoRequests) {
     }
 }
 
-// CBX-AO412, 7.5: no LSS among its identifiers
-TEST_F(CbxTest, ADeviceWithoutLssIgnoresItsMaster) {
+// CBX-AO412, 7.5: its identifiers do not include LSS
+TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",
                               "7E5#1300030000000000", "7E5#1700000000000000", "7E5#1564000000000000",

@@ -1,4 +1,4 @@
-// NMT as CiA 301, 7.2.8 and 7.3.2 ask it of a slave; run on a CAN-CBX-AO412 as node 3.
+// NMT of a slave by CiA 301, 7.2.8 and 7.3.2, on a CAN-CBX-AO412 as node 3.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/shows_rule.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 class Nmt : public CbxTest {
   protected:
-    /// The state as node guarding tells it (CiA 301, 7.2.8.2.2), without the toggle bit.
+    /// Returns the state by node guarding (CiA 301, 7.2.8.2.2), without the toggle bit.
     std::string state() {
         const std::string answer = send("703#R").at(0);
         const unsigned octet = static_cast<unsigned>(std::stoul(answer.substr(4), nullptr, 16)) & 0x7FU;
@@ -36,7 +36,7 @@ TEST_F(Nmt, ResetsSendTheBootUpMessage) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-TEST_F(Nmt, CommandsReachEachStateFromEachOther) {
+TEST_F(Nmt, CommandsReachEachStateFromEachOtherState) {
     verifies<req::CO_NMT_002, req::CO_E_NMT_COMMAND, req::CO_E_NMT_STATE>();
     const std::vector<std::pair<std::string, std::string>> commands{
         {"000#0103", "operational"}, {"000#0203", "stopped"}, {"000#8003", "pre-operational"}};
@@ -50,7 +50,7 @@ TEST_F(Nmt, CommandsReachEachStateFromEachOther) {
     }
 }
 
-TEST_F(Nmt, ObeysItsOwnNodeIdAndZeroOnly) {
+TEST_F(Nmt, NodeObeysCommandsToItsNodeIdAndToAllOnly) {
     verifies<req::CO_NMT_003, req::CO_K_NMT_ID>();
     send("000#0104");
     EXPECT_EQ(state(), "pre-operational");
@@ -58,7 +58,7 @@ TEST_F(Nmt, ObeysItsOwnNodeIdAndZeroOnly) {
     EXPECT_EQ(state(), "operational");
 }
 
-TEST_F(Nmt, IgnoresWrongLengthRemoteFramesAndUnknownCommands) {
+TEST_F(Nmt, WrongLengthRemoteFramesAndUnknownCommandsAreIgnored) {
     verifies<req::CO_NMT_004>();
     for (const char* frame : {"000#01", "000#010300", "000#", "000#R2", "000#0303", "000#7F03", "000#0003"}) {
         EXPECT_TRUE(send(frame).empty()) << frame;
@@ -66,7 +66,7 @@ TEST_F(Nmt, IgnoresWrongLengthRemoteFramesAndUnknownCommands) {
     }
 }
 
-TEST_F(Nmt, ACommandDuringBusOffIsNotHeard) {
+TEST_F(Nmt, CommandDuringBusOffIsIgnored) {
     shows_rule("a controller that is bus-off receives nothing");
     inputs.can_state = 3;
     set_inputs();
@@ -76,7 +76,7 @@ TEST_F(Nmt, ACommandDuringBusOffIsNotHeard) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-TEST_F(Nmt, ResetNodeBringsBackAllDefaultsAndResetCommunicationItsOwnAreaOnly) {
+TEST_F(Nmt, ResetNodeRestoresAllDefaultsAndResetCommunicationThoseOf1000hTo1FFFh) {
     verifies<req::CO_NMT_005, req::CO_NMT_006>();
     write("603#2B171000E8030000");  // 1017h = 1000 ms
     write("603#2B116401B33E0000");  // 6411h:1 = 3EB3h
@@ -87,7 +87,7 @@ TEST_F(Nmt, ResetNodeBringsBackAllDefaultsAndResetCommunicationItsOwnAreaOnly) {
     EXPECT_EQ(send("603#4011640100000000"), (Frames{"583#4B11640100000000"}));
 }
 
-TEST_F(Nmt, TwentyNineBitFramesAreNeverTaken) {
+TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
     verifies<req::CO_FRAME_001>();
     EXPECT_TRUE(send("00000000#0103").empty());
     EXPECT_TRUE(send("00000603#4000100000000000").empty());
@@ -95,11 +95,11 @@ TEST_F(Nmt, TwentyNineBitFramesAreNeverTaken) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-// CO-T-SERVICES, each cell by what the node does (CiA 301, 7.3.2.3)
-TEST_F(Nmt, ServicesWorkInTheirStates) {
+// CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
+TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_SDO_017>();
     write("603#2305100080000040");  // produce SYNC …
-    write("603#2306100010270000");  // … each 10 ms
+    write("603#2306100010270000");  // … every 10 ms
     // pre-operational: SDO, SYNC, EMCY; no PDO
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));

@@ -1,4 +1,4 @@
-// What the node itself keeps between frames: the state after a reset, times that are due, and what a silence ends.
+// State that the node keeps between frames: after a reset, deadlines, and the effects of LSS switch delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 class NodeService : public Lss {
   protected:
     NmtState state() const { return device->node().state(); }
-    /// Operational, until node 10h, which is heard once, is silent for 100 ms.
+    /// Enters operational, then lets the heartbeat of node 10h, received once, stop for 100 ms.
     void lose_producer() {
         EXPECT_EQ(send("605#2316100164001000"), Frames{"585#6016100100000000"});
         send("000#0105");
@@ -27,7 +27,7 @@ class NodeService : public Lss {
     }
 };
 
-/// Resets its communication at each switch from LSS configuration to LSS waiting.
+/// A device that resets its communication at each switch from LSS configuration to LSS waiting.
 class SelfResetting : public NodeService {
   protected:
     SelfResetting() {
@@ -42,7 +42,7 @@ class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(NodeService, ACommunicationErrorActsBy1029hAfterAResetAsBefore) {
+TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
     verifies<req::CO_NMT_007, req::CO_HB_002>();
     for (int round = 1; round <= 3; ++round) {
         lose_producer();
@@ -52,7 +52,7 @@ TEST_F(NodeService, ACommunicationErrorActsBy1029hAfterAResetAsBefore) {
     }
 }
 
-TEST_F(NodeService, BusOffAtPowerOnActsBy1029hAtOnce) {
+TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
@@ -62,7 +62,7 @@ TEST_F(NodeService, BusOffAtPowerOnActsBy1029hAtOnce) {
     EXPECT_EQ(device->communication_errors(), 1);
 }
 
-TEST_F(NodeService, ASelfStartComesInTimeWhateverElseIsDue) {
+TEST_F(NodeService, SelfStartHappensAtItsDeadline) {
     verifies<req::CO_NMT_008>();
     device->advance(now);
     device->node().start_at(now + milliseconds(100));
@@ -73,7 +73,7 @@ TEST_F(NodeService, ASelfStartComesInTimeWhateverElseIsDue) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(SelfResetting, ASelfStartDoesNotOutliveAReset) {
+TEST_F(SelfResetting, SelfStartDoesNotOutliveAReset) {
     verifies<req::CO_NMT_008, req::CO_NMT_006>();
     device->node().start_at(now + milliseconds(100));
     configure();
@@ -82,15 +82,15 @@ TEST_F(SelfResetting, ASelfStartDoesNotOutliveAReset) {
     EXPECT_EQ(state(), NmtState::pre_operational);
 }
 
-/// The device was busy when the time-out ended: it is served before the frame.
-TEST_F(NodeService, WhatIsDueIsDoneBeforeAFrameThatComesLate) {
+/// The device was busy when the time-out ended: the time-out is handled before the frame.
+TEST_F(NodeService, DueWorkIsDoneBeforeALateFrameIsHandled) {
     verifies<req::CO_SDO_014>();
     send("605#4008100000000000");
     now = now + milliseconds(1000);
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#8008100000000405", "585#8000000001000405"}));
 }
 
-TEST_F(NodeService, ASilenceEndsAnSdoTransfer) {
+TEST_F(NodeService, LssSwitchDelayEndsAnSdoTransfer) {
     verifies<req::CO_LSS_019>();
     configure();
     send("605#4008100000000000");
@@ -99,7 +99,7 @@ TEST_F(NodeService, ASilenceEndsAnSdoTransfer) {
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#8000000001000405"});
 }
 
-TEST_F(NodeService, WithoutANodeIdNoEmergencyIsSentAfterASilenceEither) {
+TEST_F(NodeService, WithoutANodeIdNoEmcyIsSentAfterAnLssSwitchDelay) {
     verifies<req::CO_LSS_030>();
     send("000#0105");
     configure();
@@ -124,7 +124,7 @@ TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
     EXPECT_EQ(pass(1000), Frames{});
 }
 
-TEST_F(NodeService, AProducerThatIsHeardAgainAndFallsSilentAgainIsLostAgain) {
+TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
     verifies<req::CO_HB_002>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     lose_producer();
@@ -133,7 +133,7 @@ TEST_F(NodeService, AProducerThatIsHeardAgainAndFallsSilentAgainIsLostAgain) {
     EXPECT_EQ(pass(1), Frames{"1:085#3081110200000000"});
 }
 
-TEST_F(NodeService, AWriteToOneEntryOf1016hLeavesTheOthersWatched) {
+TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
     send("605#2316100164001000");  // node 10h, 100 ms
     send("605#2316100264001100");  // node 11h, 100 ms
@@ -149,7 +149,7 @@ TEST_F(NodeService, AWriteToOneEntryOf1016hLeavesTheOthersWatched) {
     }
 }
 
-TEST_F(NodeService, AProducerThatIsWatchedNoMoreIsNotWaitedFor) {
+TEST_F(NodeService, ProducerNoLongerMonitoredHasNoDeadline) {
     verifies<req::CO_HB_003>();
     EXPECT_EQ(device->next_deadline().us, never.us);
     send("605#2316100164001000");
@@ -159,7 +159,7 @@ TEST_F(NodeService, AProducerThatIsWatchedNoMoreIsNotWaitedFor) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-/// 1401h:1 is 300h + node-ID by default. Each save keeps the node-ID under which the communication was saved.
+/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID under which the communication was saved.
 TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
     verifies<req::CO_PDO_035, req::CO_STORE_003>();
     const std::string saved_communication = "585#6010100200000000";
@@ -177,7 +177,7 @@ TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
     EXPECT_EQ(send("609#4001140100000000"), Frames{"589#4301140109030000"});
 }
 
-TEST_F(AlteredNode, ARefusedValueSpoilsAPdoWhereverItStands) {
+TEST_F(AlteredNode, RefusedValueAtAnyPlaceDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
     ship(0x1600, 1, 0x20000108);
     ship(0x1600, 2, 0x10190008);  // 1019h, in which 1 is reserved
@@ -190,7 +190,7 @@ TEST_F(AlteredNode, ARefusedValueSpoilsAPdoWhereverItStands) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200101000000"});
 }
 
-TEST_F(AlteredNode, AListOfOneErrorHoldsTheLatest) {
+TEST_F(AlteredNode, ErrorListOfOneEntryHoldsTheLatestError) {
     verifies<req::CO_EMCY_008, req::CO_EMCY_013>();
     const auto is_list = [](const ObjectRow& row) { return row.index == 0x1003; };
     auto& objects = description.rows.objects;

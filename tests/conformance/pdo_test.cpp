@@ -32,7 +32,7 @@ TEST_F(Pdo, Rpdo2SetsTheFourOutputsAtOnce) {
     EXPECT_EQ(output(4), "0400");
 }
 
-TEST_F(Pdo, Type254IsAppliedAtOnceToo) {
+TEST_F(Pdo, Type254IsAppliedAtOnce) {
     verifies<req::CO_PDO_001, req::CO_T_TRANSMISSION_TYPE>();
     write("603#2F011402FE000000");
     send("303#0100020003000400");
@@ -54,7 +54,7 @@ TEST_F(Pdo, SynchronousTypesWaitForTheSyncAndTakeTheLastValues) {
     }
 }
 
-TEST_F(Pdo, NothingOutsideOperationalAndNoWaitingAcrossIt) {
+TEST_F(Pdo, OutsideOperationalNoPdoIsSetAndNoneWaits) {
     verifies<req::CO_PDO_003>();
     send("000#8003");
     send("303#0100000000000000");
@@ -68,20 +68,20 @@ TEST_F(Pdo, NothingOutsideOperationalAndNoWaitingAcrossIt) {
     EXPECT_EQ(output(1), "0000");
 }
 
-TEST_F(Pdo, ShortFramesChangeNothingAndLongOnesGiveTheirMappedPart) {
+TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     verifies<req::CO_PDO_004>();
     send("303#01000200030004");
     EXPECT_EQ(output(1), "0000");
     disable_rpdo2();
     write("603#2F01160000000000");
-    write("603#2F01160001000000");  // the first entry, 6411h:1, alone
+    write("603#2F01160001000000");  // only the first entry, 6411h:1
     enable_rpdo2();
     send("303#3412FFFFFFFF");
     EXPECT_EQ(output(1), "3412");
     EXPECT_EQ(output(2), "0000");
 }
 
-TEST_F(Pdo, Bit31SwitchesThePdoOff) {
+TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
     verifies<req::CO_PDO_006>();
     disable_rpdo2();
     send("303#0100000000000000");
@@ -91,7 +91,7 @@ TEST_F(Pdo, Bit31SwitchesThePdoOff) {
     EXPECT_EQ(output(1), "0100");
 }
 
-TEST_F(Pdo, TheIdentifierChangesOnlyWhileNotValid) {
+TEST_F(Pdo, IdentifierChangesOnlyWhileThePdoIsNotValid) {
     verifies<req::CO_PDO_007, req::CO_T_RESTRICTED_COB_ID>();
     EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
     EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // bit 29
@@ -100,13 +100,13 @@ TEST_F(Pdo, TheIdentifierChangesOnlyWhileNotValid) {
     write("603#2301140133020000");
     send("233#0100000000000000");
     EXPECT_EQ(output(1), "0100");
-    // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are kept for others
+    // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are restricted
     for (const char* id :
          {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
         write("603#2301140133020080");
         EXPECT_EQ(send(std::string{"603#23011401"} + id + "0000"), (Frames{"583#8001140130000906"})) << id;
     }
-    // the neighbours of those ranges are free
+    // the identifiers next to those ranges are allowed
     for (const char* id : {"8000", "0001", "8101", "8005", "0006", "8006", "DF06", "0007"}) {
         write("603#2301140133020080");
         write(std::string{"603#23011401"} + id + "0000");
@@ -122,7 +122,7 @@ TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
     EXPECT_EQ(send("603#4001140200000000"), (Frames{"583#4F011402FF000000"}));
 }
 
-TEST_F(Pdo, RemappingFollowsItsOrder) {
+TEST_F(Pdo, RemappingIsAcceptedInItsOrderOnly) {
     verifies<req::CO_PDO_009>();
     EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // still valid
     disable_rpdo2();
@@ -147,7 +147,7 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 bits of 16
 }
 
-TEST_F(Pdo, AMappingHoldsAtMost64Bits) {
+TEST_F(Pdo, MappingHoldsAtMost64Bits) {
     verifies<req::CO_PDO_011>();
     disable_rpdo2();
     write("603#2F01160000000000");
@@ -192,7 +192,7 @@ TEST_F(Pdo, ThereIsNoRpdo1) {
     EXPECT_EQ(output(1), "0000");
 }
 
-TEST_F(Pdo, ARemoteFrameOnRpdo2ReadsTheOutputs) {
+TEST_F(Pdo, RemoteFrameOnRpdo2ReadsTheOutputs) {
     verifies<req::AO4_PDO_004>();
     send("303#B33E4DC100000400");
     EXPECT_EQ(send("303#R8"), (Frames{"303#B33E4DC100000400"}));
@@ -204,12 +204,12 @@ TEST_F(Pdo, ARemoteFrameOnRpdo2ReadsTheOutputs) {
     EXPECT_TRUE(send("303#R8").empty());
 }
 
-TEST_F(Pdo, ARemoteFrameOnRpdo3IsNotAnswered) {
+TEST_F(Pdo, RemoteFrameOnRpdo3IsNotAnswered) {
     verifies<req::AO4_PDO_005>();
     EXPECT_TRUE(send("403#R8").empty());
 }
 
-TEST_F(Pdo, ARemoteFrameReadsTheCommandNotTheErrorValue) {
+TEST_F(Pdo, RemoteFrameReadsTheCommandedValueDuringAnError) {
     verifies<req::AO4_PDO_004>();
     send("303#B33E4DC100000400");
     inputs.internal_fault = true;

@@ -1,5 +1,5 @@
-// The parameters of PDOs and the order in which one is mapped anew (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to
-// e) of the manuals), held against the conformance slave, node 5. Receive and transmit PDOs obey the same rules.
+// The parameters of PDOs and the order of remapping (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to e) of the
+// manuals), on the conformance slave, node 5. The same rules apply to receive and transmit PDOs.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/exchange.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One direction, as its objects go on the bus: index with the lower byte first.
+/// One direction with its objects as on the bus: index with the lower byte first.
 struct Direction {
     const char* name;
     std::string parameters;  ///< 1400h or 1800h
@@ -25,7 +25,7 @@ const Direction transmit{"TPDO", "0018", "001A", "8501", "9501", "08030120", "08
 
 class Remapping : public testing::TestWithParam<Direction>, public SlaveBench {
   protected:
-    /// An SDO download, and the abort code it gets: "" when it is done.
+    /// An SDO download and its abort code: "" when it is accepted.
     struct Write {
         std::string object;  ///< index and sub-index
         std::string data;
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 
 // -- The procedure ----------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, TheStepsInTheirOrder) {
+TEST_P(Remapping, StepsInTheirOrderAreAccepted) {
     verifies<req::CO_PDO_009>();
     hold({
         {parameter("01"), not_valid(), ""},  // a) destroy
@@ -76,7 +76,7 @@ TEST_P(Remapping, TheStepsInTheirOrder) {
     });
 }
 
-TEST_P(Remapping, EachStepOutOfOrder) {
+TEST_P(Remapping, EachStepOutOfOrderIsRefused) {
     verifies<req::CO_PDO_009>();
     hold({
         {line("00"), "00", present_state},              // b) before a)
@@ -96,7 +96,7 @@ TEST_P(Remapping, EachStepOutOfOrder) {
     });
 }
 
-TEST_P(Remapping, ARefusedStepChangesNothing) {
+TEST_P(Remapping, RefusedStepChangesNothing) {
     verifies<req::CO_PDO_009, req::CO_SDO_011>();
     const std::string first = GetParam().mapping == "0016" ? "08010020" : "08010120";
     hold({{line("01"), GetParam().entry, present_state}, {line("00"), "01", present_state}});
@@ -106,7 +106,7 @@ TEST_P(Remapping, ARefusedStepChangesNothing) {
 
 // -- What can be mapped -----------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, WhatCannotBeMapped) {
+TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
     verifies<req::CO_PDO_010>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -120,7 +120,7 @@ TEST_P(Remapping, WhatCannotBeMapped) {
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 or the foreign direction: a BOOLEAN has one bit
         {line("01"), "40000722", cannot_be_mapped},  // 64 of 32 bits
-        {line("01"), "00000000", ""},                // nothing
+        {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},
         {line("09"), "20000722", subindex_missing},  // eight entries exist
@@ -149,7 +149,7 @@ TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
     });
 }
 
-TEST_P(Remapping, TheCountIsChecked) {
+TEST_P(Remapping, NumberOfMappedObjectsIsChecked) {
     verifies<req::CO_PDO_011>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -171,7 +171,7 @@ TEST_P(Remapping, TheCountIsChecked) {
 
 // -- COB-ID -----------------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, TheIdentifierIsFixedWhileThePdoIsValid) {
+TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
     verifies<req::CO_PDO_007, req::CO_PDO_006>();
     const std::string other = GetParam().other_id;
     hold({
@@ -184,7 +184,7 @@ TEST_P(Remapping, TheIdentifierIsFixedWhileThePdoIsValid) {
     });
 }
 
-TEST_P(Remapping, BitsThatAreNotMeantAreRefused) {
+TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
     verifies<req::CO_PDO_007>();
     const std::string id = GetParam().cob_id;
     hold({
@@ -203,21 +203,21 @@ TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
     for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06",
                            "0107", "7F07", "8007", "FF07"}) {
         hold({{parameter("01"), std::string{id} + "0000", out_of_range}});
-        hold({{parameter("01"), std::string{id} + "0080", ""}});  // what is not in use may be anything
+        hold({{parameter("01"), std::string{id} + "0080", ""}});  // an identifier not in use may have any value
     }
     for (const char* id : {"8101", "8005", "8006", "DF06"}) {
         hold({{parameter("01"), std::string{id} + "0000", ""}, {parameter("01"), std::string{id} + "0080", ""}});
     }
 }
 
-TEST_P(Remapping, ATpdoSharesItsIdentifierWithNobody) {
+TEST_P(Remapping, TpdoIdentifierInUseByAnotherPdoIsRefused) {
     verifies<req::CO_PDO_026>();
     hold({
         {parameter("01"), not_valid(), ""},
         {parameter("01"), "85010000", GetParam().parameters == "0018" ? "" : incompatible},  // 185h: TPDO1
         {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
-        {parameter("01"), "85020080", ""},            // not valid: no matter
+        {parameter("01"), "85020080", ""},            // not valid: no conflict
         {parameter("01"), "85030000", ""},            // 385h: TPDO3 is not valid
         {parameter("01"), "85030080", ""},
         {parameter("01"), "05030000", GetParam().parameters == "0018" ? incompatible : ""},  // 305h: RPDO2
@@ -244,7 +244,7 @@ TEST_P(Remapping, ReservedTransmissionTypesAreRefused) {
     });
 }
 
-TEST_P(Remapping, TheInhibitTimeIsFixedWhileThePdoIsValid) {
+TEST_P(Remapping, InhibitTimeIsLockedWhileThePdoIsValid) {
     verifies<req::CO_PDO_023>();
     hold({
         {parameter("03"), "6400", present_state},
@@ -256,7 +256,7 @@ TEST_P(Remapping, TheInhibitTimeIsFixedWhileThePdoIsValid) {
     });
 }
 
-TEST_P(Remapping, TheEventTimerCanChangeAtAnyTime) {
+TEST_P(Remapping, EventTimerCanChangeAtAnyTime) {
     verifies<req::CO_PDO_025, req::CO_PDO_022>();
     hold({
         {parameter("05"), "6400", ""},
@@ -267,7 +267,7 @@ TEST_P(Remapping, TheEventTimerCanChangeAtAnyTime) {
 
 class StartValue : public testing::Test, public SlaveBench {};
 
-TEST_F(StartValue, IsFixedWhileThePdoIsValidAndEndsAt240) {
+TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
     verifies<req::CO_PDO_024>();
     talk(*this, {
                     {"605#2F00180601000000", {"585#8000180622000008"}},
@@ -282,7 +282,7 @@ TEST_F(StartValue, IsFixedWhileThePdoIsValidAndEndsAt240) {
 
 class DefaultIdentifiers : public testing::Test, public SlaveBench {};
 
-TEST_F(DefaultIdentifiers, FollowTheNodeId) {
+TEST_F(DefaultIdentifiers, DefaultIdentifiersFollowTheNodeId) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
                     {"605#4000140100000000", {"585#4300140105020000"}},  // 205h
@@ -301,7 +301,7 @@ TEST_F(DefaultIdentifiers, FollowTheNodeId) {
                 });
 }
 
-TEST_F(DefaultIdentifiers, AStoredOneStays) {
+TEST_F(DefaultIdentifiers, StoredIdentifierStaysWhenTheNodeIdChanges) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
                     {"605#2300140105020080", {"585#6000140100000000"}},

@@ -1,11 +1,11 @@
-// Errors and times of several receive PDOs: each has its own (CiA 301, 7.2.7.1, 7.5.2.35).
+// Errors and times of several receive PDOs are separate (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoLengthErrorOfAnother) {
+TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
     verifies<req::CO_PDO_020, req::CO_PDO_022>();
     talk(*this, {
                     {"205#11", {"085#1082110100000000"}},
@@ -16,7 +16,7 @@ TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoLengthErrorOfAnother) {
                 });
 }
 
-TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoValueErrorOfAnother) {
+TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
     verifies<req::CO_PDO_034, req::CO_PDO_022>();
     map_rpdo3({"10000022"});  // 2200h, at most 100
     talk(*this, {
@@ -26,7 +26,7 @@ TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoValueErrorOfAnother) {
                 });
 }
 
-TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoTimeOutOfAnother) {
+TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
     verifies<req::CO_PDO_021, req::CO_PDO_022>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -36,7 +36,7 @@ TEST_F(Rpdo, AWriteToTheParametersOfOneEndsNoTimeOutOfAnother) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, TheTimeOutLastsWhileAnyPdoIsLate) {
+TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -48,18 +48,18 @@ TEST_F(Rpdo, TheTimeOutLastsWhileAnyPdoIsLate) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, ASynchronousOneIsMonitoredFromItsReceptionOn) {
+TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2F00140201000000");  // type 1
     send("605#2B0014050A000000");  // 10 ms
     send("205#1122");
     EXPECT_TRUE(pass(9).empty());
-    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC has come
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC was received
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, NothingIsWaitedForWhenTheMonitoringHasEnded) {
+TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
     verifies<req::CO_PDO_021, req::CO_PDO_022>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
         send("605#2B0014050A000000");

@@ -1,4 +1,4 @@
-// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave of support/rpdo_bench.hpp.
+// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35) on the conformance slave of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -40,13 +40,13 @@ TEST_F(Rpdo, Types0To240WaitForTheSyncAndTakeTheLastValues) {
                         {"080#", {}},
                         {"605#4000200100000000", {"585#4F002001" + last + "000000"}},
                         {"605#2F00200100000000", {"585#6000200100000000"}},
-                        {"080#", {}},  // nothing new has come
+                        {"080#", {}},  // no new RPDO was received
                         {"605#4000200100000000", {"585#4F00200100000000"}},
                     });
     }
 }
 
-TEST_F(Rpdo, OutsideOperationalNothingIsTakenOrKept) {
+TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
     verifies<req::CO_PDO_003>();
     talk(*this, {
                     {"605#2F00140201000000", {"585#6000140200000000"}},  // RPDO1: type 1
@@ -70,7 +70,7 @@ TEST_F(Rpdo, OutsideOperationalNothingIsTakenOrKept) {
 
 // -- Length -----------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, TooShortIsAnErrorUntilTheRightLengthComes) {
+TEST_F(Rpdo, TooShortRpdoIsAnErrorUntilTheRightLengthArrives) {
     verifies<req::CO_PDO_004, req::CO_PDO_020>();
     // 8210h, bits 0 and 4 of 1001h, one error listed
     talk(*this, {
@@ -90,7 +90,7 @@ TEST_F(Rpdo, TooShortIsAnErrorUntilTheRightLengthComes) {
                 });
 }
 
-TEST_F(Rpdo, TheLengthErrorLastsWhileAnyPdoIsTooShort) {
+TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
     verifies<req::CO_PDO_020>();
     talk(*this, {
                     {"305#01", {"085#1082110100000000"}},
@@ -100,7 +100,7 @@ TEST_F(Rpdo, TheLengthErrorLastsWhileAnyPdoIsTooShort) {
                 });
 }
 
-TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
+TEST_F(Rpdo, LongerFrameSetsTheMappedPart) {
     verifies<req::CO_PDO_004>();
     talk(*this, {
                     {"205#112233", {}},
@@ -115,7 +115,7 @@ TEST_F(Rpdo, OfALongerFrameTheMappedPartIsTaken) {
 
 // -- Values -----------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
+TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"08030020", "10000022"});  // 2000h:3, then 2200h: -100 … 100
     talk(*this, {
@@ -123,7 +123,7 @@ TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
                     {"405#026500", {"085#0082110100000000"}},  // 101: 8200h, bits 0 and 4 of 1001h, one listed
-                    {"405#029BFF", {}},                        // -101: it lasts
+                    {"405#029BFF", {}},                        // -101: the error continues
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
                     {"405#029CFF", {"085#0000000100000000"}},  // -100
@@ -135,14 +135,14 @@ TEST_F(Rpdo, OneValueOutsideItsLimitsSpoilsTheWholePdo) {
                 });
 }
 
-TEST_F(Rpdo, ARealMustBeANumberWithinItsLimits) {
+TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
     talk(*this, {
                     {"405#00002041", {}},  // 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#01002041", {"085#0082110100000000"}},  // the next one above
-                    {"405#0000C07F", {}},                        // not a number
+                    {"405#01002041", {"085#0082110100000000"}},  // the next number above
+                    {"405#0000C07F", {}},                        // NaN
                     {"405#0000807F", {}},                        // infinity
                     {"605#4002220000000000", {"585#4302220000002041"}},
                     {"405#000020C1", {"085#0000000100000000"}},  // -10.0
@@ -180,7 +180,7 @@ TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
                 });
 }
 
-TEST_F(Rpdo, AllSixtyFourBitsCanBeOneValueOrEight) {
+TEST_F(Rpdo, SixtyFourBitsCanBeOneValueOrEight) {
     verifies<req::CO_PDO_001>();
     map_rpdo3({"40000622"});  // 2206h: UNSIGNED64
     talk(*this, {
@@ -205,13 +205,13 @@ TEST_F(Rpdo, AllSixtyFourBitsCanBeOneValueOrEight) {
 
 // -- Identifiers ------------------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, OnlyDataFramesOfItsElevenBitIdentifierAreTaken) {
+TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
     verifies<req::CO_PDO_006, req::CO_FRAME_001>();
     talk(*this, {
                     {"00000205#1122", {}},  // 29 bits
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
-                    {"205#R2", {}},    // nobody asks a receive PDO
+                    {"205#R2", {}},    // a receive PDO is not requested
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     {"605#2300140105020080", {"585#6000140100000000"}},  // bit 31
                     {"205#1122", {}},
@@ -224,7 +224,7 @@ TEST_F(Rpdo, OnlyDataFramesOfItsElevenBitIdentifierAreTaken) {
                 });
 }
 
-TEST_F(Rpdo, TwoMayShareAnIdentifierAndTakeTheirParts) {
+TEST_F(Rpdo, TwoRpdosMayShareAnIdentifierAndTakeTheirParts) {
     verifies<req::CO_PDO_026>();
     map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
     talk(*this, {
@@ -239,13 +239,13 @@ TEST_F(Rpdo, TwoMayShareAnIdentifierAndTakeTheirParts) {
 
 // -- Monitoring by the event timer ------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, AMissingReceptionIsAnErrorUntilTheNextOne) {
+TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     verifies<req::CO_PDO_021>();
     talk(*this, {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
                     {"605#2B00140532000000", {"585#6000140500000000"}},  // 50 ms
                 });
-    EXPECT_TRUE(pass(1000).empty());  // the first reception begins it
+    EXPECT_TRUE(pass(1000).empty());  // the first reception starts it
     EXPECT_TRUE(send("205#1122").empty());
     EXPECT_TRUE(pass(49).empty());
     EXPECT_TRUE(send("205#1122").empty());
@@ -253,11 +253,11 @@ TEST_F(Rpdo, AMissingReceptionIsAnErrorUntilTheNextOne) {
     EXPECT_TRUE(pass(1000).empty());
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
-    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, and not a reception
+    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, not a reception
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
-TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
+TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B00140532000000");
@@ -275,7 +275,7 @@ TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringNotTheError) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
+TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
     verifies<req::CO_PDO_032>();
     send("605#2B00140532000000");
     const int before = device->communication_errors();
@@ -292,7 +292,7 @@ TEST_F(Rpdo, TheTimeOutIsACommunicationErrorOf1029h) {
     EXPECT_EQ(device->node().state(), NmtState::stopped);
 }
 
-TEST_F(Rpdo, AnotherFaultWhileCommunicationHasFailedIsNoNewError) {
+TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
     verifies<req::CO_PDO_032, req::CO_PDO_020>();
     send("605#2B00140532000000");  // RPDO1 within 50 ms
     send("205#1122");
@@ -305,7 +305,7 @@ TEST_F(Rpdo, AnotherFaultWhileCommunicationHasFailedIsNoNewError) {
     EXPECT_EQ(device->communication_errors(), before);
 }
 
-TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
+TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -318,7 +318,7 @@ TEST_F(Rpdo, EachPdoHasItsOwnTimer) {
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, NoTimerOutlivesOperational) {
+TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // RPDO1: 10 ms
@@ -327,17 +327,17 @@ TEST_F(Rpdo, NoTimerOutlivesOperational) {
     send("000#8005");
     send("000#0105");
     EXPECT_TRUE(send("305#0100020003000400").empty());
-    EXPECT_TRUE(pass(99).empty());  // RPDO1 has not come again since
+    EXPECT_TRUE(pass(99).empty());  // RPDO1 was not received since
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
-TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
+TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
     verifies<req::CO_PDO_022>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
-    // timer off: the error goes with the monitoring
+    // timer off: the error ends with the monitoring
     EXPECT_EQ(send("605#2B00140500000000"), (Frames{"085#0000000100000000", "585#6000140500000000"}));
     send("205#1122");
     EXPECT_TRUE(pass(100).empty());
@@ -349,7 +349,7 @@ TEST_F(Rpdo, AWriteToTheParametersBeginsAnew) {
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }
 
-TEST_F(Rpdo, AResetEndsTheErrorsOfReception) {
+TEST_F(Rpdo, ResetEndsTheErrorsOfReception) {
     verifies<req::CO_PDO_020, req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -1,5 +1,5 @@
-// Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that provoke it on the conformance slave, node 5, as
-// whole conversations; the last answer is the abort. Codes that nothing provokes stand below with the reason.
+// Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that cause it on the conformance slave, node 5, as
+// whole exchanges; the last answer is the abort. Codes that nothing causes are listed with the reason.
 #include <fmt/format.h>
 
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 
 class SdoAbort : public testing::Test, public SlaveBench {};
 
-/// One code: what is asked, and the abort at the end.
+/// One code: the requests, and the abort as the last answer.
 struct Case {
     std::uint32_t code;
     std::string when;
@@ -132,7 +132,7 @@ std::uint32_t code_of(const std::string& abort) {
 
 }  // namespace
 
-TEST(SdoAbortTable, EachCodeIsProvokedByTheseFrames) {
+TEST(SdoAbortTable, EachAbortCodeIsCausedByTheListedFrames) {
     verifies<req::CO_SDO_040, req::CO_E_ABORT, req::CO_SDO_005, req::CO_SDO_006, req::CO_SDO_008, req::CO_SDO_009,
              req::CO_SDO_010, req::CO_SDO_023, req::CO_SDO_024, req::CO_SDO_027, req::CO_SDO_028, req::CO_SDO_032,
              req::CO_SDO_034>();
@@ -144,19 +144,19 @@ TEST(SdoAbortTable, EachCodeIsProvokedByTheseFrames) {
     }
 }
 
-TEST_F(SdoAbort, AStalledTransferTimesOut) {
+TEST_F(SdoAbort, StalledTransferIsAbortedByTimeOut) {
     verifies<req::CO_SDO_014, req::CO_E_ABORT>();
     send("605#4008100000000000");
     EXPECT_EQ(pass(1000), (Frames{"1000:585#8008100000000405"}));
 }
 
-TEST_F(SdoAbort, AMemoryThatFailsIsAHardwareError) {
+TEST_F(SdoAbort, FailedMemoryIsReportedAsAHardwareError) {
     verifies<req::CO_E_ABORT>();
     memory.cut_power_after(3);
     EXPECT_EQ(send("605#2310100173617665"), (Frames{"585#8010100100000606"}));
 }
 
-TEST_F(SdoAbort, TheTablesTogetherHoldEveryCodeOfCiA301) {
+TEST_F(SdoAbort, TestedAndNeverSentCodesTogetherAreAllCodesOfCiA301) {
     verifies<req::CO_E_ABORT, req::CO_SDO_036>();
     // Table 22 of CiA 301 in its order
     const std::vector<std::uint32_t> all{
@@ -174,9 +174,9 @@ TEST_F(SdoAbort, TheTablesTogetherHoldEveryCodeOfCiA301) {
     EXPECT_EQ(provoked.size() + never_sent.size(), all.size());
 }
 
-TEST_F(SdoAbort, NoSingleRequestBringsACodeThatIsNeverSent) {
+TEST_F(SdoAbort, NoSingleRequestCausesACodeListedAsNeverSent) {
     verifies<req::CO_SDO_036>();
-    // Every first byte, on every object of the slave and beside it, with the numbers that are most often at a limit.
+    // Every first byte, on every object of the slave and on absent ones, with the most frequent limit values.
     std::set<std::uint32_t> seen;
     const auto ask = [&](const std::string& request) {
         for (const auto& answer : send(request)) {
@@ -200,7 +200,7 @@ TEST_F(SdoAbort, NoSingleRequestBringsACodeThatIsNeverSent) {
             }
         }
     }
-    EXPECT_GE(seen.size(), 10U);  // the walk does provoke aborts
+    EXPECT_GE(seen.size(), 10U);  // the search does cause aborts
 }
 
 }  // namespace canproof::test

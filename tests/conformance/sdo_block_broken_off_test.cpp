@@ -1,11 +1,11 @@
-// SDO block transfers that break off: requests out of turn, aborts, silence of the client, resets.
+// Interrupted SDO block transfers: requests out of turn, aborts, time-outs of the client, resets.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
+TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
     verifies<req::CO_SDO_006, req::CO_SDO_018>();
     hold(nine);
     const std::string refused = "585#8000240001000405";
@@ -30,7 +30,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
                     {"605#0011223344556677", {refused}},
                     {initiate, initiated},
                     {"605#C100000000000000", {refused}},
-                    // segments are out
+                    // segments are being sent
                     {initiate, initiated},
                     {start, segments},
                     {start, {refused}},
@@ -40,7 +40,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
                     {initiate, initiated},
                     {start, segments},
                     {"605#7000000000000000", {refused}},
-                    // the end is out
+                    // the end was sent
                     {initiate, initiated},
                     {start, segments},
                     {acknowledge, ended},
@@ -52,7 +52,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurn) {
                 });
 }
 
-TEST_F(SdoBlock, ADownloadSegmentAfterABlockUploadInitiateWritesNothing) {
+TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     talk(*this, {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h is read-only
@@ -65,7 +65,7 @@ TEST_F(SdoBlock, ADownloadSegmentAfterABlockUploadInitiateWritesNothing) {
                 });
 }
 
-TEST_F(SdoBlock, TheClientsAbortEndsAnUploadInEveryState) {
+TEST_F(SdoBlock, ClientAbortEndsAnUploadInEveryState) {
     verifies<req::CO_SDO_013>();
     hold(nine);
     const std::string initiate = "605#A40024007F000000";
@@ -89,7 +89,7 @@ TEST_F(SdoBlock, TheClientsAbortEndsAnUploadInEveryState) {
                 });
 }
 
-TEST_F(SdoBlock, ANewInitiateEndsAnUploadInEveryState) {
+TEST_F(SdoBlock, NewInitiateEndsAnUploadInEveryState) {
     verifies<req::CO_SDO_012>();
     hold(nine);
     const std::string initiate = "605#A40024007F000000";
@@ -115,7 +115,7 @@ TEST_F(SdoBlock, ANewInitiateEndsAnUploadInEveryState) {
                 });
 }
 
-TEST_F(SdoBlock, AStalledUploadIsAbortedInEveryState) {
+TEST_F(SdoBlock, StalledUploadIsAbortedInEveryState) {
     verifies<req::CO_SDO_014>();
     hold(nine);
     const Frames timed_out{"1:585#8000240000000405"};
@@ -136,7 +136,7 @@ TEST_F(SdoBlock, AStalledUploadIsAbortedInEveryState) {
     EXPECT_TRUE(pass(5000).empty());
 }
 
-TEST_F(SdoBlock, DownloadRequestsOutOfTurn) {
+TEST_F(SdoBlock, DownloadRequestsOutOfTurnAreAborted) {
     verifies<req::CO_SDO_006, req::CO_SDO_018>();
     const std::string refused = "585#8000240001000405";
     const std::vector<Exchange> received{
@@ -153,7 +153,7 @@ TEST_F(SdoBlock, DownloadRequestsOutOfTurn) {
     EXPECT_TRUE(held().empty());
 }
 
-TEST_F(SdoBlock, TheClientsAbortEndsADownloadInEveryState) {
+TEST_F(SdoBlock, ClientAbortEndsADownloadInEveryState) {
     verifies<req::CO_SDO_013, req::CO_SDO_033>();
     hold({7});
     const std::string initiate = "605#C600240009000000";
@@ -174,18 +174,18 @@ TEST_F(SdoBlock, TheClientsAbortEndsADownloadInEveryState) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, AStalledDownloadIsAborted) {
+TEST_F(SdoBlock, StalledDownloadIsAborted) {
     verifies<req::CO_SDO_014, req::CO_SDO_033, req::CO_SDO_037>();
     hold({7});
     const Frames timed_out{"1:585#8000240000000405"};
     send("605#C600240009000000");
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), timed_out);
-    // the segment marked as the last is lost: neither side can know
+    // the segment marked as the last is lost: neither side can detect it
     send("605#C600240009000000");
     pass(900);
     send("605#0131323334353637");
-    EXPECT_TRUE(pass(999).empty());  // a segment starts the time-out anew
+    EXPECT_TRUE(pass(999).empty());  // a segment restarts the time-out
     EXPECT_EQ(pass(1), timed_out);
     send("605#C600240009000000");
     send("605#0131323334353637");
@@ -195,7 +195,7 @@ TEST_F(SdoBlock, AStalledDownloadIsAborted) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, StoppedAndResetForgetABlockTransfer) {
+TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
     verifies<req::CO_SDO_017, req::CO_SDO_033>();
     hold({7});
     talk(*this, {
@@ -204,7 +204,7 @@ TEST_F(SdoBlock, StoppedAndResetForgetABlockTransfer) {
                     {"000#0205", {}},
                     {"605#8238390000000000", {}},
                     {"000#8005", {}},
-                    {"605#8238390000000000", {}},  // ccs 4: an abort, of nothing
+                    {"605#8238390000000000", {}},  // ccs 4: an abort without a transfer
                     {"605#D5C3310000000000", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},

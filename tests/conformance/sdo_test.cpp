@@ -19,7 +19,7 @@ TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
     EXPECT_EQ(send("603#4000100000000000"), (Frames{"583#4300100091010800"}));  // four
 }
 
-TEST_F(Sdo, SegmentedUploadOfTheDeviceName) {
+TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     verifies<req::CO_SDO_002>();
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
@@ -27,7 +27,7 @@ TEST_F(Sdo, SegmentedUploadOfTheDeviceName) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));  // -AO412, one unused, last
 }
 
-TEST_F(Sdo, ExpeditedDownloadWithAndWithoutItsSize) {
+TEST_F(Sdo, ExpeditedDownloadWithAndWithoutSizeIsAccepted) {
     verifies<req::CO_SDO_003, req::CO_SDO_016>();
     EXPECT_EQ(send("603#2B171000E8030000"), (Frames{"583#6017100000000000"}));
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B171000E8030000"}));
@@ -39,13 +39,13 @@ TEST_F(Sdo, ExpeditedDownloadWithAndWithoutItsSize) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
 }
 
-TEST_F(Sdo, AnUploadIsAskedForWith40hAndAnAbortIs80h) {
+TEST_F(Sdo, UploadRequestIs40hAndAbortIs80h) {
     verifies<req::CO_SDO_042>();
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));
     EXPECT_EQ(send("603#4010200000000000"), (Frames{"583#8010200000000206"}));
 }
 
-TEST_F(Sdo, NumbersTravelFromTheirLowestByteOn) {
+TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
     verifies<req::CO_SDO_041>();
     EXPECT_EQ(send("603#2320100178563412"), (Frames{"583#6020100100000000"}));  // 1020h:1 = 12345678h
     EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
@@ -63,14 +63,14 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
 
-TEST_F(Sdo, SegmentedDownloadWithoutSize) {
+TEST_F(Sdo, SegmentedDownloadWithoutSizeIsAccepted) {
     verifies<req::CO_SDO_004>();
     EXPECT_EQ(send("603#2017100000000000"), (Frames{"583#6017100000000000"}));
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B171000E8030000"}));
 }
 
-TEST_F(Sdo, ToggleMustAlternate) {
+TEST_F(Sdo, ToggleBitMustAlternate) {
     verifies<req::CO_SDO_005, req::CO_E_ABORT>();
     send("603#4008100000000000");
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8008100000000305"}));
@@ -79,7 +79,7 @@ TEST_F(Sdo, ToggleMustAlternate) {
     EXPECT_EQ(send("603#1A34120000000000"), (Frames{"583#8020100100000305"}));
 }
 
-TEST_F(Sdo, UnknownSpecifiersAndStraySegments) {
+TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
     verifies<req::CO_SDO_006, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#E000100000000000"), (Frames{"583#8000100001000405"}));
     EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // block upload is not offered
@@ -99,7 +99,7 @@ TEST_F(Sdo, FramesOfOtherThanEightBytesAreIgnored) {
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
 }
 
-TEST_F(Sdo, AbsentObjectsAndSubIndices) {
+TEST_F(Sdo, AbsentObjectsAndSubIndicesAreRefused) {
     verifies<req::CO_SDO_008, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#4034120000000000"), (Frames{"583#8034120000000206"}));
     EXPECT_EQ(send("603#2B34120000000000"), (Frames{"583#8034120000000206"}));
@@ -115,7 +115,7 @@ TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
     EXPECT_EQ(send("603#210810000D000000"), (Frames{"583#8008100002000106"}));
 }
 
-TEST_F(Sdo, LengthsMustFit) {
+TEST_F(Sdo, WrongLengthsAreRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes into two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));  // one byte
@@ -127,7 +127,7 @@ TEST_F(Sdo, LengthsMustFit) {
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
 }
 
-TEST_F(Sdo, ANewInitiateAbandonsTheTransfer) {
+TEST_F(Sdo, NewInitiateEndsTheRunningTransfer) {
     verifies<req::CO_SDO_012>();
     send("603#2120100104000000");
     send("603#0A34120000000000");
@@ -136,14 +136,14 @@ TEST_F(Sdo, ANewInitiateAbandonsTheTransfer) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100100000000"}));
 }
 
-TEST_F(Sdo, TheClientsAbortIsNotAnswered) {
+TEST_F(Sdo, ClientAbortIsNotAnswered) {
     verifies<req::CO_SDO_013>();
     send("603#4008100000000000");
     EXPECT_TRUE(send("603#8008100000000405").empty());
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));
 }
 
-TEST_F(Sdo, AStalledTransferIsAbortedAfterOneSecond) {
+TEST_F(Sdo, StalledTransferIsAbortedAfterOneSecond) {
     verifies<req::CO_SDO_014, req::CO_K_SDO_TIMEOUT>();
     send("603#4008100000000000");
     EXPECT_TRUE(pass(999).empty());
@@ -161,10 +161,10 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     set_inputs();
     inputs.can_state = 0;
     set_inputs();
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is none any more
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is no transfer any more
 }
 
-TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
+TEST_F(Sdo, EachUploadSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014>();
     send("603#4008100000000000");
     pass(900);
@@ -173,7 +173,7 @@ TEST_F(Sdo, EachSegmentRestartsTheTimeOut) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
-TEST_F(Sdo, EachSegmentOfADownloadRestartsTheTimeOut) {
+TEST_F(Sdo, EachDownloadSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014>();
     send("603#2120100104000000");
     EXPECT_TRUE(pass(900).empty());
@@ -182,13 +182,13 @@ TEST_F(Sdo, EachSegmentOfADownloadRestartsTheTimeOut) {
     EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
 }
 
-TEST_F(Sdo, ARefusedWriteChangesNothing) {
+TEST_F(Sdo, RefusedWriteChangesNothing) {
     verifies<req::CO_SDO_011>();
     EXPECT_EQ(send("603#2F43640103000000"), (Frames{"583#8043640130000906"}));
     EXPECT_EQ(send("603#4043640100000000"), (Frames{"583#4F43640101000000"}));
 }
 
-TEST_F(Sdo, ATransferGoesOnWhenTheNodeIsStarted) {
+TEST_F(Sdo, TransferContinuesWhenTheNodeIsStarted) {
     verifies<req::CO_SDO_002, req::CO_SDO_017>();
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     send("000#0103");
@@ -197,7 +197,7 @@ TEST_F(Sdo, ATransferGoesOnWhenTheNodeIsStarted) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
-TEST_F(Sdo, ServedInPreOperationalAndOperationalOnly) {
+TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
     verifies<req::CO_SDO_017>();
     EXPECT_EQ(send("603#4001100000000000").size(), 1U);
     send("000#0103");
@@ -206,20 +206,20 @@ TEST_F(Sdo, ServedInPreOperationalAndOperationalOnly) {
     EXPECT_TRUE(send("603#4001100000000000").empty());
 }
 
-TEST_F(SlaveSdo, AnAbortNamesWhatItRefusesOrEnds) {
+TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
     verifies<req::CO_SDO_018>();
     talk(*this, {
-                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the initiate that it refuses
+                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the refused initiate
                     {"605#4008100000000000", {"585#4108100011000000"}},
-                    {"605#7000000000000000", {"585#8008100000000305"}},  // the transfer that it ends
-                    {"605#7000000000000000", {"585#8000000001000405"}},  // neither
+                    {"605#7000000000000000", {"585#8008100000000305"}},  // the ended transfer
+                    {"605#7000000000000000", {"585#8000000001000405"}},  // no transfer
                     {"605#00AAAAAAAAAAAAAA", {"585#8000000001000405"}},  // bytes 1 to 3 of a segment are data
                     {"605#2100230005000000", {"585#6000230000000000"}},
                     {"605#6000000000000000", {"585#8000230001000405"}},
                 });
 }
 
-TEST_F(SlaveSdo, AnEmptyStringIsOneSegmentWithoutData) {
+TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
     verifies<req::CO_SDO_019>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // "abc"
@@ -231,7 +231,7 @@ TEST_F(SlaveSdo, AnEmptyStringIsOneSegmentWithoutData) {
                 });
 }
 
-TEST_F(SlaveSdo, AMemoryOfOneByteTakesOneByte) {
+TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
     verifies<req::CO_SDO_033>();
     device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
     device->lend(program_index, 0, 1);
@@ -242,25 +242,25 @@ TEST_F(SlaveSdo, AMemoryOfOneByteTakesOneByte) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, AnnouncedAsEmptyMeansEmpty) {
+TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte came
+                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte was received
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
 }
 
-TEST_F(SlaveSdo, ASizeThatIsNotShownIsNotRead) {
+TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
     verifies<req::CO_SDO_003, req::CO_SDO_010>();
     talk(*this, {
-                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 hold no size
+                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 have no size
                     {"605#0D78000000000000", {"585#2000000000000000"}},  // "x", last
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                 });
 }
 
-TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
+TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
     verifies<req::CO_SDO_003>();
     talk(*this, {
                     {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8
@@ -268,7 +268,7 @@ TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
                 });
 }
 
-TEST_F(SlaveSdo, AStringMayBeShorterThanItsCapacityButNotLonger) {
+TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
     verifies<req::CO_SDO_010, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2F00230078000000", {"585#6000230000000000"}},  // "x"
@@ -303,13 +303,13 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
                 });
 }
 
-TEST_F(SlaveSdo, SegmentsWithoutATransferGatherNothing) {
+TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
-    // as many as overran a buffer elsewhere, and more
+    // more than would overrun the buffer
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }
-    // nor behind the last segment of a transfer that is over
+    // and not after the last segment of a finished transfer
     talk(*this, {
                     {"605#2100230002000000", {"585#6000230000000000"}},
                     {"605#0B68690000000000", {"585#2000000000000000"}},
@@ -319,7 +319,7 @@ TEST_F(SlaveSdo, SegmentsWithoutATransferGatherNothing) {
                 });
 }
 
-TEST_F(SlaveSdo, AnUploadGivesNoPlaceToDownloadSegments) {
+TEST_F(SlaveSdo, DownloadSegmentDuringAnUploadIsAbortedAndStoresNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     talk(*this, {
                     {"605#4001230000000000", {"585#4101230036000000"}},  // 54 bytes, const
@@ -329,7 +329,7 @@ TEST_F(SlaveSdo, AnUploadGivesNoPlaceToDownloadSegments) {
                 });
 }
 
-TEST_F(SlaveSdo, AShortFrameIsNotFilledUpFromTheOneBefore) {
+TEST_F(SlaveSdo, ShortFrameIsNotCompletedFromThePreviousFrame) {
     verifies<req::CO_SDO_007>();
     talk(*this, {
                     {"605#2F01220008000000", {"585#6001220000000000"}},
@@ -339,18 +339,18 @@ TEST_F(SlaveSdo, AShortFrameIsNotFilledUpFromTheOneBefore) {
                     {"605#40", {}},
                     {"605#40012200000000", {}},
                     {"605#2100230002000000", {"585#6000230000000000"}},
-                    {"605#0B6869", {}},  // the transfer goes on
+                    {"605#0B6869", {}},  // the transfer continues
                     {"605#0B68690000000000", {"585#2000000000000000"}},
                 });
 }
 
-TEST_F(SlaveSdo, UnusedBitsOfARequestDoNotMatter) {
+TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
     verifies<req::CO_SDO_035>();
     talk(*this, {
                     {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
                     {"605#40001000FFFFFFFF", {"585#4300100078563412"}},
                     {"605#3F01220008000000", {"585#6001220000000000"}},  // 2Fh with bit 4
-                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one that counts
+                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one of the value
                     {"605#4001220000000000", {"585#4F01220002000000"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#6FFFFFFFFFFFFFFF", {"585#00436F6E666F726D"}},
@@ -359,7 +359,7 @@ TEST_F(SlaveSdo, UnusedBitsOfARequestDoNotMatter) {
                 });
 }
 
-TEST_F(SlaveSdo, RequestsOfOtherNodesAndFormatsAreNotOurs) {
+TEST_F(SlaveSdo, RequestsToOtherNodesAndOfOtherFormatsAreIgnored) {
     verifies<req::CO_FRAME_001>();
     talk(*this, {
                     {"604#4000100000000000", {}},

@@ -1,6 +1,6 @@
-// Store and restore where little is stored (CiA 301, 7.5.2.13): each byte of the memory and each access to it counts.
-// The slave as node 5 with one stored value, the 4 bytes of 2207h: a bank has a header of 16, the value and a CRC of 4,
-// 24 bytes in all; there are two.
+// Store and restore with a small stored set (CiA 301, 7.5.2.13): each byte of the memory and each access to it is
+// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h: a bank has a header of 16 bytes, the value and
+// a CRC of 4 bytes, 24 bytes in total; there are two banks.
 #include <algorithm>
 #include <numeric>
 
@@ -45,7 +45,7 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
 
 }  // namespace
 
-TEST_F(SmallStore, TwoBanksAreAllThatItNeeds) {
+TEST_F(SmallStore, MemoryOfExactlyTwoBanksIsEnough) {
     verifies<req::CO_STORE_001>();
     EXPECT_EQ(power_on(), Frames{"705#00"});
     for (const char* number : {"11223344", "55667788", "99AABBCC"}) {
@@ -56,7 +56,7 @@ TEST_F(SmallStore, TwoBanksAreAllThatItNeeds) {
     }
 }
 
-TEST_F(SmallStore, AByteLessIsRefusedBeforeAnythingIsWritten) {
+TEST_F(SmallStore, MemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
     verifies<req::CO_STORE_005>();
     memory.bytes().resize(2 * bank_size - 1);
     EXPECT_EQ(power_on(), Frames{"705#00"});
@@ -64,30 +64,30 @@ TEST_F(SmallStore, AByteLessIsRefusedBeforeAnythingIsWritten) {
     EXPECT_EQ(memory.written(), 0U);
 }
 
-TEST_F(SmallStore, WhatLiesBehindTheBanksIsNotTheirs) {
+TEST_F(SmallStore, BytesBehindTheTwoBanksAreIgnored) {
     verifies<req::CO_STORE_001>();
     memory.bytes().resize(3 * bank_size, 0x55);
     EXPECT_EQ(power_on(), Frames{"705#00"});
 }
 
-TEST_F(SmallStore, AHeaderOfEqualBytesIsABlankOneOnlyOfZerosOrOnes) {
+TEST_F(SmallStore, HeaderOfEqualBytesIsBlankOnlyFor00hAndFFh) {
     verifies<req::CO_STORE_005>();
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
     EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
 }
 
-TEST_F(SmallStore, ABankWhoseHeaderCannotBeReadIsNotUsed) {
+TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
     verifies<req::CO_STORE_005>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
     set_value("11223344");
     EXPECT_EQ(save(), saved);
-    faulty.fail_read(1);  // the header of the first bank; that of the second is blank
+    faulty.fail_read(1);  // the header of the first bank; that of the second bank is blank
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
 
-TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
+TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -96,12 +96,12 @@ TEST_F(SmallStore, AStoredValueThatCannotBeReadIsToldAndLeavesTheDefault) {
     faulty.fail_read(0);
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
-    faulty.fail_read(faulty.reads);  // the last one: the value, after the headers and the check of the CRC
+    faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
 
-TEST_F(SmallStore, ResetCommunicationTakesAllStoredValuesOrNone) {
+TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     keep(0x1015);  // the inhibit time of EMCY
     keep(0x1017);  // the heartbeat
@@ -128,9 +128,9 @@ TEST_F(SmallStore, ResetCommunicationTakesAllStoredValuesOrNone) {
     }
 }
 
-TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
+TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // void, header, value, CRC, committed
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // invalidate, header, value, CRC, commit
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);
@@ -138,30 +138,30 @@ TEST_F(SmallStore, AWriteThatFailsIsToldEvenWhenItsBytesArrived) {
     }
 }
 
-TEST_F(SmallStore, AnOldSetThatCannotBeMadeVoidIsStillTheOlder) {
+TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
     verifies<req::CO_STORE_004>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
     set_value("11223344");
     EXPECT_EQ(save(), saved);
     set_value("55667788");
-    faulty.fail_write(6);  // the last one: the new set is committed
+    faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // nor did its byte arrive
+    faulty.sound.bytes()[3] = 'S';  // its byte did not arrive either
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }
 
-TEST_F(SmallStore, AFirstSaveNeedsNothingThatWasThereBefore) {
+TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
-    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 bytes and 8; no more
+    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 and 8 bytes; nothing else is read
     EXPECT_EQ(save("02"), "585#6010100200000000");
     EXPECT_EQ(faulty.reads, 2U);
 }
 
-TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
+TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     verifies<req::CO_STORE_001>();
     keep(0x2300);  // 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));
@@ -182,8 +182,8 @@ TEST_F(SmallStore, ALongValueOfAnotherGroupIsKeptWhole) {
     EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
 }
 
-// The value is the node-ID of the node that saved: by chance, for its default has no node-ID in it.
-TEST_F(SmallStore, AValueThatIsNoIdentifierFollowsNoNodeId) {
+// The value equals the node-ID of the node that saved by chance; its default has no node-ID in it.
+TEST_F(SmallStore, StoredValueWithoutANodeIdInItsDefaultDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();
     set_value("05000000");

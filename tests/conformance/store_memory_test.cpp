@@ -1,4 +1,4 @@
-// Storing on a memory that fails, loses power or holds something else (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
+// Storing on a memory that fails, loses power or has other content (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
+TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
     verifies<req::CO_STORE_004>();
     set_values("1111");
     write("603#2310100173617665");
@@ -32,11 +32,11 @@ TEST_F(Store, APowerCutAtAnyByteLeavesTheOldSetOrTheNew) {
         old_sets += found == "1111 1111 1111 " ? 1 : 0;
     }
     EXPECT_EQ(old_sets,
-              size_of_save - 1);  // the last byte but one commits the new set, the last makes the old one void
+              size_of_save - 1);  // the last byte but one commits the new set, the last one invalidates the old set
 }
 
-/// The last byte but one commits a set; each number is later than the one before.
-TEST_F(Store, OfTwoCommittedSetsTheLaterCounts) {
+/// The last byte but one commits a set; each number is higher than the previous one.
+TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
     const std::size_t before = memory.written();
@@ -53,8 +53,8 @@ TEST_F(Store, OfTwoCommittedSetsTheLaterCounts) {
     }
 }
 
-/// A bit of the marker fell over: the CRC says that the set is whole.
-TEST_F(Store, ACommittedSetWithABrokenMarkerCounts) {
+/// A bit of the marker has flipped: the CRC shows that the set is complete.
+TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("3412");
     EXPECT_EQ(save(), saved);
@@ -63,14 +63,14 @@ TEST_F(Store, ACommittedSetWithABrokenMarkerCounts) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, ADamagedSetBesideASoundOneGivesDefaultsWhicheverIsTheLater) {
+TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
     for (const std::size_t damaged : {std::size_t{0}, std::size_t{1}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
         power_on();
         set_values("3412");
         EXPECT_EQ(save(), saved);
-        EXPECT_EQ(save(), saved);  // the first is void now
+        EXPECT_EQ(save(), saved);  // the first set is invalid now
         const std::size_t size = bank_size();
         memory.bytes()[3] = memory.bytes()[size + 3];
         memory.bytes()[damaged * size + 40] ^= 0x01;
@@ -79,7 +79,7 @@ TEST_F(Store, ADamagedSetBesideASoundOneGivesDefaultsWhicheverIsTheLater) {
     }
 }
 
-TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
+TEST_F(Store, FailingMemoryIsReportedAndLosesNothing) {
     verifies<req::CO_STORE_005>();
     set_values("1111");
     write("603#2310100173617665");
@@ -91,7 +91,7 @@ TEST_F(Store, AFailingMemoryIsToldAndLosesNothing) {
     EXPECT_EQ(values(), "1111 1111 1111 ");
 }
 
-TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
+TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");
@@ -101,15 +101,15 @@ TEST_F(Store, TheSaveAfterTheLastSequenceNumberCounts) {
     set_header(size, size, sequence_at, 0xFFFFFFFF);
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     set_values("3412");
-    // Power fails before the last byte, which would make the older set void: both are committed.
-    memory.cut_power_after(size + 2);  // one byte makes the bank void, `size` fill it, one commits it
+    // Power fails before the last byte, which would invalidate the older set: both are committed.
+    memory.cut_power_after(size + 2);  // one byte invalidates the bank, `size` bytes fill it, one commits it
     EXPECT_EQ(save(), saved);
     memory.restore_power();
     power_on();
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
+TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
     set_values("3412");
     write("603#2310100173617665");
@@ -120,7 +120,7 @@ TEST_F(Store, ACorruptSetGivesDefaultsAndTellsIt) {
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
 }
 
-TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
+TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     set_values("3412");
     write("603#2310100173617665");
@@ -136,7 +136,7 @@ TEST_F(Store, ASetOfAnotherKindOrOfAnotherDictionaryIsCorrupt) {
     }
 }
 
-TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
+TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
@@ -149,7 +149,7 @@ TEST_F(Store, AnErasedMemoryHoldsNoSetAndADamagedHeaderACorruptOne) {
     }
 }
 
-TEST_F(Store, AMemoryThatKeepsNothingIsFoundOut) {
+TEST_F(Store, MemoryThatDoesNotKeepWrittenBytesIsDetected) {
     verifies<req::CO_STORE_005>();
     FaultyMemory worn{1024};
     worn.worn = true;
@@ -186,7 +186,7 @@ TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
     EXPECT_EQ(faulty.commits, 1U);
 }
 
-TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
+TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
     verifies<req::CO_STORE_005>();
     host::Memory small{64};
     EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
@@ -194,7 +194,7 @@ TEST_F(Store, AMemoryThatIsTooSmallIsToldWhenItIsUsed) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, AReadThatFailsAnywhereGivesTheStoredSetOrTheDefaultsAndIsNeverTakenForASave) {
+TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
     verifies<req::CO_STORE_004, req::CO_STORE_005>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
@@ -214,7 +214,7 @@ TEST_F(Store, AReadThatFailsAnywhereGivesTheStoredSetOrTheDefaultsAndIsNeverTake
     }
     power_on_with(faulty);
     faulty.fail_read(0);
-    write("603#2310100273617665");  // communication parameters anew, the others copied from the old bank
+    write("603#2310100273617665");  // new communication parameters, the others are copied from the old bank
     const std::size_t of_save = faulty.reads;
     const auto sound = faulty.sound.bytes();
     for (std::size_t n = 1; n <= of_save; ++n) {

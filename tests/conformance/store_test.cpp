@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-TEST_F(Store, SaveAllKeepsEachGroup) {
+TEST_F(Store, SaveAllStoresEachGroup) {
     verifies<req::CO_STORE_001, req::CO_K_STORE_SIGNATURE, req::AO4_OD_1010>();
     set_values("3412");
     EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#6010100100000000"}));
@@ -14,7 +14,7 @@ TEST_F(Store, SaveAllKeepsEachGroup) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, WithoutSaveNothingIsKept) {
+TEST_F(Store, WithoutASaveNothingIsStored) {
     verifies<req::CO_STORE_001>();
     set_values("3412");
     power_on();
@@ -35,7 +35,7 @@ TEST_F(Store, EachSubIndexSavesItsGroupAndLeavesTheOthersAsStored) {
     }
 }
 
-TEST_F(Store, OnlyTheRightWordIsObeyed) {
+TEST_F(Store, OnlyTheRightSignatureSavesOrRestores) {
     verifies<req::CO_STORE_002>();
     set_values("3412");
     for (const char* word : {"65766173", "73617664", "00000000", "6C6F6164", "01000000"}) {
@@ -46,7 +46,7 @@ TEST_F(Store, OnlyTheRightWordIsObeyed) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, LoadTakesEffectAtTheNextReset) {
+TEST_F(Store, RestoredDefaultsApplyAtTheNextReset) {
     verifies<req::CO_STORE_003, req::CO_K_RESTORE_SIGNATURE, req::AO4_OD_1011>();
     set_values("3412");
     write("603#2310100173617665");
@@ -56,7 +56,7 @@ TEST_F(Store, LoadTakesEffectAtTheNextReset) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, LoadOfOneGroupLeavesTheOthersStored) {
+TEST_F(Store, RestoreOfOneGroupKeepsTheOthersStored) {
     verifies<req::CO_STORE_003>();
     const std::vector<std::pair<const char*, const char*>> groups{
         {"02", "0000 3412 3412 "}, {"03", "3412 3412 0000 "}, {"04", "3412 0000 3412 "}};
@@ -69,26 +69,26 @@ TEST_F(Store, LoadOfOneGroupLeavesTheOthersStored) {
     }
 }
 
-TEST_F(Store, SavingIsForPreOperational) {
+TEST_F(Store, SaveIsRefusedInOperational) {
     verifies<req::AO4_STORE_001>();
     set_values("3412");
     send("000#0103");
     EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100122000008"}));
-    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));  // defaults may be asked for
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));  // defaults may be requested
     power_on();
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, ReadingTellsOnCommandNotByItself) {
+TEST_F(Store, StoreCapabilityIsOnCommandOnly) {
     verifies<req::AO4_STORE_002, req::AO4_OD_1010, req::AO4_OD_1011>();
     for (const char* object : {"101001", "101002", "101003", "101004", "111001", "111002", "111003", "111004"}) {
         EXPECT_EQ(send(std::string{"603#40"} + object + "00000000").at(0), std::string{"583#43"} + object + "01000000");
     }
 }
 
-TEST_F(Store, WhatIsWritableIsStored) {
+TEST_F(Store, EveryWritableParameterIsStored) {
     verifies<req::AO4_STORE_003>();
-    // object, length specifier, a value that it takes and that is not its default
+    // object, length specifier, an accepted value that is not its default
     struct Case {
         const char* object;
         const char* specifier;
@@ -120,7 +120,7 @@ TEST_F(Store, WhatIsWritableIsStored) {
                                   {"042404", "2B", "06000000"},
                                   {"052401", "2B", "07000000"},
                                   {"052404", "2B", "08000000"},
-                                  // last, for a change of other configuration sets 1020h to zero
+                                  // last, because a change of other configuration clears 1020h
                                   {"201001", "23", "11223344"},
                                   {"201002", "23", "55667700"}};
     for (const auto& one : cases) {
@@ -137,13 +137,13 @@ TEST_F(Store, WhatIsWritableIsStored) {
     }
 }
 
-TEST_F(Store, CobIdsThatWereSetAndStoredOutliveTheSwitches) {
+TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     verifies<req::AO4_STORE_004, req::CO_PDO_035>();
     write("603#2314100083000080");  // 1014h = 93h
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
-    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh was stored as it stood: it follows
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh was stored unchanged: it follows
     const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
     EXPECT_EQ(cob_id(), "93000000");
     EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5
@@ -152,7 +152,7 @@ TEST_F(Store, CobIdsThatWereSetAndStoredOutliveTheSwitches) {
     EXPECT_EQ(cob_id(), "85000000");
 }
 
-TEST_F(Store, CobIdsThatWereNotStoredFollowTheSwitches) {
+TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
     verifies<req::AO4_STORE_004>();
     write("603#2310100373617665");  // application only
     inputs.switch_low = 5;

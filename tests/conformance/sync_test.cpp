@@ -19,7 +19,7 @@ class SyncService : public CbxTest {
 
 }  // namespace
 
-TEST_F(SyncService, HasNoDataWithoutACounterAndOneByteWithIt) {
+TEST_F(SyncService, SyncHasNoDataWithoutACounterAndOneByteWithIt) {
     verifies<req::CO_SYNC_001>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");
@@ -31,7 +31,7 @@ TEST_F(SyncService, HasNoDataWithoutACounterAndOneByteWithIt) {
     EXPECT_EQ(output1(), "2200");
 }
 
-TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsOne) {
+TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsASync) {
     verifies<req::CO_SYNC_001>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");
@@ -43,7 +43,7 @@ TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsOne) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, FollowsTheIdentifierOf1005h) {
+TEST_F(SyncService, SyncHasTheIdentifierOf1005h) {
     verifies<req::CO_SYNC_001>();
     write("603#2305100090000000");
     make_rpdo2_synchronous();
@@ -54,7 +54,7 @@ TEST_F(SyncService, FollowsTheIdentifierOf1005h) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, WrongLengthIsAnErrorUntilARightOneComes) {
+TEST_F(SyncService, SyncOfWrongLengthIsAnErrorUntilAValidSyncArrives) {
     verifies<req::CO_SYNC_002>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");
@@ -65,7 +65,7 @@ TEST_F(SyncService, WrongLengthIsAnErrorUntilARightOneComes) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, AStoppedNodeDoesNotJudgeIt) {
+TEST_F(SyncService, StoppedNodeDoesNotCheckTheSyncLength) {
     verifies<req::CO_T_SERVICES, req::CO_SYNC_002>();
     send("000#0203");
     EXPECT_TRUE(send("080#01").empty());
@@ -73,7 +73,7 @@ TEST_F(SyncService, AStoppedNodeDoesNotJudgeIt) {
     EXPECT_EQ(send("080#01"), (Frames{"083#4082110100000000"}));
 }
 
-TEST_F(SyncService, IsProducedEachPeriod) {
+TEST_F(SyncService, SyncIsProducedEachPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
     EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h is clear
@@ -87,17 +87,17 @@ TEST_F(SyncService, IsProducedEachPeriod) {
     EXPECT_TRUE(pass(20).empty());
 }
 
-TEST_F(SyncService, OneThatComesLateIsNotMadeUpFor) {
+TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
     write("603#2305100080000040");
-    now = now + milliseconds(17);  // those of 5, 10 and 15 ms are due
+    now = now + milliseconds(17);  // SYNCs at 5, 10 and 15 ms are due
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"080#"}));
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));
 }
 
-TEST_F(SyncService, OneThatComesALittleLateMovesNoOther) {
+TEST_F(SyncService, SyncSentLateDoesNotDelayTheNextOnes) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
     write("603#2305100080000040");
@@ -107,7 +107,7 @@ TEST_F(SyncService, OneThatComesALittleLateMovesNoOther) {
     EXPECT_EQ(pass(8), (Frames{"3:080#", "8:080#"}));  // at 10 and 15 ms
 }
 
-TEST_F(SyncService, TheProducerGoesOnWhenTheNodeIsStarted) {
+TEST_F(SyncService, SyncProducerContinuesWhenTheNodeIsStarted) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
     write("603#2305100080000040");
@@ -116,7 +116,7 @@ TEST_F(SyncService, TheProducerGoesOnWhenTheNodeIsStarted) {
     EXPECT_EQ(pass(2), (Frames{"2:080#"}));
 }
 
-TEST_F(SyncService, IsNotProducedWithoutAPeriod) {
+TEST_F(SyncService, SyncIsNotProducedWithoutAPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2305100080000040");  // a producer without a period
     EXPECT_TRUE(pass(20).empty());
@@ -124,7 +124,7 @@ TEST_F(SyncService, IsNotProducedWithoutAPeriod) {
     EXPECT_EQ(pass(5), (Frames{"5:080#"}));
 }
 
-TEST_F(SyncService, CounterRunsFromOneToItsOverflow) {
+TEST_F(SyncService, SyncCounterRunsFromOneToItsOverflow) {
     verifies<req::CO_SYNC_004>();
     write("603#2F19100003000000");
     write("603#23061000E8030000");  // 1 ms
@@ -132,7 +132,7 @@ TEST_F(SyncService, CounterRunsFromOneToItsOverflow) {
     EXPECT_EQ(pass(5), (Frames{"1:080#01", "2:080#02", "3:080#03", "4:080#01", "5:080#02"}));
 }
 
-TEST_F(SyncService, TheCounterBeginsAtOneWhenAStoppedNodeGoesOn) {
+TEST_F(SyncService, SyncCounterRestartsAtOneWhenAStoppedNodeContinues) {
     verifies<req::CO_SYNC_004>();
     write("603#2F1910000A000000");
     write("603#23061000E8030000");  // 1 ms
@@ -144,7 +144,7 @@ TEST_F(SyncService, TheCounterBeginsAtOneWhenAStoppedNodeGoesOn) {
     EXPECT_EQ(pass(2), (Frames{"1:080#01", "2:080#02"}));
 }
 
-TEST_F(SyncService, AProducedSyncTakesEffectInTheNode) {
+TEST_F(SyncService, ProducedSyncTakesEffectInTheProducer) {
     verifies<req::CO_SYNC_005>();
     make_rpdo2_synchronous();
     write("603#2306100010270000");
@@ -155,7 +155,7 @@ TEST_F(SyncService, AProducedSyncTakesEffectInTheNode) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, CounterAndIdentifierAreLockedWhileInUse) {
+TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
     verifies<req::CO_SYNC_006>();
     write("603#2306100010270000");
     EXPECT_EQ(send("603#2F1910000A000000"), (Frames{"583#8019100022000008"}));
@@ -165,14 +165,14 @@ TEST_F(SyncService, CounterAndIdentifierAreLockedWhileInUse) {
     write("603#2F1910000A000000");
 }
 
-TEST_F(SyncService, IdentifierMustBeFreeAndOfElevenBits) {
+TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
     verifies<req::CO_SYNC_006, req::CO_SYNC_008, req::AO4_OD_1005>();
     EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
     EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
     EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11
 }
 
-TEST_F(SyncService, Bit31Of1005hIsKeptAndMeansNothing) {
+TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
     verifies<req::CO_SYNC_008>();
     write("603#2305100080000080");
     EXPECT_EQ(send("603#4005100000000000"), (Frames{"583#4305100080000080"}));

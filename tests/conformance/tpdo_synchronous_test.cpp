@@ -25,7 +25,7 @@ TEST_F(Tpdo, Type0IsSentAtTheSyncAfterAChange) {
                 });
 }
 
-TEST_F(Tpdo, TypeNIsSentAtEachNthSync) {
+TEST_F(Tpdo, TypeNIsSentAtEveryNthSync) {
     verifies<req::CO_PDO_014, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("03");
@@ -41,14 +41,14 @@ TEST_F(Tpdo, TypeNIsSentAtEachNthSync) {
                     {"080#", {}},
                     {"000#8005", {}},
                     {"080#", {}},
-                    {"000#0105", {}},  // counted anew
+                    {"000#0105", {}},  // counting restarts
                     {"080#", {}},
                     {"080#", {}},
                     {"080#", {"185#1100"}},
                 });
 }
 
-TEST_F(Tpdo, Type1And240AreTheEndsOfTheRange) {
+TEST_F(Tpdo, Types1And240AreTheEndsOfTheSynchronousRange) {
     verifies<req::CO_PDO_014>();
     set_type("F0");
     send("000#0105");
@@ -59,13 +59,13 @@ TEST_F(Tpdo, Type1And240AreTheEndsOfTheRange) {
     }
 }
 
-TEST_F(Tpdo, TheStartValueSaysWhichSyncIsTheFirst) {
+TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
     verifies<req::CO_PDO_019, req::CO_SYNC_001>();
     silence_tpdo2();
     talk(*this, {
                     {"605#2F1910000A000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 10
                     {"605#2300180185010080", {"585#6000180100000000"}},
-                    {"605#2F00180202000000", {"585#6000180200000000"}},  // each second SYNC
+                    {"605#2F00180202000000", {"585#6000180200000000"}},  // every second SYNC
                     {"605#2F00180604000000", {"585#6000180600000000"}},  // from counter 4 on
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
@@ -89,7 +89,7 @@ TEST_F(Tpdo, TheStartValueSaysWhichSyncIsTheFirst) {
                 });
 }
 
-TEST_F(Tpdo, WithoutAStartValueAnySyncIsTheFirst) {
+TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
     verifies<req::CO_PDO_019, req::CO_PDO_014>();
     send("605#2F1910000A000000");  // 1019h: counter 1 … 10
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
@@ -97,7 +97,7 @@ TEST_F(Tpdo, WithoutAStartValueAnySyncIsTheFirst) {
     EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, WithoutACounterTheStartValueHasNoEffect) {
+TEST_F(Tpdo, WithoutASyncCounterTheStartValueHasNoEffect) {
     verifies<req::CO_PDO_019>();
     silence_tpdo2();
     talk(*this, {
@@ -111,7 +111,7 @@ TEST_F(Tpdo, WithoutACounterTheStartValueHasNoEffect) {
                 });
 }
 
-TEST_F(Tpdo, AProducedSyncAndItsCounterWorkInTheNodeItself) {
+TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
     verifies<req::CO_SYNC_005, req::CO_PDO_019>();
     silence_tpdo2();
     talk(*this, {
@@ -128,7 +128,7 @@ TEST_F(Tpdo, AProducedSyncAndItsCounterWorkInTheNodeItself) {
                                 "60:080#03", "70:080#01", "70:185#0000"}));
 }
 
-TEST_F(Tpdo, AProducedSyncWithoutACounterIsTheFirstWhateverTheStartValue) {
+TEST_F(Tpdo, ProducedSyncWithoutACounterIgnoresTheStartValue) {
     verifies<req::CO_SYNC_005, req::CO_PDO_019>();
     silence_tpdo2();
     talk(*this, {
@@ -143,7 +143,7 @@ TEST_F(Tpdo, AProducedSyncWithoutACounterIsTheFirstWhateverTheStartValue) {
     EXPECT_EQ(pass(20), (Frames{"10:080#", "10:185#0000", "20:080#", "20:185#0000"}));
 }
 
-TEST_F(Tpdo, AnEventTimerSendsNoSynchronousPdo) {
+TEST_F(Tpdo, EventTimerSendsNoSynchronousTpdo) {
     verifies<req::CO_PDO_014, req::CO_PDO_013>();
     send("000#0105");
     EXPECT_EQ(send("605#2B01180564000000"), (Frames{"585#6001180500000000"}));  // TPDO2, type 1: 100 ms
@@ -151,14 +151,14 @@ TEST_F(Tpdo, AnEventTimerSendsNoSynchronousPdo) {
     EXPECT_EQ(send("080#"), (Frames{"285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, ASyncOfWrongLengthTriggersNothing) {
+TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
     verifies<req::CO_SYNC_002>();
     start();
     EXPECT_EQ(send("080#01"), (Frames{"085#4082110100000000"}));  // 8240h
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, AtASyncTpdosTakeTheirValuesBeforeRpdosSetTheirs) {
+TEST_F(Tpdo, AtASyncTpdosSampleBeforeRpdosAreApplied) {
     verifies<req::CO_PDO_029>();
     silence_tpdo2();
     // 2207h in RPDO3 and in TPDO3, both of type 1
@@ -178,7 +178,7 @@ TEST_F(Tpdo, AtASyncTpdosTakeTheirValuesBeforeRpdosSetTheirs) {
 
 // -- Requests ---------------------------------------------------------------------------------------------------------
 
-TEST_F(Tpdo, Type253IsSentOnRequestAlone) {
+TEST_F(Tpdo, Type253IsSentOnRequestOnly) {
     verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
@@ -200,12 +200,12 @@ TEST_F(Tpdo, Type252IsSentAtNoSync) {
     silence_tpdo2();
     set_type("FC");
     send("000#0105");
-    for (int syncs = 0; syncs < 300; ++syncs) {  // 252 of them, and more
+    for (int syncs = 0; syncs < 300; ++syncs) {  // more than 252 SYNCs
         EXPECT_TRUE(send("080#").empty()) << syncs;
     }
 }
 
-TEST_F(Tpdo, Type252GivesTheValuesOfTheLastSync) {
+TEST_F(Tpdo, Type252CarriesTheValuesOfTheLastSync) {
     verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FC");
@@ -225,7 +225,7 @@ TEST_F(Tpdo, Type252GivesTheValuesOfTheLastSync) {
                 });
 }
 
-TEST_F(Tpdo, SynchronousTypesAnswerWithTheValuesOfTheLastSync) {
+TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
     verifies<req::CO_PDO_016>();
     silence_tpdo2();
     for (const char* type : {"00", "05"}) {
@@ -241,7 +241,7 @@ TEST_F(Tpdo, SynchronousTypesAnswerWithTheValuesOfTheLastSync) {
     }
 }
 
-TEST_F(Tpdo, EventDrivenTypesAnswerAfterTheInhibitTime) {
+TEST_F(Tpdo, EventDrivenTypesAnswerRequestsAfterTheInhibitTime) {
     verifies<req::CO_PDO_016>();
     start();
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
@@ -253,7 +253,7 @@ TEST_F(Tpdo, EventDrivenTypesAnswerAfterTheInhibitTime) {
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, Bit30ForbidsRequests) {
+TEST_F(Tpdo, Bit30OfTheCobIdForbidsRequests) {
     verifies<req::CO_PDO_016>();
     silence_tpdo2();
     for (const char* type : {"FE", "FD", "FC", "01", "00"}) {
@@ -270,7 +270,7 @@ TEST_F(Tpdo, Bit30ForbidsRequests) {
     }
 }
 
-TEST_F(Tpdo, OnlyItsElevenBitIdentifierAsksForIt) {
+TEST_F(Tpdo, OnlyRemoteFramesOfTheElevenBitIdentifierRequestATpdo) {
     verifies<req::CO_PDO_016, req::CO_PDO_006, req::CO_FRAME_001>();
     start();
     talk(*this, {

@@ -7,7 +7,7 @@ namespace canproof::test {
 
 // -- Entering and leaving operational ---------------------------------------------------------------------------------
 
-TEST_F(Tpdo, EventDrivenOnesAreSentOnceOnEnteringOperational) {
+TEST_F(Tpdo, EventDrivenTpdosAreSentOnceOnEnteringOperational) {
     verifies<req::CO_PDO_018>();
     talk(*this, {
                     {"000#0105", {"185#0000"}},
@@ -21,7 +21,7 @@ TEST_F(Tpdo, EventDrivenOnesAreSentOnceOnEnteringOperational) {
                 });
 }
 
-TEST_F(Tpdo, NoneIsSentOutsideOperational) {
+TEST_F(Tpdo, NoTpdoIsSentOutsideOperational) {
     verifies<req::CO_PDO_027>();
     talk(*this, {
                     {"605#2B0018050A000000", {"585#6000180500000000"}},  // 10 ms
@@ -41,7 +41,7 @@ TEST_F(Tpdo, NoneIsSentOutsideOperational) {
     EXPECT_TRUE(pass(100).empty());
 }
 
-TEST_F(Tpdo, AnEventOutsideOperationalIsNotToldLater) {
+TEST_F(Tpdo, EventOutsideOperationalIsNotSentLater) {
     verifies<req::CO_PDO_027>();
     silence_tpdo2();
     set_type("00");
@@ -58,7 +58,7 @@ TEST_F(Tpdo, AnEventOutsideOperationalIsNotToldLater) {
 
 // -- Types 254 and 255 ------------------------------------------------------------------------------------------------
 
-TEST_F(Tpdo, AChangeOfAMappedValueIsSentAtOnce) {
+TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
     verifies<req::CO_PDO_015, req::CO_T_TRANSMISSION_TYPE>();
     for (const char* type : {"FE", "FF"}) {
         power_on();
@@ -77,7 +77,7 @@ TEST_F(Tpdo, AChangeOfAMappedValueIsSentAtOnce) {
     }
 }
 
-TEST_F(Tpdo, ValuesThatChangeTogetherLeaveTogether) {
+TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
     verifies<req::CO_PDO_015>();
     // 2200h (INTEGER16) and 2207h (UNSIGNED32) both in RPDO3 on 405h and in TPDO3 on 385h
     map_tpdo3({"10000022", "20000722"});
@@ -91,11 +91,11 @@ TEST_F(Tpdo, ValuesThatChangeTogetherLeaveTogether) {
                     {"405#050011223344", {"385#050011223344"}},
                     {"405#050011223344", {}},  // the same values
                     {"405#050011223345", {"385#050011223345"}},
-                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: nothing is taken or changes
+                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: no value is set or changes
                 });
 }
 
-TEST_F(Tpdo, TheDeviceTellsOfItsOwnChanges) {
+TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
     verifies<req::CO_PDO_015>();
     start();
     device->objects().write(0x2001, 2, 0x77);
@@ -103,23 +103,23 @@ TEST_F(Tpdo, TheDeviceTellsOfItsOwnChanges) {
     EXPECT_LE(device->next_deadline(), now);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0077"}));
-    device->node().process_value_changed(0x2001, 3, now);  // mapped nowhere
+    device->node().process_value_changed(0x2001, 3, now);  // not mapped
     device->node().process_value_changed(0x2101, 1, now);  // TPDO2 is of type 1
     device->advance(now);
     EXPECT_TRUE(sent().empty());
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Tpdo, WritesToOtherParametersLetTheEventTimerRun) {
+TEST_F(Tpdo, WritesToOtherParametersKeepTheEventTimerRunning) {
     verifies<req::CO_PDO_025>();
     EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 100 ms
     start();
     EXPECT_TRUE(pass(60).empty());
-    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, as it is
+    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, unchanged
     EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
 }
 
-TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
+TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});  // 1001h
     talk(*this, {
@@ -136,8 +136,8 @@ TEST_F(Tpdo, AChangeOfTheErrorRegisterIsSentToo) {
     EXPECT_EQ(pass(1), (Frames{"0:385#00"}));
 }
 
-/// The answer to the SDO, the emergency message and the TPDO leave together.
-TEST_F(Tpdo, AChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
+/// The answer to the SDO, the emergency message and the TPDO are sent together.
+TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});       // 1001h
     send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
@@ -150,7 +150,7 @@ TEST_F(Tpdo, AChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
 
 // -- Parameters in operational ----------------------------------------------------------------------------------------
 
-TEST_F(Tpdo, Bit31SwitchesItOffAndOnAgain) {
+TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
     verifies<req::CO_PDO_006, req::CO_PDO_025>();
     start();
     talk(*this, {
@@ -166,7 +166,7 @@ TEST_F(Tpdo, Bit31SwitchesItOffAndOnAgain) {
                 });
 }
 
-TEST_F(Tpdo, WithNothingMappedNothingIsSent) {
+TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
     verifies<req::CO_PDO_028>();
     talk(*this, {
                     {"605#2302180185030000", {"585#6002180100000000"}},  // TPDO3 valid, 1A02h:0 = 0
@@ -189,13 +189,13 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));
 }
 
-TEST_F(Tpdo, OneBitMoreThanAByteTakesASecondOne) {
+TEST_F(Tpdo, NineBitsTakeTwoBytes) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"08030120", "01010320"});  // 8 bits, 1 bit
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 
-TEST_F(Tpdo, AllSixtyFourBitsCanBeSent) {
+TEST_F(Tpdo, SixtyFourBitsCanBeSent) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"40000622"});  // 2206h: UNSIGNED64
     send("605#2106220008000000");

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The TPDO service alone, on the dictionary of the slave.
+/// The TPDO service alone, with the dictionary of the slave.
 class TimeDriven : public Tpdo {
   protected:
     void begin() {
@@ -25,7 +25,7 @@ class TimeDriven : public Tpdo {
 
 }  // namespace
 
-TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
+TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
     verifies<req::CO_PDO_018>();
     begin();
     EXPECT_TRUE(own_queue.empty());
@@ -36,7 +36,7 @@ TEST_F(TimeDriven, IsSilentWithoutAnEventTimer) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
+TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     verifies<req::CO_PDO_018, req::CO_PDO_017>();
     device->objects().write(0x1800, 5, 100);  // ms
     begin();
@@ -57,7 +57,7 @@ TEST_F(TimeDriven, IsSentOnEnteringOperationalAndEachEventTimeFromThen) {
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
 }
 
-TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
+TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
     verifies<req::CO_PDO_018, req::CO_PDO_013>();
     // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
@@ -74,7 +74,7 @@ TEST_F(TimeDriven, AChangeIsAnEventOfType0Alone) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
+TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     verifies<req::CO_PDO_017>();
     device->objects().write(0x1800, 5, 5);   // 5 ms
     device->objects().write(0x1800, 3, 80);  // 8 ms
@@ -82,10 +82,10 @@ TEST_F(TimeDriven, TheInhibitTimeMovesTheDeadline) {
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
-TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
+TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
-    unused.start(now);  // before reset() no TPDO is known
+    unused.start(now);  // before reset() no TPDO exists
     unused.sync(0);
     unused.value_changed(0x2001, 1, now);
     unused.advance(now);
@@ -93,7 +93,7 @@ TEST_F(TimeDriven, WithoutTpdosThereIsNothingToDo) {
     EXPECT_EQ(unused.next_deadline(), never);
 }
 
-TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
+TEST_F(Tpdo, InhibitTimeKeepsTransmissionsApart) {
     verifies<req::CO_PDO_017>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();
@@ -101,14 +101,14 @@ TEST_F(Tpdo, TheInhibitTimeKeepsTransmissionsApart) {
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},
                 });
-    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values of then, once
+    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values at that moment, once
     EXPECT_EQ(send("605#2F01200133000000"), (Frames{"185#3300", "585#6001200100000000"}));
     pass(9);
     EXPECT_EQ(send("605#2F01200144000000"), (Frames{"585#6001200100000000"}));
     EXPECT_EQ(pass(5), (Frames{"1:185#4400"}));
 }
 
-TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
+TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
     set_inhibit_time("6400");  // 10 ms
     start();
@@ -117,17 +117,17 @@ TEST_F(Tpdo, AnInhibitTimeEndsWhenOperationalIsLeft) {
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, TheEventTimerSendsWithoutAChange) {
+TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
     verifies<req::CO_PDO_017>();
     send("605#2B00180519000000");  // 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
-    // an event begins the interval anew
+    // an event restarts the interval
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#1100", "585#6001200100000000"}));
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
 
-TEST_F(Tpdo, AnAnsweredRequestBeginsTheEventTimerAnew) {
+TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
     verifies<req::CO_PDO_016, req::CO_PDO_017>();
     send("605#2B00180519000000");  // 25 ms
     start();
@@ -136,7 +136,7 @@ TEST_F(Tpdo, AnAnsweredRequestBeginsTheEventTimerAnew) {
     EXPECT_EQ(pass(30), (Frames{"25:185#0000"}));
 }
 
-TEST_F(Tpdo, NoEventTimerIsWaitedForOutsideOperational) {
+TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
     send("605#2B00180519000000");  // 25 ms
     start();
@@ -145,7 +145,7 @@ TEST_F(Tpdo, NoEventTimerIsWaitedForOutsideOperational) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
+TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
     verifies<req::CO_PDO_006, req::CO_PDO_017>();
     send("605#2B00180519000000");  // TPDO1: 25 ms
     send("605#2B01180505000000");  // TPDO2: 5 ms
@@ -159,17 +159,17 @@ TEST_F(Tpdo, OneThatIsSwitchedOffIsNotSentWithTheOthers) {
     }
 }
 
-TEST_F(Tpdo, TheCountOfSyncsGoesOnWhenAnotherParameterIsWritten) {
+TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
-    send("605#2F00180202000000");  // at each second SYNC
+    send("605#2F00180202000000");  // every second SYNC
     send("000#0105");
     EXPECT_EQ(send("080#"), Frames{});
     EXPECT_EQ(send("605#2B00180519000000"), (Frames{"585#6000180500000000"}));
     EXPECT_EQ(send("080#"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
+TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
     verifies<req::CO_PDO_017>();
     send("605#2B0018050A000000");  // 10 ms
     start();
@@ -178,14 +178,14 @@ TEST_F(Tpdo, TheEventTimerKeepsItsStepWhenItIsServedLate) {
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
     EXPECT_EQ(pass(10), (Frames{"7:185#0000"}));
     pass(7);
-    now = now + milliseconds(100);  // what was missed is not made up for
+    now = now + milliseconds(100);  // missed transmissions are not sent later
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
     device->advance(now);
     EXPECT_TRUE(sent().empty());
 }
 
-TEST_F(Tpdo, TheInhibitTimeOutlastsAShorterEventTimer) {
+TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
     verifies<req::CO_PDO_017>();
     send("605#2B00180505000000");  // 5 ms
     set_inhibit_time("5000");      // 8 ms
@@ -193,7 +193,7 @@ TEST_F(Tpdo, TheInhibitTimeOutlastsAShorterEventTimer) {
     EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
 }
 
-TEST_F(Tpdo, ANewEventTimerRunsFromItsWrite) {
+TEST_F(Tpdo, NewEventTimerRunsFromItsWrite) {
     verifies<req::CO_PDO_025>();
     start();
     EXPECT_TRUE(pass(100).empty());

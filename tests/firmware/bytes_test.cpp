@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-TEST(Bytes, BeyondTheEndIsZeroAndStaysUnwritten) {
+TEST(Bytes, BytesBeyondTheEndReadAsZeroAndStayUnwritten) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 6> room{{9, 9, 9, 9, 9, 9}};
     MutableBytes first_four{room.data(), 4U};
@@ -34,7 +34,7 @@ TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 0x11, 0x22, 0, 0}}));
 }
 
-TEST(Bytes, NumbersBehindTheEndAreZeroAndStayUnwritten) {
+TEST(Bytes, NumbersBeyondTheEndReadAsZeroAndStayUnwritten) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
     MutableBytes first_four{room.data(), 4U};
@@ -49,7 +49,7 @@ TEST(Bytes, NumbersBehindTheEndAreZeroAndStayUnwritten) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
 }
 
-TEST(Bytes, APlaceBeyondWhatASizeCountsIsBeyondTheEnd) {
+TEST(Bytes, OffsetThatOverflowsIsBeyondTheEnd) {
     shows_rule("views of bytes cannot overrun");
     constexpr std::size_t highest = std::numeric_limits<std::size_t>::max();
     const std::array<std::uint8_t, 8> before{{1, 2, 3, 4, 5, 6, 7, 8}};
@@ -67,7 +67,7 @@ TEST(Bytes, APlaceBeyondWhatASizeCountsIsBeyondTheEnd) {
     }
 }
 
-TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
+TEST(Bytes, CopyEndsAtTheEndOfTheTarget) {
     shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 4> source{{1, 2, 3, 4}};
     std::array<std::uint8_t, 6> room{};
@@ -83,7 +83,7 @@ TEST(Bytes, CopiesEndAtTheEndOfTheRoom) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{4, 2, 3, 4, 0, 0}}));
 }
 
-TEST(Bytes, PartsEndWithTheirWhole) {
+TEST(Bytes, PartOfAViewEndsWithTheView) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
     const ByteView four{room.data(), 4U};
@@ -99,7 +99,7 @@ TEST(Bytes, PartsEndWithTheirWhole) {
     EXPECT_EQ(open_four.part(6U, 2U).size(), 0U);
 }
 
-TEST(Bytes, NumbersReadFromBeyondTheEndHaveZerosThere) {
+TEST(Bytes, NumberReadAcrossTheEndHasZerosThere) {
     shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 8> room{{0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88}};
     const ByteView four{room.data(), 4U};
@@ -114,7 +114,7 @@ TEST(Bytes, NumbersReadFromBeyondTheEndHaveZerosThere) {
     EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
 
-TEST(Bytes, ANumberTakesAsManyBytesAsItIsWide) {
+TEST(Bytes, NumberTakesAsManyBytesAsItsType) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{9, 9, 9, 9, 9, 9, 9, 9}};
     MutableBytes six{room.data(), 6U};
@@ -171,7 +171,7 @@ void expect_bytes(std::size_t size, std::size_t at, std::uint64_t value) {
 
 }  // namespace
 
-TEST(Bytes, EveryNumberAtEveryPlaceIsAsByteByByte) {
+TEST(Bytes, NumberAccessEqualsByteByByteAccessAtEveryOffset) {
     shows_rule("views of bytes cannot overrun");
     for (std::size_t size = 0; size <= 8; ++size) {
         for (std::size_t at = 0; at <= size + 1; ++at) {
@@ -188,7 +188,7 @@ TEST(Bytes, EveryNumberAtEveryPlaceIsAsByteByByte) {
     }
 }
 
-TEST(Slots, PartsEndWithTheirWhole) {
+TEST(Slots, PartOfSlotsEndsWithTheSlots) {
     shows_rule("views of bytes cannot overrun");
     std::array<PdoLine, 6> room{};
     const Slots<PdoLine> four{room.data(), 4U};

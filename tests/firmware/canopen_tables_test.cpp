@@ -20,7 +20,7 @@ namespace own = generated::canopen;
 }  // namespace
 
 // CiA 301, 7.3.5
-TEST(CanopenTables, RestrictedIdentifiers) {
+TEST(CanopenTables, RestrictedIdentifiersFollowCiA301) {
     verifies<req::CO_T_RESTRICTED_COB_ID>();
     namespace t = own::restricted_cob_id;
     for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
@@ -34,7 +34,7 @@ TEST(CanopenTables, RestrictedIdentifiers) {
 }
 
 // CiA 301, 7.4.1: communication from 1000h, the maker's from 2000h, those of a device profile from 6000h
-TEST(CanopenTables, AreasOfTheDictionary) {
+TEST(CanopenTables, DictionaryAreasFollowCiA301) {
     verifies<req::CO_NMT_006>();
     EXPECT_EQ(parameter_group(0x1000), ParameterGroup::communication);
     EXPECT_EQ(parameter_group(0x1FFF), ParameterGroup::communication);
@@ -45,7 +45,7 @@ TEST(CanopenTables, AreasOfTheDictionary) {
 }
 
 // CiA 301, 7.3.2.3: no service before boot-up, no one of these in stopped, PDOs in operational only
-TEST(CanopenTables, ServicesByState) {
+TEST(CanopenTables, ServicesByStateFollowCiA301) {
     verifies<req::CO_T_SERVICES>();
     namespace t = own::nmt_services;
     using State = own::NmtState;
@@ -61,7 +61,7 @@ TEST(CanopenTables, ServicesByState) {
 }
 
 // CiA 301, 7.5.2.35 and 7.5.2.37
-TEST(CanopenTables, TransmissionTypes) {
+TEST(CanopenTables, TransmissionTypesFollowCiA301) {
     verifies<req::CO_T_TRANSMISSION_TYPE>();
     namespace t = own::transmission_type;
     for (std::uint32_t type = 0; type <= 255; ++type) {
@@ -86,7 +86,7 @@ TEST(CanopenTables, TransmissionTypes) {
 }
 
 // CiA 305, 6.7.4: LSS Fastscan has seven bytes behind its command, and its slave answers by the command alone, 4Fh
-TEST(CanopenTables, Fastscan) {
+TEST(CanopenTables, FastscanLengthsFollowCiA305) {
     verifies<req::CO_T_LSS>();
     const auto* row = own::lss_requests::find(own::LssCommand::fastscan);
     ASSERT_NE(row, nullptr);
@@ -95,7 +95,7 @@ TEST(CanopenTables, Fastscan) {
 }
 
 // CiA 301, 7.3.3
-TEST(CanopenTables, Identifiers) {
+TEST(CanopenTables, IdentifiersFollowCiA301) {
     verifies<req::CO_K_GUARDING_ID>();
     EXPECT_EQ(own::guarding_cob_id_base, 0x700U);
 }

@@ -32,7 +32,7 @@ struct Dictionary {
     }
 };
 
-TEST(DictionaryCheck, TakesASoundDictionary) {
+TEST(DictionaryCheck, SoundDictionaryIsAccepted) {
     test::shows_rule("a dictionary that is compiled is sound");
     EXPECT_TRUE(Dictionary{}.sound());
     Dictionary neighbours;
@@ -45,7 +45,7 @@ TEST(DictionaryCheck, TakesASoundDictionary) {
     EXPECT_TRUE(two_first.sound());
 }
 
-TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
+TEST(DictionaryCheck, ObjectsOutOfOrderOrWithEntryGapsAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary twice;
     twice.objects[1].index = 0x1000U;
@@ -70,14 +70,14 @@ TEST(DictionaryCheck, ObjectsAscendAndTheirEntriesFollowOneAnother) {
     EXPECT_FALSE(overlapping.sound());
 }
 
-TEST(DictionaryCheck, SubindicesAscend) {
+TEST(DictionaryCheck, SubindicesOutOfOrderAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary twice;
     twice.entries[2].subindex = 0U;
     EXPECT_FALSE(twice.sound());
 }
 
-TEST(DictionaryCheck, PdosUpTo8OfEachDirectionAreServed) {
+TEST(DictionaryCheck, MoreThan8PdosOfADirectionAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     // Factor 1 << 16: 1407h and 1807h lie in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh and
     // 19FFh in slot 3.
@@ -99,14 +99,14 @@ TEST(DictionaryCheck, PdosUpTo8OfEachDirectionAreServed) {
     EXPECT_TRUE(with(0x1A00U, 1U));
 }
 
-TEST(DictionaryCheck, EachObjectHasSubindex0) {
+TEST(DictionaryCheck, ObjectWithoutSubindex0IsRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary without;
     without.entries[0].subindex = 1U;
     EXPECT_FALSE(without.sound());
 }
 
-TEST(DictionaryCheck, ValuesLieInTheirPool) {
+TEST(DictionaryCheck, ValuesOutsideTheirPoolAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;
     flash.entries[0].offset = 1U;
@@ -116,14 +116,14 @@ TEST(DictionaryCheck, ValuesLieInTheirPool) {
     EXPECT_FALSE(memory.sound());
 }
 
-TEST(DictionaryCheck, LimitsExist) {
+TEST(DictionaryCheck, MissingLimitIsRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary missing;
     missing.entries[2].limit = 1U;
     EXPECT_FALSE(missing.sound());
 }
 
-TEST(DictionaryCheck, EachObjectIsFoundAndEachSearchEnds) {
+TEST(DictionaryCheck, HashTableFindsEachObjectAndEndsEachSearch) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};

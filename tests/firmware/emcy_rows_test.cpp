@@ -47,7 +47,7 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
 
 }  // namespace
 
-TEST_F(EmcyRows, EachRowIsToldAsItSays) {
+TEST_F(EmcyRows, ErrorIsReportedAsItsTableRowRequires) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_007>();
     emcy().set(quiet, true, now);
     EXPECT_EQ(error_register(), 0x01U);
@@ -68,7 +68,7 @@ TEST_F(EmcyRows, EachRowIsToldAsItSays) {
     EXPECT_EQ(sent(), Frames{"085#00610F0000000000"});
 }
 
-TEST_F(EmcyRows, AResetOfCommunicationLeavesAListOfActiveErrorsAndEmptiesAHistory) {
+TEST_F(EmcyRows, ResetCommunicationKeepsActiveErrorsAndEmptiesAHistory) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy().set(unlisted, true, now);
     emcy().set(unsent, true, now);
@@ -87,7 +87,7 @@ TEST_F(EmcyRows, AResetOfCommunicationLeavesAListOfActiveErrorsAndEmptiesAHistor
     EXPECT_EQ(error_register(), 0x08U);
 }
 
-TEST_F(EmcyRows, AnErrorThatIsOverWhenItIsNoticedIsToldAsItsRowSays) {
+TEST_F(EmcyRows, MomentaryErrorIsReportedAsItsTableRowRequires) {
     verifies<req::CO_EMCY_001>();
     emcy().report(quiet, now);
     EXPECT_TRUE(sent().empty());

@@ -33,7 +33,7 @@ const std::string pause1(28, '.');  // 1400 ms
 
 }  // namespace
 
-TEST(Indicator, EachStateAsPrinted) {
+TEST(Indicator, EachStateFlashesAsPrintedInTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005>();
     EXPECT_EQ(watch(State::off, 40), std::string(40, '.'));
     EXPECT_EQ(watch(State::on, 40), std::string(40, '#'));
@@ -47,7 +47,7 @@ TEST(Indicator, EachStateAsPrinted) {
     EXPECT_EQ(watch(State::flash4, 96), four + four);
 }
 
-TEST(Indicator, AShiftedRoundBeginsLater) {
+TEST(Indicator, ShiftedPatternStartsLater) {
     verifies<req::AO4_LED_006>();
     EXPECT_EQ(watch(State::blinking, 12, milliseconds(200)), gap + flash + gap);
     EXPECT_EQ(watch(State::flash1, 32, milliseconds(200)), gap + flash + std::string(24, '.'));
@@ -63,7 +63,7 @@ TEST(Indicator, NextChangeIsTheEndOfThePhase) {
     EXPECT_EQ(indicator_phase(pattern(State::on), Instant{} + milliseconds(700), Duration{}).next_change, never);
 }
 
-TEST(Indicator, WithoutFlashesItIsSteadyWhateverThePause) {
+TEST(Indicator, PatternWithoutFlashesIsSteadyWhateverThePause) {
     verifies<req::AO4_LED_005>();
     const IndicatorPattern lit{0U, milliseconds(1), Duration{}, milliseconds(500)};
     for (const std::uint64_t time : {0U, 1U, 499U, 500U, 1234U}) {
@@ -72,7 +72,7 @@ TEST(Indicator, WithoutFlashesItIsSteadyWhateverThePause) {
     }
 }
 
-TEST(Indicator, APatternThatTakesNoTimeIsSteady) {
+TEST(Indicator, PatternWithoutDurationIsSteady) {
     shows_rule("work is bounded");
     const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};
     EXPECT_FALSE(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).lit);

@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST(Instants, AreOrderedByTheirMicroseconds) {
+TEST(Instants, InstantsAreOrderedByTheirMicroseconds) {
     shows_rule("time neither wraps nor runs backwards");
     const Instant early{1U};
     const Instant late{2U};
@@ -16,21 +16,21 @@ TEST(Instants, AreOrderedByTheirMicroseconds) {
     EXPECT_FALSE(early > late);
 }
 
-TEST(Instants, EndAtNever) {
+TEST(Instants, AdditionSaturatesAtNever) {
     shows_rule("time neither wraps nor runs backwards");
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{4U}) < never);
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{6U}) == never);
     EXPECT_TRUE((never + Duration{1U}) == never);
 }
 
-TEST(Instants, NoTimePassesBackwards) {
+TEST(Instants, ElapsedTimeIsNeverNegative) {
     shows_rule("time neither wraps nor runs backwards");
     EXPECT_EQ(elapsed(Instant{3U}, Instant{10U}).us, 7U);
     EXPECT_EQ(elapsed(Instant{10U}, Instant{10U}).us, 0U);
     EXPECT_EQ(elapsed(Instant{10U}, Instant{3U}).us, 0U);
 }
 
-TEST(SequenceNumbers, GoOnAfterTheHighest) {
+TEST(SequenceNumbers, SequenceNumberWrapsAfterTheHighest) {
     shows_rule("of two copies the newer is used");
     EXPECT_TRUE(is_newer(8U, 7U));
     EXPECT_FALSE(is_newer(7U, 8U));

@@ -22,13 +22,13 @@ void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) 
 
 }  // namespace
 
-TEST(LssStore, GivesWhatWasShippedUntilSomethingIsStored) {
+TEST(LssStore, FactoryValuesApplyUntilAStore) {
     verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     expect(LssStore{memory}.load(shipped), 127, 125000);
 }
 
-TEST(LssStore, GivesWhatWasStoredLast) {
+TEST(LssStore, LatestStoredConfigurationIsLoaded) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     host::Memory memory{64};
     for (int node_id = 1; node_id < 6; ++node_id) {
@@ -37,7 +37,7 @@ TEST(LssStore, GivesWhatWasStoredLast) {
     }
 }
 
-TEST(LssStore, NeedsNoByteMoreThanItsSize) {
+TEST(LssStore, StoreNeedsNoMoreBytesThanItsSize) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     host::Memory memory{LssStore::size};
     for (int node_id = 1; node_id < 4; ++node_id) {
@@ -46,7 +46,7 @@ TEST(LssStore, NeedsNoByteMoreThanItsSize) {
     }
 }
 
-TEST(LssStore, LivesAtTheEndOfTheMemory) {
+TEST(LssStore, StoreUsesTheEndOfTheMemory) {
     verifies<req::CO_LSS_016>();
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
@@ -55,7 +55,7 @@ TEST(LssStore, LivesAtTheEndOfTheMemory) {
     }
 }
 
-TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
+TEST(LssStore, PowerCutAtAnyByteLeavesTheOldOrTheNewConfiguration) {
     verifies<req::CO_LSS_016>();
     // One byte makes the slot void, 20 fill it, one commits it, one makes the other slot void.
     for (std::size_t cut = 0; cut <= 23; ++cut) {
@@ -75,7 +75,7 @@ TEST(LssStore, APowerCutAtAnyByteLeavesTheOldOrTheNew) {
     }
 }
 
-TEST(LssStore, APowerCutSparesTheSlotInUseWhicheverItIs) {
+TEST(LssStore, PowerCutNeverDamagesTheSlotInUse) {
     verifies<req::CO_LSS_016>();
     for (const int before : {1, 2, 3, 4}) {
         host::Memory memory{64};
@@ -89,7 +89,7 @@ TEST(LssStore, APowerCutSparesTheSlotInUseWhicheverItIs) {
     }
 }
 
-TEST(LssStore, ASlotThatBeginsOtherwiseDoesNotCount) {
+TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
     verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     LssStore{memory}.store({1, 10000});
@@ -103,7 +103,7 @@ TEST(LssStore, ASlotThatBeginsOtherwiseDoesNotCount) {
     expect(LssStore{memory}.load(shipped), 127, 125000);
 }
 
-TEST(LssStore, ADamagedSlotDoesNotCount) {
+TEST(LssStore, DamagedSlotIsIgnored) {
     verifies<req::CO_LSS_017, req::CO_LSS_065>();
     for (const int stores : {1, 2, 3}) {  // the latest in the first slot, in the second, in the first
         for (std::size_t at = 0; at < 40; ++at) {
@@ -121,7 +121,7 @@ TEST(LssStore, ADamagedSlotDoesNotCount) {
     }
 }
 
-TEST(LssStore, WhatIsStoredAfterDamageHoldsAndACutLeavesTheDamage) {
+TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     for (const int stores : {1, 2}) {
         for (std::size_t cut = 0; cut <= 23; ++cut) {
@@ -143,7 +143,7 @@ TEST(LssStore, WhatIsStoredAfterDamageHoldsAndACutLeavesTheDamage) {
     }
 }
 
-TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {
+TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
     // Only a copy of a slot can bring this about: 20 bytes each, at the end of the memory.
     host::Memory memory{64};
@@ -156,7 +156,7 @@ TEST(LssStore, OfTwoSlotsWithOneSequenceNumberTheFirstHolds) {
     expect(LssStore{memory}.load(shipped), 6, 250000);
 }
 
-TEST(LssStore, AMemoryThatIsTooSmallKeepsNothing) {
+TEST(LssStore, MemoryThatIsTooSmallStoresNothing) {
     verifies<req::CO_LSS_016>();
     host::Memory memory{8};
     expect(LssStore{memory}.load(shipped), 127, 125000);
@@ -173,7 +173,7 @@ TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
-TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
+TEST(LssStore, FailedReadCountsAsNothingStored) {
     verifies<req::CO_LSS_017>();
     FaultyMemory memory{64};
     LssStore{memory}.store({5, 500000});
@@ -184,7 +184,7 @@ TEST(LssStore, AReadThatFailsCountsAsNothingStored) {
 }
 
 // CiA 305, 6.4.2: 1 to 127, and 255 for none
-TEST(LssStore, ANodeIdThatLssNeverGivesCountsAsNothingStored) {
+TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {
         host::Memory memory{64};

@@ -155,7 +155,7 @@ Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& fr
 
 }  // namespace
 
-TEST(NoAllocation, TheAllocatorDoesFail) {
+TEST(NoAllocation, AllocationDuringTheTestFails) {
     shows_rule("nothing is taken from the heap after start");
     int caught = 0;
     {
@@ -178,7 +178,7 @@ TEST(NoAllocation, TheAllocatorDoesFail) {
     EXPECT_GE(refused, 1);
 }
 
-TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
+TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
     shows_rule("nothing is taken from the heap after start");
     SlaveBench bench;
     bench.device->take_domain_memory();
@@ -266,7 +266,7 @@ TEST(NoAllocation, ASlaveWithEveryServiceNeedsNoneAfterStart) {
     EXPECT_GE(tally.others, 12);
 }
 
-TEST(NoAllocation, TheCanCbxAo412NeedsNoneAfterStart) {
+TEST(NoAllocation, CanCbxAo412AllocatesNothingAfterStart) {
     shows_rule("nothing is taken from the heap after start");
     host::Memory memory{1024};
     TransmitQueue queue;

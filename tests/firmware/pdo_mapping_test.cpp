@@ -76,7 +76,7 @@ class SmallDictionary {
 }  // namespace
 
 // The image holds A000h + index, flash F010h and F011h. 2000h has eight bytes behind it, 2001h and 2002h have not.
-TEST(Mapping, CarriesWhatLiesTogetherAndWhatDoesNot) {
+TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;
     EXPECT_EQ(small.carried({0x2000, 0x2001, 0x2002}), 0xC002'C001'C000U);
@@ -89,7 +89,7 @@ TEST(Mapping, CarriesWhatLiesTogetherAndWhatDoesNot) {
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
 }
 
-TEST(Mapping, HoldsWhatItNamesAndNothingElse) {
+TEST(Mapping, MappingContainsItsNamedValuesOnly) {
     verifies<req::CO_PDO_015>();
     const host::DictionaryRows rows{slave().rows};
     const DictionaryTables tables{rows.tables()};

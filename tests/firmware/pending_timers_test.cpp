@@ -44,7 +44,7 @@ Frames each(int first, int period, const std::string& frame) {
 
 }  // namespace
 
-TEST(PendingTimer, PeriodOfTheHeartbeat) {
+TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_HB_001, req::CO_NMT_006>();
     expect({"605#2B17100064000000"}, {
                                          {"nothing", {}, each(60, 100, "705#7F")},
@@ -58,7 +58,7 @@ TEST(PendingTimer, PeriodOfTheHeartbeat) {
                                      });
 }
 
-TEST(PendingTimer, AHeartbeatThatIsAwaited) {
+TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_HB_002, req::CO_HB_003, req::CO_NMT_006>();
     const Frames lost{"60:085#3081110100000000"};
     expect({"605#2316100164003100", "731#05"},
@@ -76,7 +76,7 @@ TEST(PendingTimer, AHeartbeatThatIsAwaited) {
            });
 }
 
-TEST(PendingTimer, LifeTimeOfGuarding) {
+TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_GUARD_002, req::CO_GUARD_003, req::CO_NMT_006>();
     expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // 50 ms, twice
            {
@@ -90,7 +90,7 @@ TEST(PendingTimer, LifeTimeOfGuarding) {
            });
 }
 
-TEST(PendingTimer, PeriodOfTheSync) {
+TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_SYNC_003, req::CO_NMT_006>();
     expect({"605#23061000A0860100", "605#2305100080000040"},  // 100,000 us
            {
@@ -104,7 +104,7 @@ TEST(PendingTimer, PeriodOfTheSync) {
            });
 }
 
-TEST(PendingTimer, AnRpdoThatIsAwaited) {
+TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_PDO_021, req::CO_PDO_022, req::CO_NMT_006>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
@@ -123,7 +123,7 @@ TEST(PendingTimer, AnRpdoThatIsAwaited) {
            });
 }
 
-TEST(PendingTimer, EventTimerOfATpdo) {
+TEST(PendingTimer, TpdoEventTimerIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_PDO_017, req::CO_PDO_025, req::CO_PDO_027>();
     expect({"605#2B00180564000000", "000#0105"},
            {
@@ -140,7 +140,7 @@ TEST(PendingTimer, EventTimerOfATpdo) {
            });
 }
 
-TEST(PendingTimer, InhibitTimeOfATpdo) {
+TEST(PendingTimer, TpdoInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_PDO_017, req::CO_PDO_018, req::CO_PDO_027>();
     const std::string change = "605#2F01200122000000";
     expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us
@@ -158,7 +158,7 @@ TEST(PendingTimer, InhibitTimeOfATpdo) {
            });
 }
 
-TEST(PendingTimer, CountOfSyncsOfATpdo) {
+TEST(PendingTimer, TpdoSyncCountIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_PDO_014>();
     const std::vector<Case> cases{
         {"nothing", {}, {"1"}},

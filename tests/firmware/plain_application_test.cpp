@@ -87,13 +87,13 @@ class ByHand : public testing::Test, public AlteredSlaveBench {
 
 }  // namespace
 
-TEST_F(Plain, ADomainThatNobodyTakesIsRefusedAndHoldsNothing) {
+TEST_F(Plain, DomainWithoutAnApplicationIsRefusedAndEmpty) {
     verifies<req::CO_SDO_032, req::CO_SDO_033>();
     EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
 }
 
-TEST_F(Plain, TheDeviceIsAskedForAccessToEntriesOfAProgramAlone) {
+TEST_F(Plain, DeviceIsAskedForAccessToProgramEntriesOnly) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().access = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
@@ -105,7 +105,7 @@ TEST_F(Plain, TheDeviceIsAskedForAccessToEntriesOfAProgramAlone) {
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
 }
 
-TEST_F(Plain, TheDeviceHearsOfNewValuesOfItsOwnEntriesAlone) {
+TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     verifies<req::CO_SDO_016>();
     device->give(0x2207, Service::device);
     // 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
@@ -119,7 +119,7 @@ TEST_F(Plain, TheDeviceHearsOfNewValuesOfItsOwnEntriesAlone) {
     EXPECT_EQ(device->application().written, (std::vector<std::uint16_t>{0x2207}));
 }
 
-TEST_F(Plain, OnEntriesOfAProgramTheDeviceHasTheLastWord) {
+TEST_F(Plain, DeviceMayRefuseWritesToProgramEntries) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().last_word = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
@@ -131,13 +131,13 @@ TEST_F(Plain, OnEntriesOfAProgramTheDeviceHasTheLastWord) {
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220005060708"});
 }
 
-TEST_F(Plain, WithoutAStoreLssAnswersThatItCannot) {
+TEST_F(Plain, LssStoreWithoutAMemoryIsRefused) {
     verifies<req::CO_LSS_016>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1700000000000000"), Frames{"7E4#1701000000000000"});
 }
 
-TEST_F(Plain, ABitRateThatNobodySetsEndsItsSilenceAllTheSame) {
+TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1300030000000000"), Frames{"7E4#1300000000000000"});  // 250 kbit/s
@@ -147,7 +147,7 @@ TEST_F(Plain, ABitRateThatNobodySetsEndsItsSilenceAllTheSame) {
     EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
 }
 
-TEST_F(ByHand, AConstantIsNeverOverwritten) {
+TEST_F(ByHand, ConstantEntryIsNeverOverwritten) {
     verifies<req::CO_SDO_009>();
     ObjectDictionary& objects = device->objects();
     const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash
@@ -159,7 +159,7 @@ TEST_F(ByHand, AConstantIsNeverOverwritten) {
     EXPECT_EQ(objects.value(name).size(), 17U);
 }
 
-TEST_F(ByHand, ASelfStartWaitsForCommunicationUnless1029hSaysNoChange) {
+TEST_F(ByHand, SelfStartNeedsCommunicationUnless1029hSelectsNoChange) {
     verifies<req::CO_NMT_008, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {

@@ -18,7 +18,7 @@ struct Row {
 
 }  // namespace
 
-TEST(TableRow, ARowAnswersAndAMissingOneGivesTheSafeValue) {
+TEST(TableRow, PresentRowGivesItsValueAndAMissingRowTheSafeValue) {
     shows_rule("a missing row gives the safe value");
     const Row row{3U, -7};
     const Row* const missing = nullptr;

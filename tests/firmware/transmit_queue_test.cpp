@@ -17,7 +17,7 @@ Frame numbered(std::uint32_t id, std::uint8_t number) {
 
 }  // namespace
 
-TEST(Frames, ARemoteOneHasALengthAndNoData) {
+TEST(Frames, RemoteFrameHasALengthAndNoData) {
     shows_rule("a remote frame carries no data");
     Frame frame = data_frame(0x703, 8);
     EXPECT_EQ(frame.payload().size(), 8U);
@@ -25,7 +25,7 @@ TEST(Frames, ARemoteOneHasALengthAndNoData) {
     EXPECT_EQ(frame.payload().size(), 0U);
 }
 
-TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
+TEST(TransmitQueueOrder, LowestIdentifierIsFirstAndEqualIdentifiersKeepTheirOrder) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (const auto& [id, number] : {std::pair{0x583U, 1}, {0x183U, 2}, {0x583U, 3}, {0x083U, 4}, {0x183U, 5}}) {
@@ -37,7 +37,7 @@ TEST(TransmitQueueOrder, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, AnEmptyQueueGivesAnEmptyFrame) {
+TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
@@ -46,7 +46,7 @@ TEST(TransmitQueueOrder, AnEmptyQueueGivesAnEmptyFrame) {
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 
-TEST(TransmitQueueOrder, FrontShowsWhatPopGives) {
+TEST(TransmitQueueOrder, FrontShowsTheFrameThatPopReturns) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     EXPECT_EQ(queue.front(), nullptr);
@@ -71,7 +71,7 @@ TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, IsBoundedAndRefusesWhileClosed) {
+TEST(TransmitQueueOrder, QueueIsBoundedAndRefusesFramesWhileClosed) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
@@ -85,7 +85,7 @@ TEST(TransmitQueueOrder, IsBoundedAndRefusesWhileClosed) {
     EXPECT_TRUE(queue.push(numbered(0x100, 0)));
 }
 
-TEST(TransmitQueueOrder, AFramePutBackGoesInFrontOfItsLikes) {
+TEST(TransmitQueueOrder, FramePutBackPrecedesFramesOfItsIdentifier) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (const auto& [id, number] : {std::pair{0x083U, 1}, {0x583U, 2}, {0x583U, 3}, {0x703U, 4}}) {
@@ -98,7 +98,7 @@ TEST(TransmitQueueOrder, AFramePutBackGoesInFrontOfItsLikes) {
     }
 }
 
-TEST(TransmitQueueOrder, AFramePutBackFindsNoRoomInAFullQueueAndIsLostInAClosedOne) {
+TEST(TransmitQueueOrder, FramePutBackIsRefusedByAFullQueueAndLostInAClosedQueue) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
@@ -114,7 +114,7 @@ TEST(TransmitQueueOrder, AFramePutBackFindsNoRoomInAFullQueueAndIsLostInAClosedO
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, SaysThatTheBootUpMessageWaitsUntilItIsTaken) {
+TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     verifies<req::CO_FRAME_002, req::CO_NMT_001>();
     TransmitQueue queue;
     queue.push(numbered(0x083, 1));
@@ -129,7 +129,7 @@ TEST(TransmitQueueOrder, SaysThatTheBootUpMessageWaitsUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
 }
 
-TEST(Crc, CheckValueOfTheCatalogue) {
+TEST(Crc, CrcHasTheCheckValueOfTheCatalogue) {
     verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};

@@ -45,7 +45,7 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
 
 }  // namespace
 
-TEST(BitTiming, RatesOfTheAx130751At168MHz) {
+TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
     verifies<req::CO_CAN_001>();
     // 3.1 of its manual: 42 MHz / 666.667 kbit/s = 63, no remainder.
     expect_timings(mhz_42, {{1000000, 42},
@@ -58,7 +58,7 @@ TEST(BitTiming, RatesOfTheAx130751At168MHz) {
                             {10000, 4200}});
 }
 
-TEST(BitTiming, RatesOfTheOthersAt160MHz) {
+TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
     verifies<req::CO_CAN_001>();
     // 800 kbit/s, index 1 of CiA 305, needs 40 MHz / 50: 42 MHz / 0.8 MHz is 52.5.
     expect_timings(mhz_40, {{1000000, 40},
@@ -80,7 +80,7 @@ TEST(BitTiming, RatesOfTheOthersAt160MHz) {
                             {12500, 3200}});
 }
 
-TEST(BitTiming, ARateThatTheClockDoesNotGiveIsRefused) {
+TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
     verifies<req::CO_CAN_001>();
     // 52 or 53 clocks: 0.96 % too fast, 0.94 % too slow.
     for (const std::uint32_t rate : {800000U, 0U, 100U, 6000000U, 42000000U, 4294967295U}) {
@@ -89,14 +89,14 @@ TEST(BitTiming, ARateThatTheClockDoesNotGiveIsRefused) {
     }
 }
 
-TEST(BitTiming, RegisterOfOneMegabit) {
+TEST(BitTiming, RegisterValueOfOneMegabitFollowsTheReferenceManual) {
     verifies<req::CO_CAN_001>();
     // 3 clocks a quantum, 1 + 11 + 2 quanta, jump 2: each less one, at bits 0, 16, 20 and 24.
     EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }
 
-TEST(BitTiming, EveryFieldStaysInItsBounds) {
+TEST(BitTiming, EveryFieldStaysWithinItsBounds) {
     verifies<req::CO_CAN_001>();
     for (std::uint32_t rate = 5000; rate <= 1000000; rate += 997) {
         for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 45000000U}) {

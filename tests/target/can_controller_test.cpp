@@ -38,7 +38,7 @@ struct Bench {
 
 }  // namespace
 
-TEST(CanController, JoinsTheBusInTwoStepsAtTheBitRate) {
+TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheBitRate) {
     verifies<req::CO_CAN_001, req::CO_CAN_002>();
     Bench bench;
     EXPECT_EQ(bench.controller.bit_rate(), 0U);
@@ -56,7 +56,7 @@ TEST(CanController, JoinsTheBusInTwoStepsAtTheBitRate) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, ARateThatTheClockDoesNotGiveKeepsItOffTheBus) {
+TEST(CanController, BitRateThatTheClockCannotGiveKeepsTheControllerOffTheBus) {
     verifies<req::CO_CAN_001>();
     Bench bench;
     bench.join();
@@ -74,7 +74,7 @@ TEST(CanController, ARateThatTheClockDoesNotGiveKeepsItOffTheBus) {
     EXPECT_EQ(bench.controller.state(), CanState::error_active);
 }
 
-TEST(CanController, ResetsAControllerThatDoesNotInitialiseWithinASecond) {
+TEST(CanController, ControllerThatDoesNotInitialiseWithinASecondIsReset) {
     verifies<req::CO_CAN_002>();
     Bench bench;
     bench.model.answer_initialisation(false);
@@ -94,7 +94,7 @@ TEST(CanController, ResetsAControllerThatDoesNotInitialiseWithinASecond) {
     EXPECT_EQ(bench.controller.state(), CanState::error_active);
 }
 
-TEST(CanController, ABusThatIsStuckAtDominantIsBusOffUntilItIsNot) {
+TEST(CanController, BusStuckAtDominantIsReportedAsBusOffUntilReleased) {
     verifies<req::CO_CAN_002>();
     Bench bench;
     bench.model.hold_dominant(true);
@@ -111,7 +111,7 @@ TEST(CanController, ABusThatIsStuckAtDominantIsBusOffUntilItIsNot) {
     EXPECT_EQ(bench.controller.state(), CanState::error_active);
 }
 
-TEST(CanController, TakesEvery11BitIdentifierAndNo29BitOne) {
+TEST(CanController, Every11BitIdentifierIsAcceptedAndNo29BitIdentifier) {
     verifies<req::CO_CAN_003>();
     Bench bench;
     bench.join();
@@ -134,7 +134,7 @@ TEST(CanController, TakesEvery11BitIdentifierAndNo29BitOne) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, ReportsTheWorstStateThatTheControllerShows) {
+TEST(CanController, WorstStateOfTheControllerIsReported) {
     verifies<req::CO_CAN_007>();
     Bench bench;
     bench.join();
@@ -158,7 +158,7 @@ TEST(CanController, ReportsTheWorstStateThatTheControllerShows) {
     }
 }
 
-TEST(CanController, RecoversFromBusOffAfterARestAndNotByItself) {
+TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
     verifies<req::CO_CAN_008>();
     Bench bench;
     bench.join();
@@ -184,7 +184,7 @@ TEST(CanController, RecoversFromBusOffAfterARestAndNotByItself) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, ASecondBusOffHasItsOwnRest) {
+TEST(CanController, SecondBusOffHasItsOwnPause) {
     verifies<req::CO_CAN_008>();
     Bench bench;
     bench.join();
@@ -203,7 +203,7 @@ TEST(CanController, ASecondBusOffHasItsOwnRest) {
     }
 }
 
-TEST(CanRegisters, LieWhereTheReferenceManualHasThem) {
+TEST(CanRegisters, RegistersHaveTheAddressesOfTheReferenceManual) {
     verifies<req::CO_CAN_002>();
     BxcanRegisters block{};
     const auto offset = [&block](const Register& one) {

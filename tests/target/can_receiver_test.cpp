@@ -37,7 +37,7 @@ struct Bench {
 
 }  // namespace
 
-TEST(CanReceiver, AFrameComesAsItWasOnTheBus) {
+TEST(CanReceiver, FrameIsReceivedUnchanged) {
     verifies<req::CO_CAN_003>();
     Bench bench;
     Frame sent = data_frame(0x603, 8);
@@ -60,7 +60,7 @@ TEST(CanReceiver, AFrameComesAsItWasOnTheBus) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanReceiver, ALengthCodeAboveEightStandsForEightBytes) {
+TEST(CanReceiver, LengthCodeAboveEightMeansEightBytes) {
     verifies<req::CO_CAN_003>();
     Bench bench;
     bench.model.receive(data_frame(0x203, 15));
@@ -70,7 +70,7 @@ TEST(CanReceiver, ALengthCodeAboveEightStandsForEightBytes) {
     EXPECT_EQ(got.length, 8U);
 }
 
-TEST(CanReceiver, OrderOfTheBusAcrossBothFifos) {
+TEST(CanReceiver, FramesOfBothFifosKeepTheOrderOfTheBus) {
     verifies<req::CO_CAN_004>();
     Bench bench;
     // The model's time stamps wrap within the first hundred bits.
@@ -82,7 +82,7 @@ TEST(CanReceiver, OrderOfTheBusAcrossBothFifos) {
     EXPECT_FALSE(bench.can.take_overrun());
 }
 
-TEST(CanReceiver, AFullFifoKeepsTheOldFramesAndReportsTheLoss) {
+TEST(CanReceiver, FullFifoKeepsTheOldFramesAndReportsTheLoss) {
     verifies<req::CO_CAN_005>();
     for (const std::uint32_t base : {0x200U, 0x600U}) {
         Bench bench;
@@ -101,7 +101,7 @@ TEST(CanReceiver, AFullFifoKeepsTheOldFramesAndReportsTheLoss) {
     }
 }
 
-TEST(CanReceiver, TheModelOverwritesTheLastFrameWithoutTheLock) {
+TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();
@@ -114,7 +114,7 @@ TEST(CanReceiver, TheModelOverwritesTheLastFrameWithoutTheLock) {
     EXPECT_TRUE(bench.can.take_overrun());
 }
 
-TEST(CanReceiver, APlaceThatIsStillGivenBackIsNotReadTwice) {
+TEST(CanReceiver, SlowlyReleasedFifoSlotIsNotReadTwice) {
     verifies<req::CO_CAN_004>();
     Bench bench;
     bench.model.release_slowly(true);
@@ -128,7 +128,7 @@ TEST(CanReceiver, APlaceThatIsStillGivenBackIsNotReadTwice) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanReceiver, AFullRingReportsTheLossAndKeepsWhatItHas) {
+TEST(CanReceiver, FullRingReportsTheLossAndKeepsItsFrames) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     for (std::uint32_t i = 0; i < ReceiveRing::capacity; ++i) {
@@ -144,7 +144,7 @@ TEST(CanReceiver, AFullRingReportsTheLossAndKeepsWhatItHas) {
     EXPECT_EQ(ids.back(), ReceiveRing::capacity - 1);
 }
 
-TEST(CanReceiver, InterruptsForBothFifosAndNothingElse) {
+TEST(CanReceiver, InterruptsAreEnabledForBothFifosOnly) {
     verifies<req::CO_CAN_004>();
     Bench bench;
     bench.can.interrupt_on_frames(true);

@@ -56,7 +56,7 @@ struct Bench {
 
 }  // namespace
 
-TEST(CanTransmitter, AFrameGoesOutAsItWasQueued) {
+TEST(CanTransmitter, FrameIsSentAsQueued) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     Frame frame = data_frame(0x583, 8);
@@ -78,7 +78,7 @@ TEST(CanTransmitter, AFrameGoesOutAsItWasQueued) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, A29BitIdentifierKeepsItsBits) {
+TEST(CanTransmitter, IdentifierOf29BitsKeepsItsBits) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     Frame frame = data_frame(0x1ABCDEF5, 0);
@@ -91,7 +91,7 @@ TEST(CanTransmitter, A29BitIdentifierKeepsItsBits) {
     EXPECT_EQ(sent->id, 0x1ABCDEF5U);
 }
 
-TEST(CanTransmitter, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
+TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x183, 2}, {0x583, 3}, {0x083, 4}, {0x183, 5}, {0x583, 6}});
@@ -99,7 +99,7 @@ TEST(CanTransmitter, LowestIdentifierFirstAndEqualOnesInTheirOrder) {
                                           Pair(0x583, 3), Pair(0x583, 6)));
 }
 
-TEST(CanTransmitter, AFreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
+TEST(CanTransmitter, FreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     // 083h in mailbox 0, the others behind it; when 083h is sent, mailbox 0 would win against 583h #1 in mailbox 1.
@@ -108,7 +108,7 @@ TEST(CanTransmitter, AFreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
                 ElementsAre(Pair(0x083, 1), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
 }
 
-TEST(CanTransmitter, AnUrgentFrameTakesThePlaceOfTheLeastUrgentOne) {
+TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x703, 3}});
@@ -122,7 +122,7 @@ TEST(CanTransmitter, AnUrgentFrameTakesThePlaceOfTheLeastUrgentOne) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, AFramePutBackStaysInFrontOfItsLikes) {
+TEST(CanTransmitter, FramePutBackPrecedesFramesOfItsIdentifier) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
@@ -134,7 +134,7 @@ TEST(CanTransmitter, AFramePutBackStaysInFrontOfItsLikes) {
                 ElementsAre(Pair(0x083, 5), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
 }
 
-TEST(CanTransmitter, AnAbortThatComesTooLateDoesNotSendTheFrameTwice) {
+TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
@@ -153,7 +153,7 @@ TEST(CanTransmitter, AnAbortThatComesTooLateDoesNotSendTheFrameTwice) {
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x083, 5), Pair(0x083, 6)));
 }
 
-TEST(CanTransmitter, TheAbortOfATransmissionIsDecidedByItsEnd) {
+TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
     verifies<req::CO_CAN_006>();
     for (const bool sent : {true, false}) {
         Bench bench;
@@ -174,7 +174,7 @@ TEST(CanTransmitter, TheAbortOfATransmissionIsDecidedByItsEnd) {
     }
 }
 
-TEST(CanTransmitter, AFrameThatFindsNoRoomInTheQueueStaysInItsMailbox) {
+TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}});
@@ -192,7 +192,7 @@ TEST(CanTransmitter, AFrameThatFindsNoRoomInTheQueueStaysInItsMailbox) {
     EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
 }
 
-TEST(CanTransmitter, AnUrgentFrameLeavesAFullQueueToo) {
+TEST(CanTransmitter, UrgentFrameLeavesAFullQueueToo) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
@@ -216,7 +216,7 @@ TEST(CanTransmitter, NothingOvertakesTheBootUpMessage) {
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 1), Pair(0x183, 2)));
 }
 
-TEST(CanTransmitter, AResetDropsWhatWaitedInTheMailboxes) {
+TEST(CanTransmitter, ResetDropsFramesInTheMailboxes) {
     verifies<req::CO_CAN_006, req::CO_NMT_001>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
@@ -229,7 +229,7 @@ TEST(CanTransmitter, AResetDropsWhatWaitedInTheMailboxes) {
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 5)));
 }
 
-TEST(CanTransmitter, ANewBitRateForgetsWhatWaitsInTheMailboxes) {
+TEST(CanTransmitter, NewBitRateDropsFramesInTheMailboxes) {
     verifies<req::CO_CAN_001, req::CO_CAN_006>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}});
@@ -243,7 +243,7 @@ TEST(CanTransmitter, ANewBitRateForgetsWhatWaitsInTheMailboxes) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, BusOffForgetsWhatWaitsInTheMailboxes) {
+TEST(CanTransmitter, BusOffDropsFramesInTheMailboxes) {
     verifies<req::CO_CAN_006, req::CO_CAN_008>();
     Bench bench;
     bench.queue_up({{0x583, 1}});

@@ -26,7 +26,7 @@ constexpr std::size_t timer_counter = 0x24;
 
 }  // namespace
 
-TEST(Clock, RunsTheCoreFromTheCrystal) {
+TEST(Clock, CoreRunsFromTheCrystal) {
     verifies<req::CO_CLOCK_001>();
     struct Row {
         ClockPlan plan;
@@ -44,7 +44,7 @@ TEST(Clock, RunsTheCoreFromTheCrystal) {
     }
 }
 
-TEST(Clock, RunsTheCoreFromTheInternalOscillatorWithoutACrystal) {
+TEST(Clock, CoreRunsFromTheInternalOscillatorWithoutACrystal) {
     verifies<req::CO_CLOCK_001>();
     ClockBench bench;
     bench.model.break_crystal();
@@ -54,7 +54,7 @@ TEST(Clock, RunsTheCoreFromTheInternalOscillatorWithoutACrystal) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(Clock, SaysThatThePllDoesNotLock) {
+TEST(Clock, PllThatDoesNotLockIsReported) {
     verifies<req::CO_CLOCK_001>();
     ClockBench bench;
     bench.model.break_pll();
@@ -63,7 +63,7 @@ TEST(Clock, SaysThatThePllDoesNotLock) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(Clock, TellsAResetByTheWatchdogOnce) {
+TEST(Clock, WatchdogResetIsReportedOnce) {
     verifies<req::CO_WATCHDOG_001>();
     ClockBench bench;
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
@@ -72,7 +72,7 @@ TEST(Clock, TellsAResetByTheWatchdogOnce) {
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
 }
 
-TEST(TimeBase, CountsOverEveryWrapOf32Bits) {
+TEST(TimeBase, TimeBaseCountsOverEveryWrapOf32Bits) {
     verifies<req::CO_CLOCK_002>();
     PlainModel<TimerRegisters> timer;
     TimeBase time{timer.registers(), 84};
@@ -92,7 +92,7 @@ TEST(TimeBase, CountsOverEveryWrapOf32Bits) {
     EXPECT_EQ(time.now().us, 0U);
 }
 
-TEST(Watchdog, BitesASecondAfterTheLastRefresh) {
+TEST(Watchdog, WatchdogResetsASecondAfterTheLastRefresh) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
@@ -108,7 +108,7 @@ TEST(Watchdog, BitesASecondAfterTheLastRefresh) {
     EXPECT_THAT(model.faults(), IsEmpty());
 }
 
-TEST(Watchdog, OutlastsAnEraseWithItsFastestOscillator) {
+TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
@@ -119,7 +119,7 @@ TEST(Watchdog, OutlastsAnEraseWithItsFastestOscillator) {
     EXPECT_TRUE(model.has_bitten());
 }
 
-TEST(Watchdog, DoesNotWaitForAnOscillatorThatStandsStill) {
+TEST(Watchdog, StartDoesNotWaitForAStoppedOscillator) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
@@ -128,7 +128,7 @@ TEST(Watchdog, DoesNotWaitForAnOscillatorThatStandsStill) {
     EXPECT_TRUE(model.is_running());
 }
 
-TEST(ImageCheck, TakesTheCrcOfBothPartsAndNoOther) {
+TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfBothParts) {
     verifies<req::CO_IMAGE_001>();
     // CRC-32/ISO-HDLC of "123456789" is CBF43926h.
     const std::array<std::uint8_t, 4> vectors{'1', '2', '3', '4'};

@@ -79,7 +79,7 @@ struct Unit {
 
 }  // namespace
 
-TEST(DeviceLoop, BootsAndAnswersAnSdoRequest) {
+TEST(DeviceLoop, DeviceBootsAndAnswersAnSdoRequest) {
     verifies<req::CO_CAN_001, req::CO_CAN_004, req::CO_CAN_006>();
     Chips chips;
     Unit unit{chips};
@@ -96,7 +96,7 @@ TEST(DeviceLoop, BootsAndAnswersAnSdoRequest) {
     EXPECT_THAT(chips.can.faults(), IsEmpty());
 }
 
-TEST(DeviceLoop, KeepsItsParametersInFlash) {
+TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
     verifies<req::CO_FLASH_002>();
     Chips chips;
     {
@@ -116,7 +116,7 @@ TEST(DeviceLoop, KeepsItsParametersInFlash) {
     EXPECT_THAT(chips.flash.faults(), IsEmpty());
 }
 
-TEST(DeviceLoop, RefreshesTheWatchdogOnceAPass) {
+TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
     verifies<req::CO_WATCHDOG_001>();
     Chips chips;
     Unit unit{chips};
@@ -128,7 +128,7 @@ TEST(DeviceLoop, RefreshesTheWatchdogOnceAPass) {
     EXPECT_TRUE(chips.watchdog.has_bitten());
 }
 
-TEST(DeviceLoop, StaysOffTheBusOnAWrongClock) {
+TEST(DeviceLoop, DeviceStaysOffTheBusWithAWrongClock) {
     verifies<req::CO_CLOCK_001>();
     Chips chips;
     Unit unit{chips, false};
@@ -137,7 +137,7 @@ TEST(DeviceLoop, StaysOffTheBusOnAWrongClock) {
     EXPECT_EQ(unit.can.bit_rate(), 0U);
 }
 
-TEST(DeviceLoop, ReportsALostFrameForASecond) {
+TEST(DeviceLoop, LostFrameIsReportedForASecond) {
     verifies<req::CO_CAN_005, req::CO_EMCY_016>();
     Chips chips;
     Unit unit{chips};
@@ -155,7 +155,7 @@ TEST(DeviceLoop, ReportsALostFrameForASecond) {
     EXPECT_EQ(cured[0].data[0] | cured[0].data[1] << 8, 0x0000);
 }
 
-TEST(DeviceLoop, RecoversFromBusOff) {
+TEST(DeviceLoop, DeviceRecoversFromBusOff) {
     verifies<req::CO_CAN_008, req::CO_EMCY_017>();
     Chips chips;
     Unit unit{chips};

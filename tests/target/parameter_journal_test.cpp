@@ -61,7 +61,7 @@ constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
 
-TEST(ParameterJournal, IsBlankOnABlankFlash) {
+TEST(ParameterJournal, JournalIsBlankOnABlankFlash) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};
@@ -71,7 +71,7 @@ TEST(ParameterJournal, IsBlankOnABlankFlash) {
     EXPECT_EQ(model.operations(), 0U);
 }
 
-TEST(ParameterJournal, KeepsWhatIsCommittedAndNothingElse) {
+TEST(ParameterJournal, CommittedBytesAreKeptAndNothingElse) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -86,7 +86,7 @@ TEST(ParameterJournal, KeepsWhatIsCommittedAndNothingElse) {
     EXPECT_THAT(model.faults(), IsEmpty());
 }
 
-TEST(ParameterJournal, WhatHasNotChangedIsNotProgrammed) {
+TEST(ParameterJournal, UnchangedBytesAreNotProgrammed) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};
@@ -98,7 +98,7 @@ TEST(ParameterJournal, WhatHasNotChangedIsNotProgrammed) {
     EXPECT_EQ(model.operations(), before + 6);  // one slot
 }
 
-TEST(ParameterJournal, RefusesWhatLiesOutside) {
+TEST(ParameterJournal, AccessOutsideTheJournalIsRefused) {
     verifies<req::CO_FLASH_003>();
     FlashModel model;
     Unit unit{model};
@@ -110,7 +110,7 @@ TEST(ParameterJournal, RefusesWhatLiesOutside) {
     EXPECT_EQ(unit.content(), blank());
 }
 
-TEST(ParameterJournal, GoesOnInTheOtherSectorAndErasesAtPowerOn) {
+TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesAtPowerOn) {
     verifies<req::CO_FLASH_002>();
     FlashModel model{1, small_sector};
     Bytes expected = blank();
@@ -130,7 +130,7 @@ TEST(ParameterJournal, GoesOnInTheOtherSectorAndErasesAtPowerOn) {
     EXPECT_THAT(model.sector(0).faults(), IsEmpty());
 }
 
-TEST(ParameterJournal, ErasesInACommitWhereNobodyPrepared) {
+TEST(ParameterJournal, CommitErasesTheSectorWhenNotPrepared) {
     verifies<req::CO_FLASH_002>();
     FlashModel model{1, small_sector};
     Unit unit{model};
@@ -142,7 +142,7 @@ TEST(ParameterJournal, ErasesInACommitWhereNobodyPrepared) {
     EXPECT_EQ(Unit{model}.content(), expected);
 }
 
-TEST(ParameterJournal, APowerCutAtAnyOperationLeavesTheOldSetOrTheNew) {
+TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
     verifies<req::CO_FLASH_002>();
     constexpr std::size_t saves = 12;
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
@@ -178,7 +178,7 @@ TEST(ParameterJournal, APowerCutAtAnyOperationLeavesTheOldSetOrTheNew) {
     }
 }
 
-TEST(ParameterJournal, AFailedOperationLeavesWhatWasConfirmed) {
+TEST(ParameterJournal, FailedOperationKeepsTheConfirmedContent) {
     verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
     constexpr std::size_t saves = 12;
     for (std::size_t failure = 0;; ++failure) {
@@ -204,7 +204,7 @@ TEST(ParameterJournal, AFailedOperationLeavesWhatWasConfirmed) {
     }
 }
 
-TEST(ParameterJournal, ABusyFlashIsNotWaitedForWithoutEnd) {
+TEST(ParameterJournal, WaitForABusyFlashIsBounded) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Unit unit{model};
@@ -218,7 +218,7 @@ TEST(ParameterJournal, ABusyFlashIsNotWaitedForWithoutEnd) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
 }
 
-TEST(ParameterJournal, ACellThatDoesNotHoldItsBitsFailsTheCommit) {
+TEST(ParameterJournal, CellThatDoesNotKeepItsBitsFailsTheCommit) {
     verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
     FlashModel model;
     Unit unit{model};
@@ -231,7 +231,7 @@ TEST(ParameterJournal, ACellThatDoesNotHoldItsBitsFailsTheCommit) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
 }
 
-TEST(ParameterJournal, ADamagedLineIsNotRead) {
+TEST(ParameterJournal, DamagedLineIsNotRead) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -243,7 +243,7 @@ TEST(ParameterJournal, ADamagedLineIsNotRead) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
-TEST(ParameterJournal, ASlotThatReadsAsBlankAgainIsNotTheEnd) {
+TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTakenAsTheEnd) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -260,7 +260,7 @@ TEST(ParameterJournal, ASlotThatReadsAsBlankAgainIsNotTheEnd) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
 }
 
-TEST(Flash, AWrongStateOfTheControllerIsSeenByTheModel) {
+TEST(Flash, ModelDetectsAWrongStateOfTheFlashController) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};
@@ -269,7 +269,7 @@ TEST(Flash, AWrongStateOfTheControllerIsSeenByTheModel) {
     EXPECT_EQ(model.sector(0).cells()[0], 0xFFFFFFFFU);
 }
 
-TEST(Flash, DataAreNotReadFromACacheThatKnewThemBefore) {
+TEST(Flash, DataAreNotReadFromAStaleCache) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};

@@ -23,7 +23,7 @@ constexpr std::uint32_t end_of_conversion = 2;
 
 }  // namespace
 
-TEST(AnalogInputs, KeepTheLastConversionOfEachChannel) {
+TEST(AnalogInputs, AnalogInputsKeepTheLastConversionOfEachChannel) {
     verifies<req::CO_IMAGE_002>();
     PlainModel<AdcRegisters> adc;
     adc.at(adc_status) = end_of_conversion;
@@ -43,7 +43,7 @@ TEST(AnalogInputs, KeepTheLastConversionOfEachChannel) {
     EXPECT_FLOAT_EQ(inputs.share(5), 500.0F / 4095.0F);
 }
 
-TEST(AnalogOutputs, SetAShareOfFullScaleOnEachChannel) {
+TEST(AnalogOutputs, AnalogOutputsSetAFractionOfFullScaleOnEachChannel) {
     verifies<req::CO_IMAGE_002>();
     PlainModel<DacRegisters> dac;
     AnalogOutputs outputs{dac.registers()};
@@ -61,7 +61,7 @@ TEST(AnalogOutputs, SetAShareOfFullScaleOnEachChannel) {
     EXPECT_EQ(dac.at(0x14), 0U);
 }
 
-TEST(PulseOutputs, HaveFrequencyAndDutyCycle) {
+TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
     verifies<req::CO_IMAGE_002>();
     PlainModel<TimerRegisters> timer;
     PulseOutputs outputs{timer.registers(), 84};
@@ -75,7 +75,7 @@ TEST(PulseOutputs, HaveFrequencyAndDutyCycle) {
     EXPECT_EQ(timer.at(0x38), 10500U);
 }
 
-TEST(Port, ReadsAndSetsItsPins) {
+TEST(Port, PortReadsAndSetsItsPins) {
     verifies<req::CO_IMAGE_002>();
     PlainModel<GpioRegisters> gpio;
     Port port{gpio.registers()};

@@ -1,4 +1,4 @@
-// Laws of signals and functions of the AX060805 (3.1, 3.8): total on every bit pattern.
+// Properties of signals and functions of the AX060805 (3.1, 3.8): they are defined for every bit pattern.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// Any of the 2^32 patterns, every so often one of those at which conversions turn.
+/// Returns any of the 2^32 patterns, and often one at which a conversion changes its behaviour.
 float any_float() {
     return *rc::gen::oneOf(
         rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()), from_bits),
@@ -32,7 +32,7 @@ float any_float() {
         rc::gen::map(rc::gen::inRange(-100, 100), [](int n) { return static_cast<float>(n) / 4.0F; }));
 }
 
-/// 3.1.6 in words of double precision.
+/// Converts by the rule of 3.1.6 in double precision.
 std::uint64_t whole(float value) {
     if (std::isnan(value) || value <= 0.0F) {
         return 0;
@@ -41,7 +41,7 @@ std::uint64_t whole(float value) {
     return cut > 4294967295.0 ? 4294967295U : static_cast<std::uint64_t>(cut);
 }
 
-/// Table 10, operations on integers, by 64-bit arithmetic.
+/// Calculates the integer operations of Table 10 in 64-bit arithmetic.
 std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y) {
     switch (operation) {
         case 5:
@@ -65,13 +65,13 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsTotal, ()) {
+RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsDefinedForEveryValue, ()) {
     verifies<req::INC_SIG_004>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
 }
 
-RC_GTEST_PROP(SignalLaw, DiscreteToContinuousIsTheNearestFloat, (std::uint32_t value)) {
+RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_003>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
     RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);  // half a step of 2^32 / 2^24
@@ -80,7 +80,7 @@ RC_GTEST_PROP(SignalLaw, DiscreteToContinuousIsTheNearestFloat, (std::uint32_t v
     }
 }
 
-RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreTotal, ()) {
+RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreDefinedForEveryInput, ()) {
     verifies<req::INC_BIN_003>("property");
     const float x = any_float();
     const float negated = apply_unary(1, x);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreTotal, ()) {
     RC_ASSERT(std::isnan(x) || apply_unary(0, x) == x);
 }
 
-RC_GTEST_PROP(FunctionLaw, EveryBinaryFunctionIsTotal, (std::uint8_t number)) {
+RC_GTEST_PROP(FunctionLaw, BinaryFunctionsAreDefinedForEveryInput, (std::uint8_t number)) {
     verifies<req::INC_BIN_007>("property");
     const float x = any_float();
     const float y = any_float();
@@ -103,7 +103,7 @@ RC_GTEST_PROP(FunctionLaw, EveryBinaryFunctionIsTotal, (std::uint8_t number)) {
         if (is_defined(result)) {
             RC_ASSERT(!std::isnan(result.continuous));
         } else {
-            // Beyond that, only differences, products and quotients of infinities have no result.
+            // Otherwise only differences, products and quotients of infinities have no result.
             RC_ASSERT(must_be_undefined || (operation <= 4 && (std::isinf(x) || std::isinf(y))));
         }
     }
@@ -120,7 +120,7 @@ RC_GTEST_PROP(FunctionLaw, IntegerFunctionsAgreeWith64BitArithmetic, ()) {
     }
 }
 
-RC_GTEST_PROP(FunctionLaw, OppositeComparisonsNeverAgree, ()) {
+RC_GTEST_PROP(FunctionLaw, OppositeComparisonsGiveOppositeResults, ()) {
     verifies<req::INC_BIN_004>("property");
     const float x = any_float();
     const float y = any_float();
@@ -136,7 +136,7 @@ RC_GTEST_PROP(FunctionLaw, OppositeComparisonsNeverAgree, ()) {
     RC_ASSERT(result(7) <= x && result(7) <= y && (result(7) == x || result(7) == y));
 }
 
-RC_GTEST_PROP(FunctionLaw, ABlockIsTotal, ()) {
+RC_GTEST_PROP(FunctionLaw, FunctionBlockIsDefinedForEveryInput, ()) {
     verifies<req::INC_BIN_007>("property");
     FunctionBlock block;
     for (auto& input : block.inputs) {
@@ -152,7 +152,7 @@ RC_GTEST_PROP(FunctionLaw, ABlockIsTotal, ()) {
     RC_ASSERT(!is_defined(result) || !std::isnan(result.continuous));
 }
 
-RC_GTEST_PROP(CountValueLaw, IsTheNearestCountWithinInteger16, ()) {
+RC_GTEST_PROP(CountValueLaw, CountIsTheNearestIntegerWithin16Bits, ()) {
     verifies<req::INC_FV_001, req::INC_FV_002>("property");
     const float value = any_float();
     const auto digits = *rc::gen::inRange<std::uint16_t>(1, 1001);

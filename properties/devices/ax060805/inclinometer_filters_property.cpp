@@ -1,4 +1,4 @@
-// Laws of the filters of the AX060805 (3.2, 3.3, 4.3.11).
+// Properties of the filters of the AX060805 (3.2, 3.3, 4.3.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -26,7 +26,7 @@ float wrapped(double degrees) {
     return static_cast<float>(std::remainder(degrees, 360.0));
 }
 
-/// A walk in steps of less than half a turn, in degrees and without wrapping.
+/// Returns a walk in steps of less than half a turn, in degrees and without wrapping.
 std::vector<double> any_walk() {
     const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(-17900, 17901)));
     std::vector<double> walk;
@@ -40,7 +40,7 @@ std::vector<double> any_walk() {
 
 }  // namespace
 
-RC_GTEST_PROP(AngleFilterLaw, AShortWindowIsTheMeanOfTheUnwrappedSamples, ()) {
+RC_GTEST_PROP(AngleFilterLaw, ShortWindowGivesTheMeanOfTheUnwrappedSamples, ()) {
     verifies<req::INC_AVG_001, req::INC_AVG_006>("property");
     const std::vector<double> walk = any_walk();
     const auto samples = *rc::gen::inRange<std::uint16_t>(1, 65);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(AngleFilterLaw, AShortWindowIsTheMeanOfTheUnwrappedSamples, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, AConstantAngleIsItsOwnAverage, ()) {
+RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
     verifies<req::INC_AVG_002>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(1, 60001);
     const float angle = static_cast<float>(*rc::gen::inRange(-180000, 180001)) / 1000.0F;
@@ -69,7 +69,7 @@ RC_GTEST_PROP(AngleFilterLaw, AConstantAngleIsItsOwnAverage, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, ALongWindowStaysWithinARunOfTheTrueMeanOfASteadyTurn, ()) {
+RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsByAtMostOneRunOnASteadyTurn, ()) {
     verifies<req::INC_AVG_002>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(65, 2001);
     const double step = *rc::gen::inRange(-500, 501) * 0.001;
@@ -84,7 +84,7 @@ RC_GTEST_PROP(AngleFilterLaw, ALongWindowStaysWithinARunOfTheTrueMeanOfASteadyTu
     }
 }
 
-RC_GTEST_PROP(LowPassLaw, OutputStaysBetweenWhatItHadAndWhatItGets, ()) {
+RC_GTEST_PROP(LowPassLaw, OutputStaysBetweenThePreviousOutputAndTheNewSample, ()) {
     verifies<req::INC_FILTER_002>("property");
     const auto frequency = static_cast<float>(*rc::gen::inRange(1, 51));
     const float share = low_pass_coefficient(frequency, milliseconds(5));

@@ -1,4 +1,5 @@
-// Laws of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are made in double precision from any attitude.
+// Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
+// attitude.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -24,13 +25,13 @@ struct Vector {
     double x, y, z;
 };
 
-/// Any millionth of a degree up to `most` degrees on either side, in every run of a property.
+/// Returns any multiple of a millionth of a degree from -`most` to `most` degrees.
 double angle(double most) {
     const auto limit = static_cast<int>(most * 1.0e6);
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-limit, limit + 1)) * 1.0e-6;
 }
 
-/// What a frame turned by yaw, pitch and roll in this order sees of `v` (2.1.5).
+/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (2.1.5).
 Vector seen_from(const Vector& v, double yaw, double pitch, double roll) {
     const Vector a{std::cos(yaw) * v.x + std::sin(yaw) * v.y, std::cos(yaw) * v.y - std::sin(yaw) * v.x, v.z};
     const Vector b{std::cos(pitch) * a.x - std::sin(pitch) * a.z, a.y, std::sin(pitch) * a.x + std::cos(pitch) * a.z};
@@ -42,7 +43,7 @@ Vector3 single(const Vector& v, double length = 1.0) {
                    static_cast<float>(v.z * length)};
 }
 
-/// Gravity in a unit of any attitude.
+/// Returns gravity in a unit of any attitude.
 Vector3 any_gravity() {
     return single(seen_from({0.0, 0.0, 1.0}, angle(180) * radians, angle(90) * radians, angle(180) * radians));
 }
@@ -51,19 +52,19 @@ double degrees(double y, double x) {
     return std::atan2(y, x) / radians;
 }
 
-/// Difference of two directions; -180 and 180 are one.
+/// Returns the difference of two directions; -180 and 180 are the same direction.
 double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Gravity long enough across the ground plane for the sign of gz to be sure in single precision.
+/// Returns whether gz is large enough for its sign to be certain in single precision.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }
 
 }  // namespace
 
-RC_GTEST_PROP(TiltLaw, AnglesAreThoseOfTheFormulaeInDoublePrecision, ()) {
+RC_GTEST_PROP(TiltLaw, AnglesMatchTheFormulaeInDoublePrecision, ()) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_005, req::INC_ANGLE_012>("property");
     const Vector3 g = any_gravity();
     const double x = g.x, y = g.y, z = g.z;
@@ -77,7 +78,7 @@ RC_GTEST_PROP(TiltLaw, AnglesAreThoseOfTheFormulaeInDoublePrecision, ()) {
     RC_ASSERT(apart(euler.roll, degrees(y, z)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNothing, ()) {
+RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNoAngle, ()) {
     verifies<req::INC_ANGLE_010>("property");
     const double yaw = angle(180) * radians;
     const double pitch = angle(90) * radians;
@@ -90,7 +91,7 @@ RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNothing, ()) {
     RC_ASSERT(apart(gravity_angle(turned), gravity_angle(straight)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, GravityAngleIsThatOfEveryTurnAboutTheUnitsZAxis, ()) {
+RC_GTEST_PROP(TiltLaw, GravityAngleIsUnchangedByATurnAboutTheZAxis, ()) {
     verifies<req::INC_ANGLE_004>("property");
     const Vector3 g = any_gravity();
     const Vector turned = seen_from({g.x, g.y, g.z}, angle(180) * radians, 0.0, 0.0);
@@ -107,7 +108,7 @@ RC_GTEST_PROP(TiltLaw, AnglesDoNotDependOnTheLengthOfGravity, ()) {
     RC_ASSERT(apart(gravity_angle(longer), gravity_angle(g)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, AMirroredUnitHasMirroredAngles, ()) {
+RC_GTEST_PROP(TiltLaw, MirroredUnitReadsMirroredAngles, ()) {
     verifies<req::INC_ANGLE_003>("property");
     const Vector3 g = any_gravity();
     const PitchRoll straight = tilt_angles(g);
@@ -119,7 +120,7 @@ RC_GTEST_PROP(TiltLaw, AMirroredUnitHasMirroredAngles, ()) {
     RC_ASSERT(apart(ends.roll, straight.roll) == 0.0);
 }
 
-RC_GTEST_PROP(TiltLaw, EulerAnglesRecomposedGiveGravityBack, ()) {
+RC_GTEST_PROP(TiltLaw, RotationByTheEulerAnglesRestoresTheGravityVector, ()) {
     verifies<req::INC_ANGLE_005>("property");
     const Vector3 g = any_gravity();
     const PitchRoll euler = euler_angles(g);
@@ -130,7 +131,7 @@ RC_GTEST_PROP(TiltLaw, EulerAnglesRecomposedGiveGravityBack, ()) {
     RC_ASSERT(std::fabs(back.z - g.z) < 2.0e-6);
 }
 
-RC_GTEST_PROP(InstallationLaw, UndoingTheInstallationGivesTheMachinesFrame, ()) {
+RC_GTEST_PROP(InstallationLaw, UndoingTheInitialAnglesGivesTheMachineFrame, ()) {
     verifies<req::INC_INSTALL_001>("property");
     const double pitch = angle(90);
     const double roll = angle(180);
@@ -156,7 +157,7 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAStillMachineReadZero, ()) {
 
 namespace {
 
-/// Settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
+/// Returns settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -171,8 +172,8 @@ InclinationSettings any_settings() {
 
 }  // namespace
 
-// What came before the last direction does not count, nor do the settings that it was measured with.
-RC_GTEST_PROP(InclinationLaw, AnglesAreThoseOfTheLastDirectionByTheSettingsInUse, ()) {
+// Neither earlier directions count nor the settings with which the last direction was measured.
+RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
@@ -200,7 +201,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesAreThoseOfTheLastDirectionByTheSettingsInUse
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, EverySpanHoldsItsAnglesAndAWholeTurnLosesNone, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirection, ()) {
     verifies<req::INC_RANGE_001>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});
@@ -209,7 +210,7 @@ RC_GTEST_PROP(AngleRangeLaw, EverySpanHoldsItsAnglesAndAWholeTurnLosesNone, ()) 
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
     RC_ASSERT(in_span(given, {-180, 180}) == given);
-    // The distance from the level: the sine does not see the side or the fold.
+    // The distance from level: the sine is the same for both sides and for the folded range.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }
 

@@ -1,4 +1,4 @@
-// Laws of the lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7).
+// Properties of the lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ PointResponse some_response() {
     return static_cast<PointResponse>(*rc::gen::weightedElement<int>({{1, 0}, {6, 1}, {6, 2}}));
 }
 
-/// Points in order, some of them equal.
+/// Returns points in ascending order, some of them equal.
 LookupPoints some_points() {
     LookupPoints points;
     double x = *rc::gen::inRange(-32768, 30000);
@@ -36,7 +36,7 @@ LookupPoints some_points() {
     return points;
 }
 
-/// Intervals of 1 ms to 24 h.
+/// Returns a profile with intervals of 1 ms to 24 h.
 LookupPoints some_profile() {
     LookupPoints profile = some_points();
     profile.x[0] = 0.0;
@@ -70,7 +70,7 @@ naive_blocks::State some_state() {
         {{6, naive_blocks::State::fine}, {1, naive_blocks::State::error}, {1, naive_blocks::State::unused}});
 }
 
-/// Few values, so that comparisons meet equal ones.
+/// Returns one of a few values, so that comparisons also get equal values.
 naive_blocks::Argument some_argument() {
     return {*rc::gen::inRange(-3, 4) / 2.0, some_state()};
 }
@@ -112,20 +112,20 @@ MathInput math_input_of(const naive_blocks::Input& naive) {
 
 }  // namespace
 
-RC_GTEST_PROP(LookupLaw, OutputIsBetweenTheLeastAndTheGreatestY, ()) {
+RC_GTEST_PROP(LookupLaw, OutputStaysBetweenTheLowestAndTheHighestY, ()) {
     verifies<req::AOR_LT_006, req::AOR_LT_001>("property");
     const LookupPoints points = some_points();
     RC_ASSERT(is_between_its_limits(lookup(*rc::gen::inRange(-40000, 40000), points), points));
 }
 
-RC_GTEST_PROP(LookupLaw, SoItIsInTimeHoweverLong, ()) {
+RC_GTEST_PROP(LookupLaw, TimeProfileOutputStaysBetweenTheLowestAndTheHighestY, ()) {
     verifies<req::AOR_LT_006, req::AOR_LT_011>("property");
     const LookupPoints profile = some_profile();
     const auto running = microseconds(*rc::gen::inRange<std::uint64_t>(0, 3'000'000'000'000));
     RC_ASSERT(is_between_its_limits(lookup_in_time(running, profile, *rc::gen::arbitrary<bool>()), profile));
 }
 
-RC_GTEST_PROP(LookupLaw, ARepeatedProfileIsTheSameInEveryRound, ()) {
+RC_GTEST_PROP(LookupLaw, RepeatedProfileIsTheSameInEveryRound, ()) {
     verifies<req::AOR_LT_011>("property");
     const LookupPoints profile = some_profile();
     const std::uint64_t length = profile_length(profile).us;
@@ -136,7 +136,7 @@ RC_GTEST_PROP(LookupLaw, ARepeatedProfileIsTheSameInEveryRound, ()) {
     RC_ASSERT(std::fabs(lookup_in_time(microseconds(position + rounds * length), profile, true) - first) <= 0.0);
 }
 
-RC_GTEST_PROP(LookupLaw, ADisabledTableIsZeroWhateverItHolds, ()) {
+RC_GTEST_PROP(LookupLaw, DisabledTableGivesZeroWhateverItsPoints, ()) {
     verifies<req::AOR_LT_015>("property");
     LookupTable table;
     const LookupConfig config{*rc::gen::arbitrary<bool>() ? LookupAxis::data : LookupAxis::time,
@@ -149,7 +149,7 @@ RC_GTEST_PROP(LookupLaw, ADisabledTableIsZeroWhateverItHolds, ()) {
     RC_ASSERT(output.state == SignalState::not_available);
 }
 
-RC_GTEST_PROP(LogicLaw, AtMostOneTableAndTheFirstThatHolds, ()) {
+RC_GTEST_PROP(LogicLaw, FirstTrueFunctionSelectsItsTable, ()) {
     verifies<req::AOR_LOGIC_003>("property");
     std::array<LogicFunction, logic_functions> functions;
     std::array<bool, logic_functions> holds{};
@@ -169,7 +169,7 @@ RC_GTEST_PROP(LogicLaw, AtMostOneTableAndTheFirstThatHolds, ()) {
               static_cast<std::size_t>(expected));
 }
 
-RC_GTEST_PROP(LogicLaw, ABlockSelectsWhatANaiveOneDoes, ()) {
+RC_GTEST_PROP(LogicLaw, LogicBlockSelectsTheSameTableAsTheNaiveModel, ()) {
     verifies<req::AOR_LOGIC_001, req::AOR_LOGIC_002, req::AOR_LOGIC_003, req::AOR_LOGIC_004, req::AOR_LOGIC_005,
              req::AOR_T16, req::AOR_T17, req::AOR_T18, req::AOR_T19>("property");
     std::array<naive_blocks::Function, logic_functions> naive;
@@ -185,14 +185,14 @@ RC_GTEST_PROP(LogicLaw, ABlockSelectsWhatANaiveOneDoes, ()) {
     RC_ASSERT(select_function([&](std::size_t number) { return functions[number]; }) == naive_blocks::selected(naive));
 }
 
-RC_GTEST_PROP(LogicLaw, OutputIsAPercentage, (std::int16_t value, std::int16_t a, std::int16_t b)) {
+RC_GTEST_PROP(LogicLaw, LogicBlockOutputIsAPercentage, (std::int16_t value, std::int16_t a, std::int16_t b)) {
     verifies<req::AOR_LOGIC_007>("property");
     const double percentage = percentage_of_limits({static_cast<double>(value), static_cast<double>(std::min(a, b)),
                                                     static_cast<double>(std::max(a, b)), SignalState::valid});
     RC_ASSERT(percentage >= 0.0 && percentage <= 100.0);
 }
 
-RC_GTEST_PROP(MathLaw, OutputIsBetweenItsScalingsWhateverGoesIn, ()) {
+RC_GTEST_PROP(MathLaw, OutputStaysBetweenItsScalingsForEveryInput, ()) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_004>("property");
     MathBlock block;
     const double scaling_1 = *rc::gen::inRange(-32768, 32768);
@@ -212,7 +212,7 @@ RC_GTEST_PROP(MathLaw, OutputIsBetweenItsScalingsWhateverGoesIn, ()) {
     }
 }
 
-RC_GTEST_PROP(MathLaw, ABlockCalculatesWhatANaiveOneDoes, ()) {
+RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005,
              req::AOR_MATH_006, req::AOR_MATH_007, req::AOR_MATH_009, req::AOR_T21>("property");
     std::array<naive_blocks::Input, math_inputs> inputs;
@@ -221,7 +221,8 @@ RC_GTEST_PROP(MathLaw, ABlockCalculatesWhatANaiveOneDoes, ()) {
     MathBlock block;
     naive_blocks::Math naive;
     for (int cycle = 0; cycle < 10; ++cycle) {
-        if (cycle == 0 || *rc::gen::inRange(0, 3) == 0) {  // now and then other settings: loops need some cycles of one
+        if (cycle == 0 ||
+            *rc::gen::inRange(0, 3) == 0) {  // new settings at times only: loops need several cycles of one setting
             for (std::size_t i = 0; i < math_inputs; ++i) {
                 inputs[i] = some_naive_input();
                 config.inputs[i] = math_input_of(inputs[i]);
@@ -235,14 +236,14 @@ RC_GTEST_PROP(MathLaw, ABlockCalculatesWhatANaiveOneDoes, ()) {
     }
 }
 
-RC_GTEST_PROP(MathLaw, DivisionByZeroIsZeroForEveryDividend, ()) {
+RC_GTEST_PROP(MathLaw, DivisionByZeroGivesZeroForEveryDividend, ()) {
     verifies<req::AOR_MATH_004>("property");
     constexpr std::uint8_t divided_by = 15;
     const double dividend = *rc::gen::inRange(-1000000, 1000001) / 1000.0;
     RC_ASSERT(std::fabs(apply_operator(divided_by, dividend, 0.0)) <= 0.0);
 }
 
-RC_GTEST_PROP(MathLaw, ABlockWithoutAPairOfInputsDoesNothing, ()) {
+RC_GTEST_PROP(MathLaw, MathBlockWithoutAPairOfInputsCalculatesNothing, ()) {
     verifies<req::AOR_MATH_011>("property");
     MathConfig config;
     for (auto& input : config.inputs) {

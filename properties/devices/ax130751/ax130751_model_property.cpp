@@ -1,5 +1,5 @@
-// The AX130751 does what a naive model of it does, which is written from the manual's sentences: outputs, process
-// values, TPDOs, emergency messages, 1001h and 1003h, after every step.
+// Compares the AX130751 with a naive model that is written from the manual: outputs, process values, TPDOs, emergency
+// messages, 1001h and 1003h, after every step.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ void hold(ModelPair& pair, const Focus& focus) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Model, OutputsDoWhatNaiveOnesDo, ()) {
+RC_GTEST_PROP(Ax130751Model, OutputsAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_009, req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014, req::AOR_OUT_028,
              req::AOR_OUT_029, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_008>(
         "property");
@@ -29,7 +29,7 @@ RC_GTEST_PROP(Ax130751Model, OutputsDoWhatNaiveOnesDo, ()) {
     hold(pair, {Group::output, Group::output, Group::extra});
 }
 
-RC_GTEST_PROP(Ax130751Model, TheRelayDoesWhatANaiveOneDoes, ()) {
+RC_GTEST_PROP(Ax130751Model, RelayAgreesWithTheNaiveModel, ()) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_009,
              req::AOR_RELAY_010, req::AOR_RELAY_012, req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015,
              req::AOR_RELAY_017>("property");
@@ -37,14 +37,14 @@ RC_GTEST_PROP(Ax130751Model, TheRelayDoesWhatANaiveOneDoes, ()) {
     hold(pair, {Group::relay});
 }
 
-RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathDoWhatNaiveOnesDo, ()) {
+RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_LT_001, req::AOR_LT_010, req::AOR_LT_013, req::AOR_LT_016, req::AOR_LT_018, req::AOR_LOGIC_006,
              req::AOR_LOGIC_007, req::AOR_LOGIC_008, req::AOR_MATH_001, req::AOR_MATH_008>("property");
     ModelPair pair;
     hold(pair, {Group::table, Group::table, Group::logic, Group::math, Group::extra});
 }
 
-RC_GTEST_PROP(Ax130751Model, TheDeviceDoesWhatANaiveOneDoes, ()) {
+RC_GTEST_PROP(Ax130751Model, DeviceAgreesWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_001, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006, req::AOR_DIAG_007,
              req::AOR_ERR_003, req::AOR_ERR_008, req::AOR_ERR_010, req::AOR_PDO_004, req::AOR_PDO_009>("property");
     ModelPair pair;

@@ -1,4 +1,4 @@
-// Laws of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
+// Properties of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace ax130751;
 
-/// Hundredths, so that nothing depends on the last bit of a double.
+/// Returns a multiple of a hundredth, so that nothing depends on the last bit of a double.
 double hundredths(int low, int high) {
     return *rc::gen::inRange(low * 100, (high * 100) + 1) / 100.0;
 }
@@ -33,12 +33,12 @@ RampTimes some_times() {
     return {hundredths(0, 20), some_ms(0, 10001), some_ms(0, 10001)};
 }
 
-/// Table 3.
+/// The output ranges of Table 3.
 const std::vector<OutputRange> ranges{{-10.0, 10.0}, {0.0, 24.0}, {0.0, 100.0}, {50.0, 30000.0}};
 
 }  // namespace
 
-RC_GTEST_PROP(OutputLaw, ScalingStaysBetweenItsValues, ()) {
+RC_GTEST_PROP(OutputLaw, ScaledValueStaysBetweenTheFieldValues, ()) {
     verifies<req::AOR_OUT_003>("property");
     const double x1 = hundredths(-300, 299);
     const LinearScaling scaling{x1, x1 + hundredths(1, 100), hundredths(-300, 300), hundredths(-300, 300)};
@@ -65,7 +65,7 @@ RC_GTEST_PROP(OutputLaw, OutputsStayInTheRangeOfTheirType, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ARampIsNeverSteeperThanConfiguredAndReachesItsEnd, ()) {
+RC_GTEST_PROP(OutputLaw, RampIsNeverSteeperThanConfiguredAndReachesItsTarget, ()) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>("property");
     const RampTimes times{hundredths(1, 20), some_ms(1, 10001), some_ms(1, 10001)};
     Ramp ramp;
@@ -87,11 +87,11 @@ RC_GTEST_PROP(OutputLaw, ARampIsNeverSteeperThanConfiguredAndReachesItsEnd, ()) 
     }
     const double last = hundredths(-10, 10);
     ramp.follow(last, times, now);
-    // 20 units at no less than 1 unit in 10 s
+    // 20 units at 1 unit in 10 s or faster
     RC_ASSERT(std::fabs(ramp.follow(last, times, now + milliseconds(200'001)) - last) <= 0.0);
 }
 
-RC_GTEST_PROP(OutputLaw, ARampDoesNotDependOnHowOftenItIsAsked, ()) {
+RC_GTEST_PROP(OutputLaw, RampDoesNotDependOnHowOftenItIsRead, ()) {
     verifies<req::AOR_OUT_027>("property");
     const RampTimes times = some_times();
     Ramp often;
@@ -110,7 +110,7 @@ RC_GTEST_PROP(OutputLaw, ARampDoesNotDependOnHowOftenItIsAsked, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ADigitalInputChangesAtItsLimitsOnly, ()) {
+RC_GTEST_PROP(OutputLaw, DigitalInputChangesAtItsLimitsOnly, ()) {
     verifies<req::AOR_DO_002>("property");
     DigitalReading input;
     const double lower = hundredths(-10, 9);
@@ -133,14 +133,14 @@ RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
     RC_ASSERT(now != blinks_on(since, milliseconds(half), since + milliseconds(at + half)));
 }
 
-RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
+RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
     verifies<req::AOR_RELAY_012>("property");
     const Duration on_delay = some_ms(0, 50);
     const Duration off_delay = some_ms(0, 50);
     DelayedState state;
     bool is = false;
     Instant now{};
-    std::uint64_t asked_for = 0;  // ms for which the present wish has stood against the state
+    std::uint64_t asked_for = 0;  // ms for which the present command has differed from the state
     for (int step = 0; step < 200; ++step) {
         const bool wanted = *rc::gen::arbitrary<bool>();
         const int stay = *rc::gen::inRange(1, 60);
@@ -157,14 +157,14 @@ RC_GTEST_PROP(OutputLaw, ADelayedStateNeverChangesBeforeItsDelay, ()) {
             }
             now = now + milliseconds(1);
         }
-        // The next wish may be the same again: what is pending then goes on, so its time is not counted here.
+        // The next command may be the same: the pending delay then continues, so its time is not counted here.
         if (state.due() != never) {
             state.follow(is, on_delay, off_delay, now);
         }
     }
 }
 
-RC_GTEST_PROP(OutputLaw, ASupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
+RC_GTEST_PROP(OutputLaw, SupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003>("property");
     const double under = hundredths(0, 20);
     const double over = under + hundredths(1, 16);

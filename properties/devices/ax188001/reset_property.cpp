@@ -1,4 +1,4 @@
-// A reset of the AX188001 leaves nothing of its state: properties/support/reset_law.hpp.
+// Checks that a reset of the AX188001 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -59,22 +59,22 @@ struct Ax188001Reset : UsualTraits {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax188001Reset, NodeBeginsAsAfterPowerOn, ()) {
+RC_GTEST_PROP(Ax188001Reset, ResetNodeStartsTheDeviceAsPowerOnDoes, ()) {
     verifies<req::CO_NMT_005>("property");
     restart_law<Ax188001Reset>(Reset::node);
 }
 
-RC_GTEST_PROP(Ax188001Reset, PowerOnForgetsTheLifeBefore, ()) {
+RC_GTEST_PROP(Ax188001Reset, PowerOnClearsAllEarlierState, ()) {
     verifies<req::CO_NMT_001>("property");
     restart_law<Ax188001Reset>(Reset::power);
 }
 
-RC_GTEST_PROP(Ax188001Reset, CommunicationBeginsAnewAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax188001Reset, ResetCommunicationRestartsCommunicationAndKeepsTheApplication, ()) {
     verifies<req::CO_NMT_006, req::CO_EMCY_018>("property");
     communication_law<Ax188001Reset>();
 }
 
-RC_GTEST_PROP(Ax188001Reset, LssGivesANodeIdAndTheApplicationGoesOn, ()) {
+RC_GTEST_PROP(Ax188001Reset, NodeIdChangeByLssKeepsTheApplicationRunning, ()) {
     verifies<req::CO_LSS_011, req::CO_LSS_018>("property");
     lss_law<Ax188001Reset>();
 }

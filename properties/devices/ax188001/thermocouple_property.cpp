@@ -1,4 +1,4 @@
-// Laws of the thermocouple scanner's blocks (AX188001, 1.1 to 1.3, appendix A).
+// Properties of the blocks of the thermocouple scanner (AX188001, 1.1 to 1.3, appendix A).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -29,7 +29,7 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// A number from low to high, in 2^30 steps.
+/// Returns a number from low to high, in 2^30 steps.
 double between(double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, (1 << 30) + 1) / static_cast<double>(1 << 30);
 }
@@ -42,7 +42,7 @@ constexpr ConverterCircuit circuit{{{{128, 19531.25}, {64, 39062.5}, {32, 78125.
 
 }  // namespace
 
-RC_GTEST_PROP(ThermocoupleLaw, ThereAndBackIsTheSameTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, ConversionToVoltageAndBackGivesTheSameTemperature, ()) {
     verifies<req::TCS_CONV_004, req::TCS_CONV_002, req::TCS_CONV_007>("property");
     const auto& type = any_type();
     const double celsius = between(lowest_rising(type), static_cast<double>(type.highest()));
@@ -50,7 +50,7 @@ RC_GTEST_PROP(ThermocoupleLaw, ThereAndBackIsTheSameTemperature, ()) {
     RC_ASSERT(std::fabs(back - celsius) < 0.001);
 }
 
-RC_GTEST_PROP(ThermocoupleLaw, AHigherVoltageIsNeverALowerTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, HigherVoltageNeverGivesALowerTemperature, ()) {
     verifies<req::TCS_CONV_003>("property");
     const auto& type = any_type();
     const double a = between(-12.0, 80.0);
@@ -60,13 +60,13 @@ RC_GTEST_PROP(ThermocoupleLaw, AHigherVoltageIsNeverALowerTemperature, ()) {
     RC_ASSERT(low <= high + 1e-9);
 }
 
-RC_GTEST_PROP(ThermocoupleLaw, WithinItsRangeAVoltageIsThatOfItsTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, VoltageWithinTheRangeEqualsThatOfItsTemperature, ()) {
     verifies<req::TCS_CONV_002>("property");
     const auto& type = any_type();
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
     const double mv = between(low, static_cast<double>(type.mv(type.highest())));
     const double celsius = exact_celsius(curve_of(type), mv);
-    // 0.02 degC are worth at least 5 nV anywhere; the inversion is far better.
+    // 0.02 degC are at least 5 nV everywhere; the inversion is far more exact.
     RC_ASSERT(std::fabs(static_cast<double>(type.mv(celsius)) - mv) < 5e-6);
 }
 
@@ -76,7 +76,7 @@ RC_GTEST_PROP(GainRangingLaw, EveryVoltageIsReadWithinNineConversions, ()) {
     for (int i = *rc::gen::inRange(0, 30); i > 0; --i) {
         adc.convert(between(-100000.0, 100000.0), circuit);
     }
-    // Settled on whatever came last, then a jump.
+    // The converter has settled on any voltage, then the voltage jumps.
     const double before = between(-100000.0, 100000.0);
     for (int i = 0; i < 18; ++i) {
         adc.convert(before, circuit);
@@ -93,7 +93,7 @@ RC_GTEST_PROP(GainRangingLaw, EveryVoltageIsReadWithinNineConversions, ()) {
     }
 }
 
-RC_GTEST_PROP(ProcessValueLaw, IsTheNearestWholeNumberThatFits, ()) {
+RC_GTEST_PROP(ProcessValueLaw, ProcessValueIsTheNearestIntegerThatFits, ()) {
     verifies<req::TCS_VAL_001, req::TCS_VAL_004, req::TCS_VAL_007>("property");
     const Scaling scaling{between(-1000.0, 1000.0), between(-10000.0, 10000.0)};
     const double field = between(-273.0, 1820.0);
@@ -111,7 +111,7 @@ RC_GTEST_PROP(ProcessValueLaw, IsTheNearestWholeNumberThatFits, ()) {
     RC_ASSERT(sent == value || (sent == value + 1 && (value == -1 || value == -512)));
 }
 
-RC_GTEST_PROP(AverageLaw, LiesBetweenTheValidOnes, ()) {
+RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
     verifies<req::TCS_AVG_001>("property");
     std::array<Measurement, 2> all{};
     double low = 1e9;
@@ -126,9 +126,9 @@ RC_GTEST_PROP(AverageLaw, LiesBetweenTheValidOnes, ()) {
     RC_ASSERT(!mean.valid || (mean.value >= low - 1e-9 && mean.value <= high + 1e-9));
 }
 
-RC_GTEST_PROP(DelayedFaultLaw, IsToldExactlyWhenTheLimitWasPassedForTheWholeDelay, ()) {
+RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedOnceTheLimitWasPassedForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_002>("property");
-    // A naive model: the history of readings, every 165 ms; limit 100 degC, clear at 99.
+    // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));
     const std::uint64_t delay_ms = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
     DelayedFault fault;

@@ -1,5 +1,5 @@
-// One thing changes at a time on a running CAN-CBX-AO412: its outputs are then those of a device that was given all of
-// it from the start (4.3.1, 7.10, 7.11).
+// Changes one thing at a time on a running CAN-CBX-AO412 and compares its outputs with those of a device that had all
+// values from the start (4.3.1, 7.10, 7.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ void write_value(CbxBench& bench, std::size_t which, std::size_t output, int val
 
 }  // namespace
 
-RC_GTEST_PROP(CbxAo412OneChange, ARunningDeviceShowsWhatAFreshOneDoes, ()) {
+RC_GTEST_PROP(CbxAo412OneChange, RunningDeviceAfterOneChangeMatchesAFreshDevice, ()) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_005>("property");
     const auto changes = *rc::gen::container<std::vector<std::array<int, 3>>>(
         8, rc::gen::container<std::array<int, 3>>(rc::gen::inRange(0, 60000)));

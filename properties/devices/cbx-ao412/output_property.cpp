@@ -1,4 +1,4 @@
-// Laws of the voltage output (CAN-CBX-AO412, 7.10.2.2 and 7.11).
+// Properties of the voltage output (CAN-CBX-AO412, 7.10.2.2 and 7.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -20,14 +20,14 @@ constexpr VoltageOutputCircuit circuit{4.096F * 30.9F / 12.4F, 4096, 8};
 
 }  // namespace
 
-RC_GTEST_PROP(VoltageOutputLaw, StepIsTheNearestAndHalvesGoUp, (std::int16_t value)) {
+RC_GTEST_PROP(VoltageOutputLaw, StepIsTheNearestAndHalvesRoundUp, (std::int16_t value)) {
     verifies<req::AO4_AOUT_002>("property");
     const int step = output_step(value, circuit, OutputCalibration{});
     const int unclamped = static_cast<int>(std::floor((value + 4) / 8.0));
     RC_ASSERT(step == std::max(-4095, std::min(4095, unclamped)));
 }
 
-RC_GTEST_PROP(VoltageOutputLaw, OutputStaysWithinTheConverter,
+RC_GTEST_PROP(VoltageOutputLaw, OutputStaysWithinTheRangeOfTheConverter,
               (std::int16_t value, std::int16_t gain, std::int16_t offset)) {
     verifies<req::AO4_AOUT_003>("property");
     const OutputCalibration calibration{1.0F + static_cast<float>(gain) / 262144.0F,

@@ -2,7 +2,8 @@
 
 namespace canproof {
 
-// The sum of a place in memory and a count of at most eight does not wrap; that of any other place may.
+// An index inside a view plus a count of at most eight cannot wrap. An index outside the view may wrap, so both
+// functions check `at` first.
 
 void MutableBytes::put_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
     std::uint64_t rest{value};

@@ -10,10 +10,10 @@
 
 namespace canproof {
 
-// A number in memory has the order of the bus: what is read or written is then one access.
+// Numbers in memory have the byte order of the bus, so that one access reads or writes them.
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a processor that puts the least significant byte first");
 
-/// N (1…8) bytes that are there as a number, and the reverse.
+/// Reads N (1…8) existing bytes as a number; store_le() writes them.
 template <std::size_t N>
 inline std::uint64_t load_le(const std::uint8_t* const bytes) noexcept {
     std::conditional_t<(N == sizeof(std::uint32_t)), std::uint32_t, std::uint64_t> value{0U};
@@ -25,8 +25,8 @@ inline void store_le(std::uint8_t* const bytes, const std::uint64_t value) noexc
     static_cast<void>(std::memcpy(bytes, &value, N));
 }
 
-/// N (1…8) bytes of an array from position `at` on, and the reverse. That they lie in it is checked when it is
-/// compiled.
+/// Reads N (1…8) bytes of an array from position `at` on; set_field_le() writes them. The compiler checks that they lie
+/// within the array.
 template <std::size_t at, std::size_t N, std::size_t size>
 inline std::uint64_t field_le(const std::array<std::uint8_t, size>& bytes) noexcept {
     static_assert((at + N) <= size, "the field ends behind the array");
@@ -38,8 +38,8 @@ inline void set_field_le(std::array<std::uint8_t, size>& bytes, const std::uint6
     store_le<N>(&std::get<at>(bytes), value);
 }
 
-/// Read-only view of bytes. Reading past its end gives zero, never memory beside it. Aligned, as MutableBytes is: a
-/// 32-bit processor passes it in a pair of registers and not through the stack.
+/// Read-only view of bytes. Reading past its end gives zero, never memory beside it. The alignment lets a 32-bit
+/// processor pass it in a pair of registers instead of on the stack; MutableBytes does the same.
 class alignas(std::uint64_t) ByteView {
   public:
     constexpr ByteView() noexcept = default;
@@ -53,7 +53,7 @@ class alignas(std::uint64_t) ByteView {
     constexpr std::uint8_t operator[](const std::size_t at) const noexcept {
         return (at < size_) ? data_[at] : std::uint8_t{0U};
     }
-    /// At most `count` bytes from `from`; shorter when the view ends before.
+    /// Returns at most `count` bytes from `from` on; fewer when the view ends earlier.
     constexpr ByteView part(const std::size_t from, const std::size_t count) const noexcept {
         const std::size_t start = (from < size_) ? from : size_;
         const std::size_t rest = size_ - start;
@@ -91,7 +91,8 @@ class alignas(std::uint64_t) MutableBytes {
             static_cast<void>(std::copy_n(source.data(), count, data_ + at));
         }
     }
-    /// The low N (1…8) bytes of `value` at `at`, least significant first; bytes that would not fit are dropped.
+    /// Writes the low N (1…8) bytes of `value` at `at`, least significant byte first; bytes that do not fit are
+    /// dropped.
     template <std::size_t N>
     void put_le(const std::size_t at, const std::uint64_t value) noexcept {
         if ((at <= size_) && (N <= (size_ - at))) {
@@ -100,7 +101,7 @@ class alignas(std::uint64_t) MutableBytes {
             put_each(at, N, value);
         }
     }
-    /// The same for `count` (0…8) bytes.
+    /// Writes the low `count` (0…8) bytes; see put_le().
     void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
         const bool fits = (at <= size_) && (count <= (size_ - at));
         switch (fits ? count : 0U) {
@@ -131,11 +132,12 @@ class alignas(std::uint64_t) MutableBytes {
     std::size_t size_{0U};
 };
 
-/// `count` (0…8) bytes from `at`, least significant first; bytes beyond the view read as zero. One by one: the way that
-/// always works.
+/// Returns `count` (0…8) bytes from `at` on as a number, least significant byte first; bytes beyond the view read as
+/// zero. Reads byte by byte, which works at any position.
 std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
 
-/// The same for N (1…8) bytes.
+/// Returns N (1…8) bytes from `at` on as a number, as join_each() does; in one access where all of them lie in the
+/// view.
 template <std::size_t N>
 inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept {
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
@@ -169,7 +171,7 @@ inline void write_le(MutableBytes bytes, const std::size_t at, const std::size_t
     bytes.set_le(at, count, value);
 }
 
-/// The bit pattern of a value of equal size (what C++20 calls std::bit_cast).
+/// Returns the value of type To with the same bit pattern (C++20 calls this std::bit_cast).
 template <typename To, typename From>
 To bit_cast(const From& from) noexcept {
     static_assert(sizeof(To) == sizeof(From), "a bit pattern keeps its size");

@@ -1,26 +1,27 @@
-// The byte of a bank of stored values that tells a bank that was written to its end from one that was not. With it a
-// damaged bank is no save that was cut short.
+// The commit marker: the byte of a bank of stored values that distinguishes a completely written bank from an
+// interrupted save. It lets the firmware recognise a damaged bank and not mistake it for an interrupted save.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
 
 namespace canproof {
 
-/// It is the last letter of the word with which a bank begins; that letter itself says that the bank counts.
+/// Position of the marker: the last letter of the magic word at the start of a bank. The letter itself means that the
+/// bank is committed.
 constexpr std::size_t commit_marker_at = 3U;
-/// A save into the bank has begun, or a newer bank holds: what it contains is of no account.
+/// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
 constexpr std::uint8_t void_marker = 0x2DU;
 
-/// What a bank is found to be. Of two banks that with the greater value decides.
+/// State of a bank. If two banks differ, the greater value decides.
 enum class BankState : std::uint8_t {
-    unused,    ///< void, or as the memory was made or erased
-    doubtful,  ///< not to be read, or no save wrote it: a damage where the other bank is not sound
+    unused,    ///< marked void, or blank (all bytes 00h or FFh)
+    doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
     sound,     ///<
-    damaged    ///< committed, and no longer what was written
+    damaged    ///< committed, but its contents have changed since
 };
 
-/// What is known of a bank by its first bytes: unused, doubtful, or damaged as long as its CRC has not been found
-/// right.
+/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A doubtful or damaged bank that can be
+/// read and whose CRC is right is sound; the caller checks that.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

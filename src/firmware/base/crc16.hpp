@@ -15,8 +15,9 @@ class Crc16 {
             swapped_ = after_one(swapped_, bytes[i]);
         }
     }
-    /// The low seven bytes of `segment`, least significant first: what a segment of a block transfer holds. Inline by
-    /// order: the limit on block upload leaves no room for a call for each segment (tests/bench/transactions.cpp).
+    /// Adds the low seven bytes of `segment`, least significant first: the data of one segment of a block transfer.
+    /// Inlining is forced: the limit on block upload leaves no time for a call per segment
+    /// (tests/bench/transactions.cpp).
     [[gnu::always_inline]] constexpr void add_seven(const std::uint64_t segment) noexcept {
         swapped_ = after_one(after_two(after_two(after_two(swapped_, segment), segment >> 16U), segment >> 32U),
                              segment >> 48U);
@@ -37,8 +38,8 @@ class Crc16 {
         return (swapped >> 8U) ^ last[(swapped ^ bytes) & 0xFFU];
     }
 
-    /// Remainder of every byte followed by `zeros` zero bits, its bytes swapped: a look-up a byte in place of eight
-    /// steps.
+    /// Returns the remainder of every byte followed by `zeros` zero bits, with its bytes swapped. One look-up per byte
+    /// replaces eight shifts.
     static constexpr Table remainders(const std::uint32_t zeros) noexcept {
         Table rows{};
         for (std::uint32_t byte = 0U; byte < rows.size(); ++byte) {
@@ -51,10 +52,10 @@ class Crc16 {
         }
         return rows;
     }
-    static const Table last;          ///< a byte that nothing follows: sixteen zero bits make room for the remainder
-    static const Table first_of_two;  ///< a byte that another one follows
+    static const Table last;          ///< for a byte with none behind it: sixteen zero bits make room for the remainder
+    static const Table first_of_two;  ///< for the first of two bytes that are added in one step
 
-    std::uint32_t swapped_{0U};  ///< the register with its bytes swapped, so that data is taken as it lies in memory
+    std::uint32_t swapped_{0U};  ///< the CRC register with its bytes swapped, so that data can be used in memory order
 };
 
 inline constexpr Crc16::Table Crc16::last = Crc16::remainders(16U);

@@ -1,4 +1,4 @@
-// The port to an EEPROM or flash page: plain bytes that outlive a power cut.
+// The interface to an EEPROM or flash page: bytes that survive a power cut.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -13,13 +13,13 @@ class NonVolatileMemory {
     NonVolatileMemory& operator=(NonVolatileMemory&&) = delete;
 
     virtual std::size_t size() const = 0;
-    /// Reads all of `to` from address `at`. False when the memory failed or the range lies outside it.
+    /// Fills `to` from address `at` on. Returns false when the memory fails or the range lies outside it.
     virtual bool read(std::size_t at, MutableBytes to) const = 0;
-    /// Writes in ascending order of addresses; a power cut may leave any first part written. False when the memory
-    /// failed.
+    /// Writes in ascending order of addresses; a power cut may leave any first part written. Returns false when the
+    /// memory fails.
     virtual bool write(std::size_t at, ByteView bytes) = 0;
-    /// Makes what was written permanent: when it returns true, no power cut undoes it. False when the memory failed; it
-    /// then has what the last successful commit() left.
+    /// Makes all writes permanent: after it returns true, no power cut undoes them. Returns false when the memory
+    /// fails; the memory then holds what the last successful commit() left.
     virtual bool commit() = 0;
 
   protected:

@@ -1,10 +1,11 @@
-// Links from code to the register: a wrong or retired requirement id does not compile.
+// Links from code to the requirements register: a wrong or retired requirement id does not compile.
 #pragma once
 
 namespace canproof {
 
-/// Stands in `static_assert(implements<req::AO4_AOUT_002>)` above what implements a requirement. It is true for every
-/// type that the register's compiler wrote into generated/<part>/requirements.hpp; the audit collects these statements.
+/// Links code to a requirement: `static_assert(implements<req::AO4_AOUT_002>)` stands above the code that implements
+/// it. It is true for every type in generated/<part>/requirements.hpp, which the register's compiler writes; the audit
+/// collects these statements.
 template <typename Requirement>
 constexpr bool implements = Requirement::in_force;
 

@@ -1,4 +1,4 @@
-// A value or the reason why there is none. Nothing in the firmware throws; every failure is returned.
+// A value, or the reason why it is missing. The firmware throws nothing: every failure is a return value.
 #pragma once
 
 namespace canproof {

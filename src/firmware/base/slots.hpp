@@ -1,4 +1,4 @@
-// Places for a number of things that only the owner of the memory knows.
+// A view of an array whose length is known at run time only. The owner of the memory chooses the length.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ class Slots {
     constexpr bool empty() const noexcept { return count_ == 0U; }
     constexpr T* begin() const noexcept { return first_; }
     constexpr T* end() const noexcept { return end_; }
-    /// Place `at`, which is below size().
+    /// Returns place `at`, which must be below size().
     constexpr T& operator[](const std::size_t at) const noexcept { return first_[at]; }
-    /// At most `count` places from `from`; fewer when there are no more.
+    /// Returns at most `count` places from `from` on; fewer when the view ends earlier.
     constexpr Slots part(const std::size_t from, const std::size_t count) const noexcept {
         const std::size_t start = (from < count_) ? from : count_;
         const std::size_t rest = count_ - start;
@@ -30,7 +30,7 @@ class Slots {
 
   private:
     T* first_{nullptr};
-    T* end_{nullptr};  ///< kept, for it is asked more often than the number
+    T* end_{nullptr};  ///< stored, because it is read more often than the count
     std::size_t count_{0U};
 };
 

@@ -1,10 +1,10 @@
-// Reading a decision table: the register's compiler proves each table total over its inputs, so that a missing row
-// means memory gone wrong; the caller says which value is safe then.
+// Reads a row of a decision table. The register's compiler proves that each table covers all its inputs. A missing row
+// therefore means corrupt memory; the caller passes the value that is safe in that case.
 #pragma once
 
 namespace canproof {
 
-/// What `row` says in `column`; `otherwise` where `find` gave no row.
+/// Returns the cell of `row` in `column`; `otherwise` when `row` is nullptr.
 template <typename Row, typename Cell>
 constexpr Cell cell_or(const Row* const row, Cell Row::*const column, const Cell otherwise) noexcept {
     return (row == nullptr) ? otherwise : row->*column;

@@ -1,4 +1,5 @@
-// Time as the firmware knows it: a 64-bit count of microseconds that is passed in. Nothing below host/ reads a clock.
+// Time in the firmware: a 64-bit count of microseconds that the caller passes in. Only the code in host/ and target/
+// reads a clock.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept 
     return Duration{count * 100U};
 }
 
-/// "At no time": later than every event. The answer of next_deadline() when nothing is due.
+/// "At no time": later than every event. next_deadline() returns it when nothing is due.
 constexpr Instant never{UINT64_MAX};
 
 constexpr bool operator==(const Instant a, const Instant b) noexcept {
@@ -45,13 +46,13 @@ constexpr bool operator>(const Instant a, const Instant b) noexcept {
     return a.us > b.us;
 }
 
-/// Saturates at `never`, so that a deadline cannot wrap into the past.
+/// Adds a duration. Saturates at `never`, so that a deadline cannot wrap into the past.
 constexpr Instant operator+(const Instant start, const Duration length) noexcept {
     const std::uint64_t sum = start.us + length.us;
     return Instant{(sum < start.us) ? UINT64_MAX : sum};
 }
 
-/// Time from `earlier` to `later`; zero when they are the wrong way round.
+/// Returns the time from `earlier` to `later`; zero when `later` is not after `earlier`.
 constexpr Duration elapsed(const Instant earlier, const Instant later) noexcept {
     return (later.us > earlier.us) ? Duration{later.us - earlier.us} : Duration{0U};
 }

@@ -1,13 +1,14 @@
-// Holding numbers within bounds.
+// Clamps numbers to bounds.
 #pragma once
 
 namespace canproof {
 
-/// The smaller of two numbers; the second when the first is none. One comparison, where std::fmin sorts out every NaN.
+/// Returns the smaller of two numbers; the second when the first is NaN. One comparison; std::fmin would also handle a
+/// NaN in the second.
 constexpr double lesser(const double a, const double b) noexcept {
     return (a < b) ? a : b;
 }
-/// The greater of two numbers; the second when the first is none.
+/// Returns the greater of two numbers; the second when the first is NaN.
 constexpr double greater(const double a, const double b) noexcept {
     return (a > b) ? a : b;
 }

@@ -1,4 +1,4 @@
-// COB-ID entries: the identifier of a communication object and what else its 32 bits say (CiA 301, 7.5.2).
+// COB-ID entries: the identifier of a communication object and the flags beside it (CiA 301, 7.5.2).
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,13 @@ constexpr bool is_valid(const std::uint32_t entry) noexcept {
     return (entry & not_valid) == 0U;
 }
 
-/// Identifiers that CiA 301 keeps for NMT, SDO, error control and LSS: no configurable object may take them (Table 40).
+/// Returns whether CiA 301 reserves the identifier for NMT, SDO, error control or LSS (Table 40). No configurable
+/// object may use it.
 bool is_restricted(std::uint32_t identifier) noexcept;
 
-/// The common rule for a new value of 1005h, 1014h, 14xxh:1 and 18xxh:1: only the bits of `flags` beside an
-/// unrestricted 11-bit identifier (06090030h), and no other identifier while the object is in use (08000022h).
+/// Checks a new value of 1005h COB-ID SYNC, 1014h COB-ID EMCY, 14xxh:1 or 18xxh:1 COB-ID of a PDO. Returns 06090030h
+/// unless it holds only bits of `flags` beside an unrestricted 11-bit identifier. Returns 08000022h when it changes the
+/// identifier while the object stays in use.
 AbortCode check_change(std::uint32_t current, std::uint32_t wanted, std::uint32_t flags, bool in_use) noexcept;
 
 }  // namespace canproof::cob_id

@@ -1,4 +1,5 @@
-// What the services rely on in a generated dictionary, checked by the compiler where the tables stand.
+// Checks the properties of a generated dictionary on which the services rely. The compiler evaluates them beside the
+// tables.
 #pragma once
 
 #include "firmware/canopen/object_types.hpp"
@@ -6,9 +7,9 @@
 
 namespace canproof {
 
-/// Sub-indices ascend from 0, limits exist, and every value lies in its pool.
+/// Returns whether the sub-indices ascend from 0, the limits exist and every value lies in its pool.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
-    std::uint32_t least{0U};  // the sub-index that the next entry has at least
+    std::uint32_t least{0U};  // the least sub-index that the next entry may have
     for (std::size_t i = 0U; i < object.count; ++i) {
         const EntryRow& row = tables.entries[object.first_entry + i];
         const bool constant = (row.rights & rights::constant) != 0U;
@@ -23,7 +24,7 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
     return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
-/// The search by slots ends at the object, as find_object() does it.
+/// Returns whether the search by slots finds the object, with the steps of ObjectDictionary::lookup().
 constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
     const std::size_t count = tables.slots.count;
     std::size_t slot = object_slot(tables.objects[wanted].index, tables.slot_factor, count);
@@ -39,13 +40,13 @@ constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted
     return false;
 }
 
-/// Searches for what does not exist end: a slot is free, and the number of slots is a power of two.
+/// Returns whether a search for an absent object ends: a slot is free, and the number of slots is a power of two.
 constexpr bool has_free_slot(const DictionaryTables& tables) noexcept {
     const std::size_t count = tables.slots.count;
     return (count > tables.objects.count) && ((count & (count - 1U)) == 0U);
 }
 
-/// A PDO of CiA 301 that is none of the node's: nothing would ever follow from its objects.
+/// Returns whether the index is a PDO of CiA 301 that the node does not serve: its objects would have no effect.
 constexpr bool is_unserved_pdo(const PdoDirection direction, const std::size_t index) noexcept {
     constexpr std::size_t most_of_cia_301{512U};
     const std::size_t first = communication_object(direction, 0U);
@@ -62,7 +63,7 @@ constexpr bool serves_its_pdos(const DictionaryTables& tables) noexcept {
     return true;
 }
 
-/// Objects ascend, their entries follow one another without a gap, and each object is found.
+/// Returns whether the objects ascend, their entries follow one another without a gap and each object is found.
 constexpr bool is_sound(const DictionaryTables& tables) noexcept {
     std::uint32_t least{0U};
     std::size_t entry{0U};

@@ -13,7 +13,7 @@ namespace {
 namespace index = generated::canopen::index;
 
 constexpr std::uint32_t error_cured_code = 0x0000U;
-constexpr Duration queue_retry = milliseconds(1U);  ///< a message that finds no room in the queue is not lost
+constexpr Duration queue_retry = milliseconds(1U);  ///< when the queue is full, the message is sent later
 
 }  // namespace
 
@@ -104,7 +104,7 @@ std::uint8_t Emcy::active_register() const noexcept {
 
 static_assert(implements<req::CO_EMCY_008> && implements<req::CO_EMCY_013>);
 void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
-    // Sub 1 is the newest; the oldest falls out when all sub-indices are taken.
+    // Sub-index 1 is the newest entry; the oldest is dropped when all sub-indices are in use.
     const std::uint32_t capacity = list_capacity();
     const std::uint32_t count = objects_.read(index::error_list, 0U);
     const std::uint32_t kept = (count < capacity) ? count : (capacity - 1U);
@@ -135,7 +135,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{1U};  // without a list as well: what is written there goes nowhere
+    std::uint8_t capacity{1U};  // also without 1003h: writes to an absent entry have no effect
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
@@ -150,13 +150,14 @@ void Emcy::clear_list() noexcept {
 }
 
 static_assert(implements<req::CO_EMCY_006>);
-/// An error that comes and goes while its messages wait is told as it stands: a message that says the opposite of the
-/// one before the last takes the last one back. So at most two wait for each error, and the last word is never lost.
+/// Queues the message of an error that begins or ends. A message that repeats the newest waiting one of its error is
+/// dropped. If two messages of the error wait, an opposite one cancels the newer of them. So at most two messages wait
+/// for each error, and the last one sent always shows its present state.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;
     }
-    std::size_t last{0U};  // the newest of those of this error that wait
+    std::size_t last{0U};  // position of the newest waiting message of this error
     std::size_t waiting{0U};
     for (std::size_t i = 0U; i < pending_count_; ++i) {
         if (pending_[i].error == error) {
@@ -166,7 +167,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     }
     const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
     if (repeats) {
-        // it waits already
+        // the same message waits already
     } else if (waiting > 1U) {
         forget(last);
     } else {
@@ -199,7 +200,7 @@ Frame Emcy::message(const Pending& told) const noexcept {
     } else if (!told.cured) {
         set_field_le<3U, 2U>(frame.data, list_entry(told.error) >> 16U);
     } else {
-        // the end of an error: zeros
+        // the message for the end of an error contains zeros here
     }
     return frame;
 }
@@ -241,7 +242,7 @@ void Emcy::after_write(const EntryRef& entry) noexcept {
     }
 }
 
-/// With bit 31 of 1014h set what waits is not sent either, not even later.
+/// Drops all waiting messages when bit 31 of 1014h COB-ID EMCY is set. They are not sent later either.
 static_assert(implements<req::CO_EMCY_002>);
 void Emcy::forget_when_switched_off() noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {

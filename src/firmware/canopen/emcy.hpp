@@ -1,4 +1,4 @@
-// Errors: the error register 1001h, the error list 1003h and the emergency messages that announce both (CiA
+// Errors: the error register 1001h, the error list 1003h and the emergency messages that report changes of both (CiA
 // 301, 7.2.7).
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace canproof {
 
-/// What 1003h keeps.
+/// The contents of the error list 1003h.
 enum class ErrorList : std::uint8_t {
-    history,  ///< every error that occurred, cured or not (CAN-CBX-AO412)
-    active    ///< an error leaves the list when it is cured (Axiomatic)
+    history,  ///< every error that occurred, present or past (CAN-CBX-AO412)
+    active    ///< an error is removed from the list when it ends (Axiomatic)
 };
 
-/// What an emergency message holds behind the error register.
+/// The contents of an emergency message after the error register.
 enum class EmcyContent : std::uint8_t {
     listed_errors,  ///< byte 3: the number of errors in 1003h (CAN-CBX-AO412, 7.9.4)
-    detail          ///< bytes 3 and 4: the upper half of the entry in 1003h, as it stands there (Axiomatic)
+    detail          ///< bytes 3 and 4: the upper half of the error's entry in 1003h (Axiomatic)
 };
 
 class Emcy {
@@ -29,22 +29,24 @@ class Emcy {
          const EmcyContent content) noexcept
         : objects_{objects}, queue_{queue}, errors_{errors}, list_{list}, content_{content} {}
 
-    /// The node boots with this node-ID: where there is no 1014h it decides the identifier.
+    /// Sets the node-ID with which the node boots. Without 1014h COB-ID EMCY it determines the identifier of the
+    /// message.
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
-    /// Nothing active, nothing listed, nothing pending: the state after power-on and NMT reset node. Messages wait for
-    /// enable(), since the boot-up message empties the queue.
+    /// Clears active errors, the list and the waiting messages: the state after power-on and NMT reset node. Messages
+    /// wait for enable(), because the boot-up message empties the queue.
     void reset() noexcept;
-    /// A reset of the communication area set 1001h and 1014h to their defaults: what is active shows again. A list of
-    /// active errors stays as it is; a history begins anew. Messages wait for enable() here as well.
+    /// Restores 1001h after a reset of the communication area has set 1001h and 1014h to their defaults. A list of
+    /// active errors stays as it is; a history is cleared. Messages wait for enable() here as well.
     void refresh() noexcept;
-    /// A lasting error begins or ends. Telling the same twice does nothing. `channel` is added to the detail of the row
-    /// when the error begins: the node-ID of a lost heartbeat.
+    /// Begins or ends a lasting error; a call without a change does nothing. `channel` is added to the detail of the
+    /// row when the error begins, for example the node-ID of a lost heartbeat.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
-    /// An error that is over when it is noticed: listed and sent, never active.
+    /// Reports an error that is already over: listed and sent, never active.
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
-    /// Emergency messages go out in pre-operational and operational only; what arises elsewhere waits.
+    /// Permits or stops sending. Emergency messages leave in pre-operational and operational only; messages from other
+    /// states wait.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {
@@ -58,7 +60,7 @@ class Emcy {
         const bool waits = enabled_ && (pending_count_ != 0U);
         return waits ? may_send_at_ : never;
     }
-    /// Whether 1001h has changed since the last call: it may be mapped into a TPDO.
+    /// Returns whether 1001h has changed since the last call; a TPDO may carry it.
     bool take_register_change() noexcept {
         const bool changed = register_changed_;
         register_changed_ = false;
@@ -69,13 +71,13 @@ class Emcy {
     void after_write(const EntryRef& entry) noexcept;
 
   private:
-    /// A message that waits. Its COB-ID, 1001h, the number of listed errors and the detail are those of the moment when
-    /// it is sent.
+    /// A waiting message. Its COB-ID, 1001h, the number of listed errors and the detail are taken at the moment of
+    /// sending.
     struct Pending {
         std::uint8_t error{0U};
         bool cured{false};
     };
-    /// For no error more than two messages wait, see announce().
+    /// At most two messages wait for each error, see announce().
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
     void send_pending(Instant now) noexcept;

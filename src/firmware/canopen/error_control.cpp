@@ -15,7 +15,7 @@ namespace index = generated::canopen::index;
 constexpr std::uint32_t toggle_bit = 0x80U;
 constexpr std::uint32_t max_node_id = 127U;
 
-/// 701h…77Fh: restricted for all else, made for this (CiA 301, 7.3.5).
+/// Returns whether the identifier is one of 701h…77Fh, which CiA 301 reserves for error control (7.3.5).
 constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
     return (identifier > generated::canopen::guarding_cob_id_base) &&
            (identifier <= (generated::canopen::guarding_cob_id_base + max_node_id));
@@ -59,7 +59,7 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
     const Duration time = heartbeat_time_;
     next_heartbeat_ = (time.us == 0U) ? never : (now + time);
     if (time.us != 0U) {
-        // A heartbeat producer is not guarded (CiA 301, 7.2.8.2.2.1): either protocol, never both.
+        // A heartbeat producer is not guarded: a node uses one of the two protocols, never both (CiA 301, 7.2.8.2.2.1).
         life_deadline_ = never;
         life_failed_ = false;
     }
@@ -75,7 +75,7 @@ bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
     send_state(toggle_ ? static_cast<std::uint8_t>(state | toggle_bit) : state);
     toggle_ = !toggle_;
     life_failed_ = false;
-    // Life guarding starts with the first request, not with the objects being set.
+    // Life guarding starts with the first request, not when its objects are set.
     life_deadline_ = (life_time_.us == 0U) ? never : (now + life_time_);
     return true;
 }
@@ -110,12 +110,12 @@ void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcep
     if (entry.index == index::producer_heartbeat_time) {
         start_heartbeat(now);
     } else if ((entry.index == index::guard_time) || (entry.index == index::life_time_factor)) {
-        // A running life guarding goes on with the new time; one that is off waits for the next request.
+        // A running life guarding continues with the new time; one that is off waits for the next request.
         const bool is_on = life_time_.us != 0U;
         life_deadline_ = (is_on && (life_deadline_ != never)) ? (now + life_time_) : never;
         life_failed_ = is_on && life_failed_;
     } else {
-        // 100Eh: the next message takes the new identifier.
+        // 100Eh node guarding identifier: the next message uses the new identifier.
     }
 }
 

@@ -12,11 +12,12 @@ class ErrorControl {
   public:
     ErrorControl(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
 
-    /// After a reset: sends the boot-up message and starts heartbeat or waits for guarding.
+    /// Sends the boot-up message after a reset and starts the heartbeat or waits for guarding.
     void boot_up(std::uint8_t node_id, Instant now) noexcept;
     void set_state(const NmtState state) noexcept { state_ = state; }
 
-    /// Answers the master's guarding request. True when the remote frame was one (life guarding is then fed).
+    /// Answers the master's guarding request and restarts the life time. Returns true when the remote frame was such a
+    /// request.
     bool answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (next_deadline() <= now) {
@@ -25,15 +26,16 @@ class ErrorControl {
     }
     Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
 
-    /// The master's guarding requests failed to come for guard time × life time factor.
+    /// Returns whether no guarding request came for guard time × life time factor.
     bool life_guarding_failed() const noexcept { return life_failed_; }
 
-    /// 1017h, 100Ch or 100Dh changed: what they govern starts anew.
+    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor: the timer that it
+    /// sets restarts. A new 100Eh identifier is used from the next message on.
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 
   private:
-    /// Reads the parameters anew: after a reset and after each write to one of them.
+    /// Reads the parameters again: after a reset and after each write to one of them.
     void refresh() noexcept;
     void act(Instant now) noexcept;
     Frame message(std::uint8_t octet) const noexcept;

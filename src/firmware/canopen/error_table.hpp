@@ -1,4 +1,4 @@
-// The errors of a node and how each is told: what the tables of a device fill (CiA 301, 7.2.7).
+// The errors of a node and how each is reported. The tables of a device define this (CiA 301, 7.2.7).
 #pragma once
 
 #include <array>
@@ -7,8 +7,9 @@
 
 namespace canproof {
 
-/// The errors that a node can notice by itself, named as in the tables of the register; a device adds its own from
-/// `first_of_device` on. A device knows either guard_or_heartbeat, or life_guarding and the four consumers apart.
+/// The errors that a node detects itself, named as in the tables of the requirements register. A device adds its own
+/// errors from `first_of_device` on. A device uses either guard_or_heartbeat, or life_guarding and the four heartbeat
+/// consumers separately.
 enum class ErrorId : std::uint8_t {
     can_overrun = 0U,
     error_passive = 1U,
@@ -20,7 +21,7 @@ enum class ErrorId : std::uint8_t {
     rpdo_length = 7U,
     rpdo_timeout = 8U,
     life_guarding = 9U,
-    heartbeat = 10U,  ///< of the producer of 1016h:1; those of the next three follow it
+    heartbeat = 10U,  ///< lost heartbeat of the producer in 1016h:1; the next three belong to 1016h:2…4
     heartbeat_1 = heartbeat,
     heartbeat_2 = 11U,
     heartbeat_3 = 12U,
@@ -28,27 +29,26 @@ enum class ErrorId : std::uint8_t {
     rpdo_value = 14U,
     first_of_device = 15U
 };
-constexpr std::size_t max_errors = 48U;  ///< at most 64: what is active are the bits of one number
+constexpr std::size_t max_errors = 48U;  ///< at most 64: one 64-bit number holds a bit per active error
 
-/// Error number `offset` behind `first`, such as the same fault of another channel.
+/// Returns the error `offset` numbers after `first`, for example the same fault of another channel.
 constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noexcept {
     return static_cast<ErrorId>(static_cast<std::size_t>(first) + offset);
 }
 
-/// How one error is told. A row with code 0 says that the device does not know the error: it is then passed over in
-/// silence.
+/// How one error is reported. Code 0 means that the device does not have this error: it is then ignored.
 struct ErrorRow {
     std::uint16_t code{0U};          ///< emergency error code
     std::uint8_t register_bits{0U};  ///< set in 1001h while the error lasts
-    bool sent{false};                ///< announced by an emergency message
+    bool sent{false};                ///< reported by an emergency message
     bool listed{false};              ///< entered into 1003h
     std::uint16_t detail{0U};        ///< upper half of the entry in 1003h: Axiomatic's description << 8 | channel
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 
-constexpr std::size_t heartbeat_producers = 4U;  ///< those that ErrorId tells apart
+constexpr std::size_t heartbeat_producers = 4U;  ///< heartbeat producers with an ErrorId each
 
-/// Enters how one error is told. A lost heartbeat is told alike for each producer.
+/// Sets how one error is reported. The row of a lost heartbeat is copied to every producer.
 constexpr void put_error(ErrorTable& table, const ErrorId error, const ErrorRow& row) noexcept {
     const std::size_t copies = (error == ErrorId::heartbeat) ? heartbeat_producers : 1U;
     for (std::size_t i = 0U; i < copies; ++i) {

@@ -14,14 +14,14 @@ constexpr std::size_t max_frame_length = 8U;
 struct Frame {
     std::uint32_t id{0U};  ///< 11-bit identifier 0…7FFh, or 29-bit when `extended`
     bool extended{false};
-    bool remote{false};       ///< RTR: asks for the frame, carries no data
+    bool remote{false};       ///< RTR: requests the frame, carries no data
     std::uint8_t length{0U};  ///< DLC, 0…8
     alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};  ///< aligned: moved as one word
 
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };
 
-/// A data frame with `length` (0…8) zero bytes.
+/// Returns a data frame with `length` (0…8) zero bytes.
 inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexcept {
     Frame frame{};
     frame.id = id;

@@ -20,7 +20,8 @@ constexpr std::uint32_t slot_bit(const std::size_t slot) noexcept {
 }
 
 static_assert(implements<req::CO_HB_003>);
-/// A time or node-ID of zero, or a node-ID that cannot exist, watches nobody (CiA 301, 7.5.2.19).
+/// Returns whether an entry of 1016h watches a node. It does not when its time or node-ID is zero or the node-ID is
+/// above 127 (CiA 301, 7.5.2.19).
 constexpr bool is_active(const std::uint32_t setting) noexcept {
     const std::uint32_t node_id = node_id_of(setting);
     return ((setting & time_mask) != 0U) && (node_id >= 1U) && (node_id <= max_node_id);
@@ -90,7 +91,7 @@ AbortCode HeartbeatConsumer::before_write(const EntryRef& entry, const std::uint
         const bool is_other = (slot + 1U) != entry.row->subindex;
         taken = taken || (is_other && is_active(other) && (node_id_of(other) == node_id_of(wanted)));
     }
-    // One producer in two active entries is refused (CiA 301, 7.5.2.19).
+    // Two active entries for one producer are refused (CiA 301, 7.5.2.19).
     return (is_active(wanted) && taken) ? AbortCode::parameter_incompatible : AbortCode::none;
 }
 

@@ -1,4 +1,5 @@
-// Heartbeat consumer: watches other nodes (CiA 301, 7.2.8.2.2; object 1016h, `00 | node-ID | time in ms`).
+// Heartbeat consumer: watches other nodes (CiA 301, 7.2.8.2.2; object 1016h consumer heartbeat time, `00 | node-ID |
+// time in ms`).
 #pragma once
 
 #include <array>
@@ -18,9 +19,9 @@ class HeartbeatConsumer {
 
     explicit HeartbeatConsumer(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
-    /// Monitoring of each producer starts with the first heartbeat that is received from it.
+    /// Reads the parameters. Monitoring of each producer starts with its first heartbeat.
     void reset() noexcept;
-    /// Takes a data frame. True when it may be a heartbeat that is watched.
+    /// Processes a data frame. Returns true when it has the format of a heartbeat and any producer is or was watched.
     bool receive(const Frame& frame, const Instant now) noexcept {
         const bool heard = any_ && (frame.length == 1U) && !frame.extended;
         if (heard) {
@@ -34,9 +35,9 @@ class HeartbeatConsumer {
         }
     }
     Instant next_deadline() const noexcept { return next_; }
-    /// Producers that were heard, have fallen silent and have not been heard again: bit n for 1016h:n + 1.
+    /// Returns the producers whose heartbeat has stopped and not resumed: bit n for 1016h:n + 1.
     std::uint32_t failed() const noexcept { return failed_; }
-    /// The node-ID that this entry watches.
+    /// Returns the node-ID that this entry watches.
     std::uint8_t producer(std::size_t slot) const noexcept;
 
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
@@ -44,7 +45,8 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
-        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0, which is NMT's and never comes here: nobody
+        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0 watches nobody: 0 is the identifier of NMT,
+                                       ///< which is served elsewhere
         Duration time{};
         Instant deadline{never};
     };
@@ -53,13 +55,13 @@ class HeartbeatConsumer {
     void find_silent(Instant now) noexcept;
     void schedule() noexcept;
     std::uint32_t setting(std::size_t slot) const noexcept;
-    /// Reads one entry of 1016h anew; what was heard from its producer is forgotten.
+    /// Reads one entry of 1016h again and discards what was received from its producer.
     void restart(std::size_t slot) noexcept;
 
     ObjectDictionary& objects_;
     std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
-    bool any_{false};  ///< somebody is watched, or was
+    bool any_{false};  ///< a producer is watched, or was
     Instant next_{never};
 };
 

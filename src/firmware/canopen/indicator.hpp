@@ -1,12 +1,12 @@
-// When an LED is lit (CAN-CBX-AO412, 3.2.1; after CiA 303-3).
+// Computes when an LED is lit (CAN-CBX-AO412, 3.2.1; after CiA 303-3).
 #pragma once
 
 #include "firmware/base/time.hpp"
 
 namespace canproof {
 
-/// One round of an indicator: `flashes` times on with gaps between them, then a pause. Without flashes steadily lit
-/// when `on` is not 0, else dark.
+/// One period of an indicator: `flashes` times on with gaps between them, then a pause. With no flashes it is steadily
+/// lit when `on` is not 0, otherwise dark.
 struct IndicatorPattern {
     std::uint16_t flashes{0U};
     Duration on{};
@@ -14,7 +14,7 @@ struct IndicatorPattern {
     Duration pause{};
 
     constexpr bool is_steady() const noexcept { return flashes == 0U; }
-    /// Of what is not steady: behind the last flash stands the pause in place of the gap.
+    /// Returns the period of a pattern that is not steady. After the last flash the pause replaces the gap.
     constexpr Duration period() const noexcept { return Duration{((flashes * (on.us + gap.us)) - gap.us) + pause.us}; }
 };
 
@@ -23,8 +23,8 @@ struct IndicatorPhase {
     Instant next_change{never};
 };
 
-/// Whether the LED is lit at `now`, and when that changes. All LEDs count their rounds from time 0 plus `shift`, so
-/// that those of one pattern flash together and those shifted by one `on` time in opposite phase.
+/// Returns whether the LED is lit at `now`, and when that changes. All LEDs count their periods from time 0 plus
+/// `shift`: LEDs of one pattern flash together, and those shifted by one `on` time flash in opposite phase.
 IndicatorPhase indicator_phase(const IndicatorPattern& pattern, Instant now, Duration shift) noexcept;
 
 }  // namespace canproof

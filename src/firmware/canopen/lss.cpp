@@ -38,19 +38,21 @@ std::uint8_t answer_specifier(const LssCommand command) noexcept {
     return static_cast<std::uint8_t>(command);
 }
 
-/// How far a command specifier lies behind the first one of its kind: which number, or which frame of a sequence.
+/// Returns the distance of a command specifier from the first one of its kind: the position of the number or frame in
+/// its sequence.
 constexpr std::uint32_t offset_from(const LssCommand first, const LssCommand command) noexcept {
     return static_cast<std::uint32_t>(command) - static_cast<std::uint32_t>(first);
 }
 
-/// What a frame of identify remote slave asks of a number: that it reaches the bound, or does not pass it.
+/// The condition of one frame of identify remote slave: the number is at least the bound (`lowest`), at most the bound
+/// (`highest`), or both.
 struct IdentityBound {
     LssNumber number;
     bool lowest;
     bool highest;
 };
 
-/// The frames in their order; vendor-ID and product code are compared whole.
+/// The frames in their order. Vendor-ID and product code must match exactly.
 constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, true, true},
                                                          {LssNumber::product_code, true, true},
                                                          {LssNumber::revision_number, true, false},
@@ -58,7 +60,7 @@ constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, 
                                                          {LssNumber::serial_number, true, false},
                                                          {LssNumber::serial_number, false, true}}};
 
-/// Frame `step` of a sequence whose first `done` frames fitted: how many have fitted now.
+/// Returns how many frames of a sequence have matched after frame `step`, when the first `done` frames matched before.
 constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step, const bool fits) noexcept {
     const bool in_order = (step == 0U) || (step == done);
     return (in_order && fits) ? static_cast<std::uint8_t>(step + 1U) : std::uint8_t{0U};
@@ -89,7 +91,7 @@ void Lss::power_on(const LssConfiguration& stored) noexcept {
     switching_ = Switching::none;
 }
 
-// The stored bit rate as well: reset node is to a device what power-on is (CO-D-LSS-008).
+// Restores the stored bit rate as well: for LSS, reset node equals power-on (CO-D-LSS-008).
 static_assert(implements<req::CO_LSS_017>);
 void Lss::restore(const Instant now) noexcept {
     pending_ = stored_;
@@ -206,7 +208,7 @@ void Lss::switch_globally(const std::uint8_t mode) noexcept {
     } else if (mode == static_cast<std::uint32_t>(LssState::configuration)) {
         state_ = LssState::configuration;
     } else {
-        // no mode: ignored
+        // an unknown mode is ignored
     }
 }
 

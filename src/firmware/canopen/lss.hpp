@@ -1,5 +1,5 @@
-// LSS slave: node-ID and bit rate, set over the bus (CiA 305; AX130751 3.1, AX188001 3.1, AX060805 4.1). Frames of the
-// master come on 7E5h, answers go on 7E4h.
+// LSS slave: sets node-ID and bit rate over the bus (CiA 305; AX130751 3.1, AX188001 3.1, AX060805 4.1). The master's
+// frames have identifier 7E5h, the answers 7E4h.
 #pragma once
 
 #include "firmware/base/requirement.hpp"
@@ -20,14 +20,16 @@ using generated::canopen::LssError;
 using generated::canopen::LssState;
 using generated::canopen::unconfigured_node_id;
 
-/// Whether LSS may give this node-ID: 1…127, and unconfigured_node_id to take it away (CiA 305, 6.4.2).
+/// Returns whether LSS may assign this node-ID: 1…127, or unconfigured_node_id, which removes the node-ID (CiA 305,
+/// 6.4.2).
 bool is_lss_node_id(std::uint8_t node_id) noexcept;
 
-/// What LSS sets.
+/// The settings that LSS changes.
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
-    bool damaged{false};                         ///< what was stored cannot be read: these are the values as shipped
+    bool damaged{false};                         ///< the stored settings cannot be read: these are the values as
+                                                 ///< shipped
 };
 
 /// One row of a device's bit timing table.
@@ -36,7 +38,7 @@ struct LssBitRate {
     std::uint32_t bit_rate{0U};  ///< bit/s; 0 where the index is reserved
 };
 
-/// The rows of a generated table with the columns `index` and `bit_rate`.
+/// Returns the rows of a generated table with the columns `index` and `bit_rate`.
 template <typename Row, std::size_t N>
 constexpr std::array<LssBitRate, N> lss_bit_rates(const std::array<Row, N>& rows) noexcept {
     std::array<LssBitRate, N> rates{};
@@ -46,20 +48,20 @@ constexpr std::array<LssBitRate, N> lss_bit_rates(const std::array<Row, N>& rows
     return rates;
 }
 
-/// What a device declares about its LSS.
+/// The properties of a device's LSS.
 class LssProfile {
   public:
-    /// A device without LSS.
+    /// Creates the profile of a device without LSS.
     constexpr LssProfile() noexcept = default;
-    /// `bit_rates` must outlive the profile. `resets_when_left`: the node resets its communication at each switch from
-    /// LSS configuration to LSS waiting.
+    /// Creates the profile of a device with LSS. `bit_rates` must outlive the profile. `resets_when_left`: the node
+    /// resets its communication at each switch from LSS configuration to LSS waiting.
     template <std::size_t N>
     constexpr LssProfile(const std::array<LssBitRate, N>& bit_rates, const bool resets_when_left) noexcept
         : bit_rates_{table_view(bit_rates)}, offered_{true}, resets_when_left_{resets_when_left} {}
 
     constexpr bool is_offered() const noexcept { return offered_; }
     constexpr bool resets_when_left() const noexcept { return resets_when_left_; }
-    /// bit/s for an index of the table; 0 for one that the device does not support.
+    /// Returns the bit rate in bit/s for an index of the table; 0 for an unsupported index.
     std::uint32_t bit_rate(std::uint8_t index) const noexcept;
 
   private:
@@ -68,8 +70,9 @@ class LssProfile {
     bool resets_when_left_{false};
 };
 
-/// What LSS asks of the device around it. A device without LSS leaves both as they are here.
-// Whole in the header: the host derives from it with type information, which the firmware is compiled without.
+/// The functions of the device that LSS calls. A device without LSS does not override them.
+// Defined in the header only: host classes with type information derive from it, and the firmware is compiled without
+// type information.
 class LssApplication {
   public:
     LssApplication(const LssApplication&) = delete;
@@ -77,12 +80,12 @@ class LssApplication {
     LssApplication(LssApplication&&) = delete;
     LssApplication& operator=(LssApplication&&) = delete;
 
-    /// The CAN controller goes to `bit_rate` bit/s now.
+    /// Switches the CAN controller to `bit_rate` bit/s now.
     virtual void set_bit_rate(const std::uint32_t bit_rate, const Instant now) {
         static_cast<void>(bit_rate);
         static_cast<void>(now);
     }
-    /// Keep this for the next power-on.
+    /// Stores the settings for the next power-on.
     virtual LssError store_configuration(const LssConfiguration& configuration) {
         static_cast<void>(configuration);
         return LssError::not_supported;
@@ -99,24 +102,24 @@ class Lss {
         LssApplication& application) noexcept
         : profile_{profile}, objects_{objects}, queue_{queue}, application_{application} {}
 
-    /// Power-on with what is stored.
+    /// Starts with the stored settings at power-on.
     void power_on(const LssConfiguration& stored) noexcept;
-    /// What was stored could not be read at power-on, and nothing has been stored since.
+    /// Returns whether the stored settings could not be read at power-on and none have been stored since.
     bool is_damaged() const noexcept { return stored_.damaged; }
-    /// NMT reset node: what was configured and not stored is lost; take_node_id() follows.
+    /// Discards settings that were configured and not stored: NMT reset node. take_node_id() follows.
     void restore(Instant now) noexcept;
-    /// NMT reset communication: the pending node-ID becomes active and is returned; unconfigured_node_id when there is
-    /// none.
+    /// Makes the pending node-ID active and returns it: NMT reset communication. Returns unconfigured_node_id when
+    /// there is none.
     std::uint8_t take_node_id() noexcept;
 
-    /// Whether a frame is for LSS. Never, when the device does not offer it.
+    /// Returns whether a frame is an LSS request. Always false for a device without LSS.
     bool is_request(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> &&
                       implements<req::CO_K_LSS_REQUEST_ID>);
         return (frame.id == generated::canopen::lss_request_cob_id) && !frame.extended && !frame.remote &&
                profile_.is_offered();
     }
-    /// Serves one request of a node in state `nmt` that is not silent. True when the node must now reset its
+    /// Serves one request; the node is in state `nmt` and not silent. Returns true when the node must now reset its
     /// communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
     void advance(const Instant now) noexcept {
@@ -126,7 +129,7 @@ class Lss {
     }
     Instant next_deadline() const noexcept { return due_; }
 
-    /// The bit rate is being switched: no frame may be sent and none counts.
+    /// Returns whether the bit rate is being switched: the node sends no frame and ignores received ones.
     bool is_silent() const noexcept { return switching_ != Switching::none; }
 
   private:
@@ -135,7 +138,8 @@ class Lss {
     using Request = LssFastscan::Request;
 
     bool is_served(Served when, NmtState nmt) const noexcept;
-    /// Whether the request came to something, and `said`: what the answer says after its command specifier.
+    /// Executes a request. Returns false when it must not be answered; otherwise `said` holds the content of the answer
+    /// after its command specifier.
     bool execute(LssCommand command, const Request& request, Instant now, std::uint32_t& said) noexcept;
     void switch_globally(std::uint8_t mode) noexcept;
     bool select(std::uint32_t number, std::uint32_t wanted) noexcept;
@@ -148,7 +152,7 @@ class Lss {
     void activate(Duration delay, Instant now) noexcept;
 
     bool is_configured() const noexcept;
-    /// The number of the own address that LssNumber counts.
+    /// Returns one number of this device's LSS address, by LssNumber.
     std::uint32_t own(std::uint32_t number) const noexcept;
 
     LssProfile profile_;
@@ -159,8 +163,8 @@ class Lss {
     LssConfiguration stored_{};
     LssConfiguration pending_{};
     LssConfiguration active_{};
-    std::uint8_t selected_{0U};    ///< frames of switch state selective that fitted
-    std::uint8_t identified_{0U};  ///< frames of identify remote slave that fitted
+    std::uint8_t selected_{0U};    ///< matching frames of switch state selective so far
+    std::uint8_t identified_{0U};  ///< matching frames of identify remote slave so far
     LssFastscan scan_{};
     Switching switching_{Switching::none};
     Duration delay_{};

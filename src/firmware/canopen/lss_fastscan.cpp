@@ -44,7 +44,7 @@ bool LssFastscan::matches(const Request& request, const std::uint32_t own) noexc
     return (differing >> std::uint32_t{request[bit_check_at]}) == 0U;
 }
 
-// A master may lead through the numbers in any order; what it cannot do is leave one out (CO-D-LSS-004).
+// A master may ask for the numbers in any order, but cannot omit one (CO-D-LSS-004).
 static_assert(implements<req::CO_LSS_053> && implements<req::CO_LSS_054>);
 LssFastscan::Outcome LssFastscan::confirm(const std::uint8_t next) noexcept {
     confirmed_ |= std::uint32_t{1U} << std::uint32_t{position_};

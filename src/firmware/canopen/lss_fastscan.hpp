@@ -19,21 +19,21 @@ class LssFastscan {
     /// The eight bytes of the master's frame.
     using Request = std::array<std::uint8_t, max_frame_length>;
     enum class Outcome : std::uint8_t {
-        silent,    ///< not this slave, or no sound request
-        matched,   ///< to be answered
-        completed  ///< to be answered; all four numbers are confirmed
+        silent,    ///< another slave is addressed, or the request is invalid; no answer
+        matched,   ///< answered
+        completed  ///< answered; all four numbers are confirmed
     };
 
-    /// The vendor-ID is asked for next, and nothing is confirmed.
+    /// Expects the vendor-ID next; no number is confirmed.
     void restart() noexcept;
-    /// Which number the master is expected to ask for.
+    /// Returns the number that the master is expected to ask for, as an LssNumber.
     std::uint32_t position() const noexcept { return position_; }
-    /// One request: command specifier, number, bit check, which number this is, which is next. `own`: the number at
-    /// position().
+    /// Processes one request: command specifier, number, bit check, position of this number, position of the next one.
+    /// `own` is the device's number at position().
     Outcome scan(const Request& request, std::uint32_t own) noexcept;
 
   private:
-    /// Bits 31 down to the bit check, which is at most 31, are those of `own`.
+    /// Returns whether bits 31 down to the bit check (at most 31) equal those of `own`.
     static bool matches(const Request& request, std::uint32_t own) noexcept;
     Outcome confirm(std::uint8_t next) noexcept;
 

@@ -9,7 +9,7 @@ namespace canproof {
 
 namespace {
 
-constexpr std::uint32_t slot_magic = 0x31534C43U;  // "CLS1" in memory, the marker of a committed slot at its end
+constexpr std::uint32_t slot_magic = 0x31534C43U;  // "CLS1" in memory; its last letter is the commit marker
 constexpr std::uint8_t committed_marker = 0x31U;
 constexpr std::size_t magic_at = 0U;
 constexpr std::size_t sequence_at = 4U;
@@ -49,7 +49,7 @@ bool LssStore::write_marker(const std::size_t slot, const std::uint8_t marker) n
     return memory_.write(address(slot) + commit_marker_at, ByteView{&marker, 1U});
 }
 
-/// Whole, or not at all.
+/// Writes a slot. Until the last write its marker is void, so that an interrupted write leaves no valid slot.
 bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     SlotBytes bytes{};
     set_field_le<magic_at, 4U>(bytes, slot_magic);
@@ -68,7 +68,7 @@ bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     return done;
 }
 
-/// The slot that decides; the second while nothing is stored.
+/// Returns the slot that decides; the second one while nothing is stored.
 std::size_t LssStore::latest_of(const Slot& first, const Slot& second) noexcept {
     const bool both_sound = (first.state == BankState::sound) && (second.state == BankState::sound);
     const bool is_first = (first.state > second.state) || (both_sound && !is_newer(second.sequence, first.sequence));
@@ -95,7 +95,7 @@ LssError LssStore::store(const LssConfiguration& configuration) noexcept {
     if (!write(1U - before, Slot{BankState::sound, sequence + 1U, configuration})) {
         return LssError::storage_failed;
     }
-    // Without this the older of two sound slots would lie there as before: the sequence number still tells it.
+    // If this write fails, two sound slots remain; the sequence number still shows which is newer.
     static_cast<void>(write_marker(before, void_marker));
     return memory_.commit() ? LssError::none : LssError::storage_failed;
 }

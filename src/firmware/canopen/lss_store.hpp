@@ -1,6 +1,6 @@
-// Node-ID and bit rate in the non-volatile memory: what LSS stores (CiA 305, 6.4.5). Two slots take turns as the banks
-// of ParameterStore do, so that a power cut at any byte leaves the old configuration or the new one, and a damaged slot
-// is neither.
+// Stores the node-ID and bit rate of LSS in the non-volatile memory (CiA 305, 6.4.5). Two slots alternate as the banks
+// of ParameterStore do: a power cut at any byte leaves the old settings or the new ones, and a damaged slot is
+// recognised.
 #pragma once
 
 #include "firmware/base/commit_marker.hpp"
@@ -13,15 +13,16 @@ class LssStore {
   public:
     static constexpr std::size_t slot_size = 20U;
     static constexpr std::size_t slot_count = 2U;
-    /// Bytes at the end of the memory; the parameters begin at its start.
+    /// Bytes used at the end of the memory; the parameters use its start.
     static constexpr std::size_t size = slot_size * slot_count;
 
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}
 
-    /// What was stored last, or `shipped` when nothing is stored, or when what is stored is damaged or has no node-ID
-    /// that LSS gives.
+    /// Returns the settings stored last. Returns `shipped` when nothing is stored, the stored settings are damaged, or
+    /// their node-ID is one that LSS cannot assign.
     LssConfiguration load(const LssConfiguration& shipped) const noexcept;
-    /// LssError::storage_failed when the memory failed; what was stored before is then still stored.
+    /// Stores the settings. Returns LssError::storage_failed when the memory fails; the settings stored before then
+    /// remain valid.
     LssError store(const LssConfiguration& configuration) noexcept;
 
   private:

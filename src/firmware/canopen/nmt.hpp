@@ -1,4 +1,4 @@
-// NMT: the commands of the master, and what works in which state (CiA 301, 7.2.8 and 7.3.2).
+// NMT: the commands of the master, and which services work in which state (CiA 301, 7.2.8 and 7.3.2).
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace canproof {
 /// The services whose use depends on the NMT state.
 using NmtService = generated::canopen::nmt_services::Service;
 
-/// The services of one state (table CO-T-SERVICES), looked up once when the state is entered.
+/// The services that work in one state (table CO-T-SERVICES), looked up once when the state is entered.
 class AllowedServices {
   public:
-    /// Nothing works.
+    /// No service works.
     constexpr AllowedServices() noexcept = default;
     explicit AllowedServices(NmtState state) noexcept;
 
@@ -27,8 +27,8 @@ class AllowedServices {
     std::uint32_t bits_{0U};
 };
 
-/// The command that `frame` gives this node: identifier 0, exactly two bytes, a command that exists, node-ID 0 (all) or
-/// `node_id`. Everything else is no command.
+/// Returns the NMT command of `frame` for this node: identifier 0, exactly two bytes, a defined command, and node-ID 0
+/// (all nodes) or `node_id`. Returns nothing for every other frame.
 std::optional<NmtCommand> nmt_command(const Frame& frame, std::uint8_t node_id) noexcept;
 
 }  // namespace canproof

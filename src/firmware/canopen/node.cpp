@@ -61,13 +61,13 @@ void Node::reset_node(const Instant now) noexcept {
     store_.open();
     load_all();
     if (store_.is_damaged()) {
-        load_all();  // a value could not be read: nothing of that set is used
+        load_all();  // a stored value could not be read: no value of the stored set is used
     }
     emcy_.reset();
     communication_failed_ = false;
     application_.restart(now);
     tell_damage(now);
-    emcy_.set(ErrorId::can_overrun, overrun_, now);  // what outlasts the reset is an error of the new life as well
+    emcy_.set(ErrorId::can_overrun, overrun_, now);  // an overrun that lasts beyond the reset is reported again
     boot_up(now);
 }
 
@@ -97,7 +97,8 @@ void Node::boot_up(const Instant now) noexcept {
     if (node_id_ == unconfigured_node_id) {
         return;
     }
-    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);  // initialising told of none
+    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);  // changes during initialising were
+                                                                                    // not reported
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
@@ -121,7 +122,7 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
     } else if (!had_pdos) {
         tpdos_.start(now);
     } else {
-        // the PDOs go on
+        // the PDOs continue
     }
     sync_.allow(allowed_.has(NmtService::sync), now);
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
@@ -144,7 +145,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         watch_communication(now);
         send_events(now);
     } else {
-        // without a node-ID nothing else is served
+        // a node without a node-ID serves no other frame
     }
 }
 
@@ -157,7 +158,8 @@ void Node::configure(const Frame& frame, const Instant now) noexcept {
     }
 }
 
-/// A change of the bit rate begins or ends: what waits to be sent at its beginning is dropped (CO-D-LSS-006).
+/// Opens or closes the transmit queue when a change of the bit rate ends or begins. Frames that wait at its beginning
+/// are dropped (CO-D-LSS-006).
 void Node::switch_bit_rate(const Instant now) noexcept {
     switching_ = lss_.is_silent();
     if (may_send()) {
@@ -169,7 +171,8 @@ void Node::switch_bit_rate(const Instant now) noexcept {
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
 }
 
-/// What no service takes, 29-bit identifiers and TIME among it, has no effect.
+/// Passes a frame to the service that it belongs to. Frames of no service have no effect, for example TIME and 29-bit
+/// identifiers.
 static_assert(implements<req::CO_FRAME_001> && implements<req::CO_TIME_001>);
 inline void Node::serve(const Frame& frame, const Instant now) noexcept {
     if (frame.id == generated::canopen::nmt_command_cob_id) {
@@ -203,11 +206,11 @@ void Node::serve_remote(const Frame& request, const Instant now) noexcept {
         rpdos_.answer(request);
         tpdos_.answer(request, now);
     } else {
-        // asks for no object of this state
+        // a remote frame without an object that answers in this state
     }
 }
 
-/// A heartbeat may have the identifier of a PDO; each is served.
+/// Passes a data frame to the heartbeat consumer and to the PDOs: both may use the same identifier.
 inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
     if (heartbeats_.receive(frame, now)) {
         idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
@@ -222,7 +225,7 @@ inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
 
 static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
-    start_at_ = never;  // the master has taken over: no self-start any more
+    start_at_ = never;  // an NMT command of the master cancels the self-start
     switch (command) {
         case NmtCommand::start:
             enter(NmtState::operational, now);

@@ -1,5 +1,5 @@
-// A CANopen slave: the services, wired to one object dictionary. Knows no device; what is special to one is told by
-// NodeProfile and Application.
+// A CANopen slave: the services, connected to one object dictionary. NodeProfile and Application hold what differs
+// between devices.
 #pragma once
 
 #include "firmware/base/requirement.hpp"
@@ -17,23 +17,24 @@
 
 namespace canproof {
 
-/// In what the four devices differ on the bus, beside their objects.
+/// How the four devices differ on the bus, apart from their objects.
 struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: RTR on RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2)
-    bool saves_in_pre_operational_only{false};  ///< 1010h elsewhere: 08000022h (CAN-CBX-AO412, 7.9.12)
-    bool block_sdo{false};                      ///< SDO block transfer is offered
-    LssProfile lss{};                           ///< bit rates and habits of the device's LSS; none without
+    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: a remote frame on RPDO n + 1 reads it back (CAN-CBX-AO412,
+                                                ///< 7.7.2)
+    bool saves_in_pre_operational_only{false};  ///< a write to 1010h in another state gets 08000022h (CAN-CBX-AO412,
+                                                ///< 7.9.12)
+    bool block_sdo{false};                      ///< the device supports SDO block transfer
+    LssProfile lss{};                           ///< bit rates and behaviour of the device's LSS; the default is no LSS
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
-/// State of the CAN controller (ISO 11898-1 fault confinement; warning: an error counter reached 96).
+/// State of the CAN controller (ISO 11898-1 fault confinement); warning: an error counter has reached 96.
 enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
 
-/// What the node asks and tells the device around it.
-/// Whole in this header, as LssApplication is.
+/// The functions of the device that the node calls. Defined in this header only, as LssApplication is.
 class Application : public LssApplication {
   public:
     Application(const Application&) = delete;
@@ -41,56 +42,57 @@ class Application : public LssApplication {
     Application(Application&&) = delete;
     Application& operator=(Application&&) = delete;
 
-    /// Whether an entry of Service::program can be read or written at all in the present state of the device. Always,
-    /// where the device does not say.
+    /// Returns whether an entry of Service::program can be accessed in the present state of the device. The default
+    /// permits every access.
     virtual AbortCode check_access(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
     }
-    /// The last word on a write to an entry of Service::device or Service::program. None, where the device does not
-    /// say.
+    /// Checks a write to an entry of Service::device or Service::program after all other checks. The default permits
+    /// every write.
     virtual AbortCode before_write(const EntryRef& entry, const ByteView value) {
         static_cast<void>(entry);
         static_cast<void>(value);
         return AbortCode::none;
     }
-    /// Any entry outside the communication area, or of Service::program, has a new value.
+    /// Applies the new value of an entry of Service::device or Service::program.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
-    /// 1010h, whose sub-index `entry` is, has stored its groups: what the device keeps elsewhere is stored now. Its
-    /// abort code is the answer to 1010h.
+    /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters (`entry` is the
+    /// sub-index) has stored its groups. The returned abort code is the answer to that write.
     virtual AbortCode save(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
     }
-    /// The defaults of a group were put into the dictionary: those that belong to this very unit (serial number,
-    /// calibration) go in now.
+    /// Puts the values of this unit (serial number, calibration) into the dictionary after the defaults of a group were
+    /// loaded.
     virtual void put_factory_values(ParameterGroup group) = 0;
-    /// Power-on or NMT reset node: parameters are loaded, all states start anew.
+    /// Resets all states of the device: power-on or NMT reset node, after the parameters were loaded.
     virtual void restart(Instant now) = 0;
-    /// The boot-up message is sent, the node is pre-operational.
+    /// Notifies the device that the boot-up message was queued and the node is pre-operational.
     virtual void booted(Instant now) = 0;
-    /// The value of a DOMAIN entry, where it lies: it stays as it is until commit() or a reset. 06010000h when there is
-    /// no such memory, 08000024h when it holds nothing.
+    /// Returns the value of a DOMAIN entry without copying it; it stays unchanged until commit() or a reset. Fails with
+    /// 06010000h when there is no such memory, with 08000024h when the entry is empty.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
         static_assert(implements<req::CO_SDO_032>);
         static_cast<void>(entry);
         return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
     }
-    /// Memory in which the new value of a DOMAIN, or of an entry longer than the SDO server's own buffer, gathers.
-    /// Empty: none. What is written there is not yet a value.
+    /// Returns the memory that collects the new value of a DOMAIN entry, or of an entry longer than the SDO server's
+    /// buffer. Empty when there is none. Its contents have no effect until they are written.
     virtual MutableBytes staging(const EntryRef& entry) {
         static_cast<void>(entry);
         return MutableBytes{};
     }
-    /// The first `length` bytes of the staging of a DOMAIN are its new value: taken as a whole, or refused and the old
-    /// one stays.
+    /// Takes the first `length` bytes of the staging memory as the new value of a DOMAIN entry: the whole value, or an
+    /// abort code and the old value stays.
     virtual AbortCode commit(const EntryRef& entry, const std::size_t length, const Instant now) {
         static_cast<void>(entry);
         static_cast<void>(length);
         static_cast<void>(now);
         return AbortCode::unsupported_access;
     }
-    /// A communication error of 1029h:1 (heartbeat, guarding, bus-off) began or ended.
+    /// Notifies the device that a communication error of 1029h:1 (heartbeat, guarding, overdue RPDO, bus-off) began or
+    /// ended.
     virtual void communication_failed(const bool failed, const Instant now) {
         static_cast<void>(failed);
         static_cast<void>(now);
@@ -103,19 +105,20 @@ class Application : public LssApplication {
 
 class Node final : private ObjectAccess {
   public:
-    /// `errors` and what `pdos` names outlive the node.
+    /// `errors` and the memory that `pdos` refers to must outlive the node.
     Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& queue, Application& application,
          const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept;
 
-    /// Power-on with what LSS stored or with the node-ID (1…127) that switches gave, and with the CAN controller as
-    /// set_controller() takes it: while that is bus-off, what the boot reports waits. Ends with boot-up, in
-    /// pre-operational. Without a node-ID the node stays in initialising until LSS gives it one.
+    /// Starts the node at power-on. `stored` holds the settings that LSS stored, or the node-ID (1…127) of the
+    /// switches. `can_state` and `overrun` are as in set_controller(); while the controller is bus-off, reports of the
+    /// boot wait. Ends with boot-up in pre-operational. Without a node-ID the node stays in initialising until LSS
+    /// assigns one.
     void power_on(const LssConfiguration& stored, const std::uint8_t can_state, const bool overrun,
                   const Instant now) noexcept {
         set_controller(can_state, overrun, now);
         switch_on(stored, now);
     }
-    /// One frame from the bus. Frames that mean nothing to this node are passed over.
+    /// Processes one frame from the bus. Frames without meaning for this node are ignored.
     void receive(const Frame& frame, Instant now) noexcept;
     /// Does what is due at `now`.
     void advance(const Instant now) noexcept {
@@ -126,28 +129,30 @@ class Node final : private ObjectAccess {
         }
         tpdos_.advance(now);
     }
-    /// The earliest time at which advance() has something to do.
+    /// Returns the earliest time at which advance() has work to do.
     Instant next_deadline() const noexcept {
         return earliest(earliest(next_of_others(), sdo_.next_deadline()), tpdos_.next_deadline());
     }
 
     void set_can_state(CanState state, Instant now) noexcept;
-    /// The CAN controller as a physical input reports it: `state` numbers CanState, whatever is beyond is bus-off.
+    /// Sets the state of the CAN controller as a physical input reports it. `state` is a number of CanState; greater
+    /// numbers count as bus-off.
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
-    /// A frame was lost because the controller or a queue could not take it; false when that has ended.
+    /// Reports that a frame was lost because the controller or a queue was full; false when the overrun has ended.
     void set_overrun(bool lost, Instant now) noexcept;
-    /// An error of the device begins or ends.
+    /// Begins or ends an error of the device.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
         if (emcy_.is_active(error) != present) {
             change_error(error, present, now);
         }
     }
-    /// The change of state that 1029h:`subindex` asks for an error of its class.
+    /// Changes the NMT state as 1029h:`subindex` (error behaviour) demands for an error of its class.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Enters operational at `at` unless an NMT command or a communication error comes first.
+    /// Plans the self-start: the node enters operational at `at` unless an NMT command or a communication error comes
+    /// first.
     void start_at(Instant at) noexcept;
 
-    /// The device gave a process value that TPDOs may carry a new value. The frame leaves with the next advance().
+    /// Notifies the TPDOs of a new process value. The frame leaves with the next advance().
     void process_value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         tpdos_.value_changed(index, subindex, now);
     }
@@ -157,10 +162,10 @@ class Node final : private ObjectAccess {
     std::uint8_t saved_tag() const noexcept { return store_.saved_tag(); }
 
     NmtState state() const noexcept { return state_; }
-    /// The active node-ID; unconfigured_node_id when there is none.
+    /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
-    /// Receive PDOs that did not come within their event time and have not come since: bit n stands for RPDO n + 1.
+    /// Returns the receive PDOs that missed their event time and have not come since: bit n for RPDO n + 1.
     std::uint8_t overdue_rpdos() const noexcept { return rpdos_.overdue(); }
 
   private:
@@ -169,7 +174,7 @@ class Node final : private ObjectAccess {
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
     AbortCode before_received(const EntryRef& entry, std::uint64_t bits) override;
-    /// Inline by order: an expedited download may take 305 instructions (tests/bench/transactions.cpp).
+    /// Inlining is forced: an expedited download may take 305 instructions (tests/bench/transactions.cpp).
     [[gnu::always_inline]] void after_put(const EntryRef& entry, const bool changes, const Instant now) override {
         if (entry.row->service != Service::none) {
             after_write(entry, now);
@@ -180,9 +185,9 @@ class Node final : private ObjectAccess {
         }
     }
 
-    /// Of all services but SDO and the TPDOs.
+    /// Returns the next deadline of all services except SDO and the TPDOs.
     Instant next_of_others() const noexcept;
-    /// What was thought to be idle may have something to do now.
+    /// Ends the idle time: a service may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
@@ -190,7 +195,7 @@ class Node final : private ObjectAccess {
         if (allowed_.has(NmtService::sdo)) {
             sdo_.receive(frame, now);
             idle_until_ = earliest(idle_until_, sdo_.idle_until());
-            if (idle_until_ <= now) {  // a write has done more than to put a value there
+            if (idle_until_ <= now) {  // a write had effects beyond its value
                 watch_communication(now);
                 send_events(now);
             }
@@ -219,7 +224,7 @@ class Node final : private ObjectAccess {
     void boot_up(Instant now) noexcept;
     void enter(NmtState state, Instant now) noexcept;
 
-    /// Why what was found under `index` cannot be accessed now; none when it can.
+    /// Returns why the entry found under `index` cannot be accessed now; AbortCode::none when it can.
     AbortCode check_access(const EntryRef& entry, const std::uint16_t index) noexcept {
         if (!entry.exists()) {
             return objects_.missing(index);
@@ -234,9 +239,9 @@ class Node final : private ObjectAccess {
     void forget_verification(std::uint16_t changed_index) noexcept;
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;
 
-    /// What stands in the way of communication, as bits.
+    /// The present communication faults, as bits.
     struct CommunicationFaults {
-        static constexpr std::uint32_t silent_producers = 0xFFU;  ///< bit n: the producer of 1016h:n + 1
+        static constexpr std::uint32_t silent_producers = 0xFFU;  ///< bit n: the heartbeat of 1016h:n + 1 is missing
         static constexpr std::uint32_t guarding = 0x100U;
         static constexpr std::uint32_t rpdo_overdue = 0x200U;
         static constexpr std::uint32_t bus_off = 0x400U;
@@ -246,12 +251,12 @@ class Node final : private ObjectAccess {
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
-        /// A communication error of 1029h:1.
+        /// Returns whether one of them is a communication error of 1029h:1.
         bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
     };
 
     CommunicationFaults communication_faults() const noexcept;
-    /// Nothing stands in the way of communication, and nothing did at the last look.
+    /// Returns whether there is no communication fault now and none at the last check.
     bool communicates() const noexcept {
         return (faults_.bits == 0U) && (heartbeats_.failed() == 0U) && !error_control_.life_guarding_failed() &&
                !rpdos_.has_failed() && (can_state_ != CanState::bus_off);
@@ -265,7 +270,7 @@ class Node final : private ObjectAccess {
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
-    /// The TPDOs that an event of this step asks for.
+    /// Sends the TPDOs that are due after this step.
     void send_events(const Instant now) noexcept {
         if (emcy_.take_register_change()) {
             tell_register(now);
@@ -294,10 +299,9 @@ class Node final : private ObjectAccess {
     CommunicationFaults faults_{};
     bool communication_failed_{false};
     bool overrun_{false};
-    bool switching_{false};  ///< silent: LSS changes the bit rate
+    bool switching_{false};  ///< LSS changes the bit rate: the node is silent
     Instant start_at_{never};
-    Instant
-        idle_until_{};  ///< nothing but TPDOs and segments of SDO is due before: the last look found it, wake() ends it
+    Instant idle_until_{};  ///< until then only TPDOs and SDO segments can be due; wake() resets it
 };
 
 }  // namespace canproof

@@ -1,4 +1,4 @@
-// What the node says to an access to its objects, and what a write sets off.
+// How the node checks accesses to its objects, and the effects of a write.
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/node.hpp"
@@ -61,7 +61,7 @@ AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const 
         return AbortCode::too_long;
     }
     if (value.data() != staging.view().data()) {
-        staging.copy(0U, value);  // an expedited download: its bytes are still in the frame
+        staging.copy(0U, value);  // an expedited download: its bytes are not in the staging memory yet
     }
     return application_.commit(entry, value.size(), now);
 }
@@ -87,7 +87,8 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         return code;
     }
     if (entry.row->service == Service::store) {
-        return store(entry, static_cast<std::uint32_t>(number));  // a signature is obeyed, not kept
+        return store(entry, static_cast<std::uint32_t>(number));  // the signature starts the save and is not kept as a
+                                                                  // value
     }
     if (entry.row->service != Service::none) {
         code = before_write(entry, value);
@@ -103,8 +104,8 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
     return AbortCode::none;
 }
 
-/// Date and time of the configuration tool mean the configuration that it left, no other. Process values, which an RPDO
-/// may carry, are none.
+/// Clears 1020h verify configuration (date and time of the configuration tool) when the configuration changes, because
+/// they refer to the configuration before. Process values, which an RPDO may carry, are not part of the configuration.
 static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     constexpr std::uint32_t parts = 2U;  // date, time
@@ -138,7 +139,8 @@ AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexce
                       : check_parameter(entry, static_cast<std::uint32_t>(read_le(value, 0U, value.size())));
 }
 
-/// What the service that owns a parameter, which is a number of at most 32 bits, says of a new value.
+/// Returns the decision of the service that owns a parameter about its new value. Such a parameter is a number of at
+/// most 32 bits.
 AbortCode Node::check_parameter(const EntryRef& entry, const std::uint32_t value) const noexcept {
     switch (entry.row->service) {
         case Service::sync:

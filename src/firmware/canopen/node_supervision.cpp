@@ -1,5 +1,5 @@
-// Errors of the bus and of the device: what the node tells of them, and the state that 1029h (error behaviour) asks
-// for.
+// Errors of the bus and of the device: the node reports them and changes to the state that 1029h error behaviour
+// demands.
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/node.hpp"
@@ -121,7 +121,7 @@ void Node::announce(const CommunicationFaults faults, const Instant now) noexcep
     emcy_.set(ErrorId::rpdo_timeout, faults.has(Faults::rpdo_overdue), now);
 }
 
-/// An entry that is absent reads as zero: to pre-operational.
+/// Returns the value of 1029h:`subindex`; zero (to pre-operational) when the entry is absent.
 std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept {
     return objects_.read(index::error_behaviour, subindex);
 }

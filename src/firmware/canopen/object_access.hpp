@@ -1,4 +1,4 @@
-// How SDO and PDO reach the object dictionary: through whoever guards it.
+// The interface through which SDO and PDO access the object dictionary: the node checks every access.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -6,14 +6,14 @@
 
 namespace canproof {
 
-/// Where a download of an entry may gather before it is written.
+/// The memory that collects a download of an entry before the write.
 struct WritePlace {
-    std::size_t capacity{0U};  ///< bytes that the entry takes at most
-    MutableBytes staging{};    ///< memory lent for it; empty when the server shall use its own
+    std::size_t capacity{0U};  ///< most bytes that the entry can hold
+    MutableBytes staging{};    ///< memory of the device for the download; empty when the server shall use its own
 };
 
-/// The node implements this: type and limit checks, then the service that owns the entry, then the value, then its
-/// effects.
+/// The node implements this interface. A write passes the type and limit checks, then the service that owns the entry;
+/// then the value is stored and its effects follow.
 class ObjectAccess {
   public:
     ObjectAccess(const ObjectAccess&) = delete;
@@ -21,18 +21,20 @@ class ObjectAccess {
     ObjectAccess(ObjectAccess&&) = delete;
     ObjectAccess& operator=(ObjectAccess&&) = delete;
 
-    /// The value as it goes on the bus, or the abort code for an absent or write-only entry. Memory of a DOMAIN is
-    /// lent: its bytes stay as they are until that entry is written or the node is reset.
+    /// Returns the value as sent on the bus, or the abort code for an absent or write-only entry. For a DOMAIN entry
+    /// the bytes stay unchanged until that entry is written or the node is reset.
     virtual Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) = 0;
-    /// Writes all of `value` or nothing. AbortCode::none when done. `value` may lie in the staging of writable().
+    /// Writes all of `value` or nothing. Returns AbortCode::none on success. `value` may lie in the staging memory that
+    /// writable() returned.
     virtual AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) = 0;
-    /// Where the new value of an entry may gather, or the reason why it may not be written. What is staged there and
-    /// never written has no effect.
+    /// Returns the memory for the new value of an entry, or the reason why the entry cannot be written. Staged bytes
+    /// have no effect until they are written.
     virtual Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) = 0;
-    /// Whether the owner of an entry takes the number that a PDO brought; type and limits are checked.
+    /// Returns whether the owner of an entry accepts a number received by PDO. Type and limits have been checked
+    /// before.
     virtual AbortCode before_received(const EntryRef& entry, std::uint64_t bits) = 0;
-    /// A value was taken and stands in the dictionary; `changes`: another one stood there before. Its effects: in the
-    /// service that owns it, and in the TPDOs that carry it.
+    /// Applies the effects of a new value that is already in the dictionary: in the service that owns it and in the
+    /// TPDOs that carry it. `changes`: it differs from the value before.
     virtual void after_put(const EntryRef& entry, bool changes, Instant now) = 0;
 
   protected:

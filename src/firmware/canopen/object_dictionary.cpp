@@ -12,7 +12,7 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// The number that `size` little-endian bytes stand for in a type of at most 32 bits.
+/// Converts the bits of an integer type of at most 32 bits to a number.
 std::int64_t as_integer(const DataType type, const std::uint64_t bits) noexcept {
     switch (type) {
         case DataType::integer8:
@@ -54,7 +54,7 @@ ObjectDictionary::ObjectDictionary(const DictionaryTables& tables, const Mutable
     : tables_{tables}, image_{image}, limit_abort_{limit_abort} {}
 
 EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
-    // The compiler leaves slots free, so that every search ends after a few steps.
+    // The register's compiler leaves slots free, so that every search ends after a few steps.
     const DictionaryTables& tables = tables_;
     std::size_t slot = object_slot(index, tables.slot_factor, tables.slots.count);
     std::uint16_t position = tables.slots[slot];
@@ -65,7 +65,7 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
     if (position == no_object) {
         return EntryRef{};
     }
-    // Sub-indices ascend and rarely have holes: the wanted row lies at or before its own number.
+    // Sub-indices ascend from 0 and few are absent: the row of sub-index n is row n or an earlier one.
     const ObjectRow& object = tables.objects[position];
     const EntryRow* row = &tables.entries[object.first_entry];
     const EntryRow* const first = row;

@@ -1,5 +1,5 @@
-// The object dictionary as services see it: a view over generated (or, on the host, run-time) tables and an image of
-// values.
+// The object dictionary for the services: a view of generated tables (on the host also run-time tables) and an image of
+// the values.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace canproof {
 
-/// An entry: what lookup() and find() hand out.
+/// An entry, as lookup() and find() return it.
 struct EntryRef {
     const EntryRow* row{nullptr};
     std::uint16_t index{0U};
@@ -25,7 +25,7 @@ struct EntryRef {
     bool exists() const noexcept { return row != nullptr; }
 };
 
-/// Which abort codes a value outside its limits gets; the manuals differ in what they list.
+/// The abort codes for a value outside its limits; the manuals differ here.
 enum class LimitAbort : std::uint8_t {
     range,    ///< 06090030h for both ends
     high_low  ///< 06090031h above, 06090032h below
@@ -35,37 +35,37 @@ enum class LimitAbort : std::uint8_t {
 enum class ParameterGroup : std::uint8_t { communication = 0U, application = 1U, manufacturer = 2U };
 constexpr std::uint32_t parameter_group_count = 3U;
 
-/// 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
+/// Returns the group of an index: 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
 ParameterGroup parameter_group(std::uint16_t index) noexcept;
 
-/// Whether a type is a string or domain, whose values may be shorter than the capacity.
+/// Returns whether a type is a string or domain, whose values may be shorter than the capacity.
 constexpr bool has_variable_length(const DataType type) noexcept {
     return (type == DataType::visible_string) || (type == DataType::octet_string) || (type == DataType::domain);
 }
 
 class ObjectDictionary {
   public:
-    /// `image` holds the values; at least tables.defaults.count bytes, owned by the device.
+    /// Creates a view. `image` holds the values: at least tables.defaults.count bytes, owned by the device.
     ObjectDictionary(const DictionaryTables& tables, MutableBytes image, LimitAbort limit_abort) noexcept;
 
-    /// The entry, or one that does not exist.
+    /// Returns the entry; its exists() is false when it is absent.
     EntryRef lookup(std::uint16_t index, std::uint8_t subindex) const noexcept;
-    /// Why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is. An object
-    /// that exists has a sub-index 0.
+    /// Returns why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is.
+    /// Every object has a sub-index 0.
     AbortCode missing(std::uint16_t index) const noexcept;
-    /// Both at once.
+    /// Returns the entry, or the abort code of missing().
     Result<EntryRef, AbortCode> find(std::uint16_t index, std::uint8_t subindex) const noexcept;
     bool has(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
         return lookup(index, subindex).exists();
     }
 
-    /// All bytes of the entry, where they lie.
+    /// Returns all bytes of the entry, without copying them.
     ByteView bytes(const EntryRow& row) const noexcept { return pool(row).part(row.offset, row.size); }
-    /// The entry's bytes as they go on the bus; a string ends before its first zero byte.
+    /// Returns the entry's bytes as sent on the bus; a string ends before its first zero byte.
     ByteView value(const EntryRef& entry) const noexcept;
-    /// Whether `value` may be written here: access, length, type and limits. `none` when it may.
+    /// Checks access, length, type and limits of a new value. Returns `none` when it may be written.
     AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
-    /// Access and length alone: the first part of check_write().
+    /// Checks only access and length: the first part of check_write().
     AbortCode check_length(const EntryRow& row, const std::size_t length) const noexcept {
         if (!row.may(rights::write)) {
             return AbortCode::read_only;
@@ -75,36 +75,36 @@ class ObjectDictionary {
         }
         return ((length == row.size) || has_variable_length(row.type)) ? AbortCode::none : AbortCode::too_short;
     }
-    /// Type and limits alone.
+    /// Checks only type and limits.
     AbortCode check_value(const EntryRef& entry, ByteView value) const noexcept;
-    /// The same for a number: what is received by PDO.
+    /// Checks only type and limits of a number, for example one received by PDO.
     AbortCode check_bits(const EntryRow& row, const std::uint64_t bits) const noexcept {
         if ((row.type == DataType::boolean) && (bits > 1U)) {
             return AbortCode::value_range;
         }
         return (row.limit == no_limit) ? AbortCode::none : check_limits(row, bits);
     }
-    /// Puts the bytes into the image; the caller has checked them. A string is padded with zeros. True when the value
-    /// is another than before.
+    /// Puts bytes that the caller has checked into the image. A short string is padded with zeros. Returns true when
+    /// the value changes.
     bool put(const EntryRef& entry, ByteView value) noexcept;
     /// The same for an entry of at most eight bytes.
     bool put_bits(const EntryRow& row, std::uint64_t bits) noexcept;
 
-    /// An entry of at most eight bytes as a number, least significant byte first: the short way of the PDOs.
+    /// Returns an entry of at most eight bytes as a number, least significant byte first: the fast access of the PDOs.
     std::uint64_t bits(const EntryRow& row) const noexcept { return read_le(pool(row), row.offset, row.size); }
 
-    /// The default of an entry of at most eight bytes, without the node-ID that rights::node_id adds.
+    /// Returns the default of an entry of at most eight bytes, without the node-ID that rights::node_id adds.
     std::uint64_t default_bits(const EntryRow& row) const noexcept {
         return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
     }
-    /// Default values of one group as shipped; entries with rights::node_id get the node-ID added. The error list
-    /// 1003h is none of the parameters: it stays as it is.
+    /// Loads the default values of one group; adds the node-ID to entries with rights::node_id. The error list 1003h is
+    /// not a parameter and stays as it is.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;
 
-    /// Value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its object is
-    /// idle.
+    /// Returns the value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its
+    /// object does nothing.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex) const noexcept;
-    /// Sets a value of at most 32 bits that the device itself keeps; without the entry nothing happens.
+    /// Sets a value of at most 32 bits that the device itself maintains. Does nothing when the entry is absent.
     void write(std::uint16_t index, std::uint8_t subindex, std::uint32_t bits) noexcept;
 
     template <typename T>
@@ -115,7 +115,7 @@ class ObjectDictionary {
     void set(const Field<T> field, const T value) noexcept {
         image_.put_le<sizeof(T)>(field.offset, to_bits(value));
     }
-    /// Leaves the value as it is where none is given.
+    /// Sets the value if there is one.
     template <typename T>
     void set_given(const Field<T> field, const std::optional<T>& value) noexcept {
         if (value.has_value()) {
@@ -147,7 +147,7 @@ class ObjectDictionary {
         }
     }
 
-    /// Where the entry's value lies.
+    /// Returns the memory that holds the entry's value.
     ByteView pool(const EntryRow& row) const noexcept {
         return row.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();
     }

@@ -1,5 +1,5 @@
-// The rows of an object dictionary as the register's compiler writes them. Plain constants in flash; see
-// object_dictionary.hpp for the view that the services use.
+// The rows of an object dictionary, as the register's compiler writes them: constants in flash. object_dictionary.hpp
+// defines the view that the services use.
 #pragma once
 
 #include <cstddef>
@@ -32,11 +32,11 @@ constexpr std::uint32_t write = 0x02U;
 constexpr std::uint32_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
 constexpr std::uint32_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
 constexpr std::uint32_t stored = 0x10U;    ///< kept by 1010h
-constexpr std::uint32_t node_id = 0x20U;   ///< the default has the node-ID added
-constexpr std::uint32_t constant = 0x40U;  ///< the value lies in flash: `offset` counts in the constant pool
+constexpr std::uint32_t node_id = 0x20U;   ///< the node-ID is added to the default
+constexpr std::uint32_t constant = 0x40U;  ///< the value lies in flash: `offset` refers to the constant pool
 }  // namespace rights
 
-/// The firmware file that guards an entry: asked before a write, told after it.
+/// The service that owns an entry: it checks a write before it happens and reacts afterwards.
 enum class Service : std::uint8_t {
     none,
     sync,
@@ -57,7 +57,7 @@ enum class Service : std::uint8_t {
 struct EntryRow {
     std::uint16_t offset;
     std::uint16_t size;
-    std::uint16_t limit;  ///< row of the limit table; no_limit when the type's own range holds
+    std::uint16_t limit;  ///< row of the limit table; no_limit when only the type limits the value
     std::uint8_t subindex;
     DataType type;
     std::uint8_t rights;
@@ -78,16 +78,17 @@ struct ObjectRow {
     ObjectKind kind;
 };
 
-/// How one end of a range is given.
+/// How one end of a range is defined.
 enum class LimitKind : std::uint8_t {
     none,          ///< the type's own range
     value,         ///< `bits` is the limit itself, in the entry's type
     entry,         ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
     list,          ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
-    value_or_zero  ///< (minimum only, integers) as `value`, and 0, which switches something off, is allowed too
+    value_or_zero  ///< (minimum only, integers) as `value`; 0 is allowed too (it switches a function off)
 };
 
-constexpr std::uint32_t same_subindex = 0xFFU;  ///< sub-index in a LimitKind::entry that means "as the entry written"
+constexpr std::uint32_t same_subindex = 0xFFU;  ///< as the sub-index of a LimitKind::entry: the sub-index of the
+                                                ///< written entry
 
 struct Limit {
     LimitKind kind;
@@ -116,7 +117,7 @@ constexpr auto table_view(const Array& rows) noexcept {
     return TableView<typename Array::value_type>{rows.data(), rows.size()};
 }
 
-/// Everything the compiler knows of one dictionary.
+/// The generated tables of one dictionary.
 struct DictionaryTables {
     TableView<ObjectRow> objects;       ///< ascending by index
     TableView<EntryRow> entries;        ///< ascending by index, sub-index
@@ -124,27 +125,28 @@ struct DictionaryTables {
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, node-ID terms not yet added
-    std::uint32_t layout{0U};           ///< fingerprint of entries and offsets: a stored set fits only its own layout
-    TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object where a slot is free
+    std::uint32_t layout{0U};           ///< fingerprint of entries and offsets: a stored set is valid for this layout
+                                        ///< only
+    TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object in a free slot
     std::uint32_t slot_factor{0U};
 };
 
 constexpr std::uint32_t no_object = 0xFFFFU;
 
-/// Where the search for an index begins in a table of `count` slots, a power of two. An object stands in that slot or
-/// soon after it, before the next free one.
+/// Returns the slot where the search for an index begins, in a table of `count` slots (a power of two). The object is
+/// in that slot or in one after it, before the next free slot.
 constexpr std::size_t object_slot(const std::uint16_t index, const std::uint32_t factor,
                                   const std::size_t count) noexcept {
     return ((index * factor) >> 16U) & (count - 1U);
 }
 
-/// A value of the image by name: what the device code uses. `T` is an arithmetic type.
+/// A named value of the image, for the device code. `T` is an arithmetic type.
 template <typename T>
 struct Field {
     std::uint16_t offset;
 };
 
-/// A string of the image by name: its capacity is padded with zero bytes.
+/// A named string of the image: zero bytes pad it to its capacity.
 struct StringField {
     std::uint16_t offset;
     std::uint16_t size;

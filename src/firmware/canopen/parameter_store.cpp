@@ -15,10 +15,10 @@ namespace index = generated::canopen::index;
 using generated::canopen::restore_signature;
 using generated::canopen::store_signature;
 
-constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory, the marker of a committed bank at its end
+constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory; its last letter is the commit marker
 constexpr std::uint8_t committed_marker = 0x53U;
-constexpr std::size_t longest_value = 64U;  // of those that are stored
-constexpr std::size_t piece_size = 16U;     // a bank is checked and copied in pieces, none shorter than a number
+constexpr std::size_t longest_value = 64U;  // in bytes, of all stored entries
+constexpr std::size_t piece_size = 16U;     // in bytes: a bank is checked and copied in pieces of this size
 // Fields of a bank's header.
 constexpr std::size_t magic_at = 0U;
 constexpr std::size_t layout_at = 4U;
@@ -31,8 +31,9 @@ std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {
     return static_cast<std::uint32_t>(field_le<at, sizeof(std::uint32_t)>(bytes));
 }
 
-/// CiA 301 has application parameters at 3 and manufacturer ones from 4 on (7.5.2.13). A list that ends at 3 has the
-/// latter there: its device has no application parameters (AX060805, 4.2.7).
+/// Returns the groups of a sub-index of 1010h or 1011h. CiA 301 assigns application parameters to sub-index 3 and
+/// manufacturer parameters to 4 and above (7.5.2.13). A device whose list ends at 3 has manufacturer parameters there
+/// and no application parameters (AX060805, 4.2.7).
 constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends_at_3) noexcept {
     switch (subindex) {
         case 1U:
@@ -46,18 +47,18 @@ constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends
     }
 }
 
-/// The stored entries, one after the other in dictionary order.
+/// Steps through the stored entries in dictionary order.
 class StoredEntries {
   public:
     explicit StoredEntries(const DictionaryTables& tables) noexcept : tables_{tables} {}
 
-    /// Goes to the next one, from none to the first; false behind the last.
+    /// Goes to the next entry, the first call to the first one. Returns false after the last entry.
     bool next() noexcept;
     const EntryRef& entry() const noexcept { return entry_; }
     ParameterGroups group() const noexcept { return group_bit(parameter_group(entry_.index)); }
-    /// Where its value stands in the payload.
+    /// Returns the position of the entry's value in the payload, in bytes.
     std::size_t offset() const noexcept { return end_ - entry_.row->size; }
-    /// Bytes of the values up to this one.
+    /// Returns the number of payload bytes up to the end of this value.
     std::size_t end() const noexcept { return end_; }
 
   private:
@@ -89,7 +90,7 @@ bool StoredEntries::next() noexcept {
 std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
     StoredEntries stored{tables};
     while (stored.next()) {
-        // to the last one
+        // goes to the last entry
     }
     return stored.end();
 }
@@ -103,7 +104,8 @@ bool ParameterStore::is_ours(const Header& header) const noexcept {
     return (number_at<magic_at>(header) == bank_magic) && (number_at<layout_at>(header) == objects_.tables().layout);
 }
 
-/// The CRC behind a bank is that of its bytes, whatever its marker is by now.
+/// Returns whether the CRC of a bank is right. The CRC was computed with the committed marker, so the present marker
+/// does not matter.
 bool ParameterStore::is_intact(const std::size_t bank) const noexcept {
     Crc32 crc{};
     std::array<std::uint8_t, piece_size> bytes{};
@@ -155,7 +157,7 @@ void ParameterStore::open() noexcept {
     }
 }
 
-/// Nothing stored counts.
+/// Ignores all stored values.
 void ParameterStore::give_up() noexcept {
     in_use_ = false;
     groups_ = no_groups;
@@ -219,7 +221,7 @@ void ParameterStore::Writer::put(const ByteView bytes) noexcept {
     at_ += bytes.size();
 }
 
-/// Copies a value from the bank in use.
+/// Copies a value from the bank in use to the new one.
 void ParameterStore::keep_value(const EntryRow& row, const std::size_t from, Writer& to) const noexcept {
     std::array<std::uint8_t, piece_size> bytes{};
     for (std::size_t at = 0U; at < row.size; at += piece_size) {
@@ -278,7 +280,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!write_marker(to_bank, committed_marker)) {
         return AbortCode::hardware_error;
     }
-    // Without this the older of two sound banks would lie there as before: the sequence number still tells it.
+    // If this write fails, two sound banks remain; the sequence number still shows which is newer.
     static_cast<void>(write_marker(bank_, void_marker));
     if (!memory_.commit()) {
         return AbortCode::hardware_error;

@@ -1,9 +1,9 @@
-// Stored parameters: 1010h and 1011h on a memory in which a power cut at any byte leaves the old set or the new (CiA
-// 301, 7.5.2.13).
+// Stored parameters: 1010h store parameters and 1011h restore defaults. A power cut at any byte leaves the old set or
+// the new one (CiA 301, 7.5.2.13).
 //
-// Two banks take turns. A save makes the bank that is not in use void, writes a whole new set with the next sequence
-// number and a CRC into it, commits it by its marker and makes the other bank void. An interrupted save leaves a void
-// bank and was never made; a bank that is not void and whose CRC is wrong is damaged, and then no stored set is used.
+// Two banks alternate. A save marks the unused bank void, writes a whole new set with the next sequence number and a
+// CRC into it, commits it by its marker and marks the other bank void. An interrupted save leaves a void bank and has
+// no effect. A bank that is not void and has a wrong CRC is damaged; then no stored set is used.
 #pragma once
 
 #include "firmware/base/commit_marker.hpp"
@@ -25,39 +25,40 @@ class ParameterStore {
   public:
     ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept;
 
-    /// Looks for the bank in use; call after power-on and before load().
+    /// Searches for the valid bank; call after power-on and before load().
     void open() noexcept;
-    /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved is
-    /// left alone. A value that stood at its default, a base with the node-ID added, when it was saved does so again.
+    /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved keeps
+    /// its defaults. A value that was saved at a default that includes the node-ID follows the new node-ID.
     void load(ParameterGroup group, std::uint8_t node_id) noexcept;
-    /// A set was saved that open() or load() could not read: nothing of it counts any more, defaults apply.
+    /// Returns whether a saved set exists that open() or load() could not read: none of it is used, defaults apply.
     bool is_damaged() const noexcept { return damaged_; }
 
-    /// A write to 1010h or 1011h: `entry` says which groups, `value` must be the signature (else 08000020h). 06060000h
-    /// when the memory failed; what was stored before is then still stored.
+    /// Executes a write to 1010h or 1011h. `entry` selects the groups; `value` must be the signature (otherwise
+    /// 08000020h). Returns 06060000h when the memory fails; the set stored before then remains valid.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
-    /// From now on each save of the manufacturer parameters keeps this number, 0…31, with them; the device chooses it.
+    /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses
+    /// its meaning.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
-    /// The tag of the manufacturer parameters that are stored.
+    /// Returns the tag of the stored manufacturer parameters.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
-    /// Bytes of memory that this dictionary needs.
+    /// Returns the bytes of memory that this dictionary needs.
     std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
 
   private:
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
-    static constexpr std::uint32_t tag_shift = 3U;  ///< of the tag in the header's byte of groups
+    static constexpr std::uint32_t tag_shift = 3U;  ///< position of the tag in the header's byte of groups
     using Header = std::array<std::uint8_t, header_size>;
 
-    /// Writes bytes one behind the other and keeps their CRC; after a failure nothing more.
+    /// Writes consecutive bytes and computes their CRC; writes nothing more after a failure.
     class Writer {
       public:
         Writer(NonVolatileMemory& memory, const std::size_t at) noexcept : memory_{memory}, at_{at} {}
 
-        /// The header counts as it will be once the bank is committed.
+        /// Writes the header with the void marker; its CRC is computed with the committed marker.
         void write_header(Header header) noexcept;
         void write(const ByteView bytes) noexcept {
             crc_.add(bytes);
@@ -78,7 +79,7 @@ class ParameterStore {
 
     std::size_t bank_size() const noexcept { return header_size + payload_size_ + crc_size; }
     std::size_t bank_address(const std::size_t bank) const noexcept { return bank * bank_size(); }
-    /// Where the stored values of the bank in use begin.
+    /// Returns the address of the stored values of the bank in use.
     std::size_t payload() const noexcept { return bank_address(bank_) + header_size; }
 
     BankState inspect(std::size_t bank, Header& header) const noexcept;
@@ -93,13 +94,13 @@ class ParameterStore {
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
-    std::uint8_t node_id_{0U};  ///< of the node as it was loaded last
+    std::uint8_t node_id_{0U};  ///< of the last load()
     std::size_t payload_size_;  ///< bytes of all stored values
     std::uint8_t tag_{0U};      ///< of the next save
-    std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the other takes the next save
+    std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
-    ParameterGroups groups_{no_groups};  ///< and the tag above them; none when nothing is stored
-    std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< of the node that saved each group
+    ParameterGroups groups_{no_groups};  ///< in the low three bits, the tag above them; none when nothing is stored
+    std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< node-ID at the save of each group
     bool in_use_{false};
     bool damaged_{false};
 };

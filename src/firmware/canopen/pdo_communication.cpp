@@ -18,14 +18,14 @@ constexpr std::uint32_t inhibit_subindex = 3U;
 constexpr std::uint32_t event_subindex = 5U;
 constexpr std::uint32_t sync_start_subindex = 6U;
 
-/// The COB-ID entry; "not valid" where there is no such PDO.
+/// Returns the COB-ID entry; "not valid" when there is no such PDO.
 std::uint32_t cob_id_entry(const ObjectDictionary& objects, const PdoDirection direction,
                            const std::size_t number) noexcept {
     const EntryRef found = objects.lookup(communication_object(direction, number), cob_id_subindex);
     return found.exists() ? static_cast<std::uint32_t>(objects.bits(*found.row)) : cob_id::not_valid;
 }
 
-/// Whether another valid PDO of that direction has this identifier.
+/// Returns whether another valid PDO of that direction has this identifier.
 bool is_taken(const ObjectDictionary& objects, const PdoDirection direction, const std::uint32_t identifier,
               const std::uint32_t but_index) noexcept {
     bool taken{false};
@@ -46,7 +46,7 @@ AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direc
         return AbortCode::value_range;
     }
     if (!cob_id::is_valid(wanted)) {
-        return AbortCode::none;  // an identifier that is not in use may be anything
+        return AbortCode::none;  // the identifier of an invalid PDO is not restricted
     }
     if (cob_id::is_restricted(identifier)) {
         return AbortCode::value_range;
@@ -54,7 +54,7 @@ AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direc
     if (cob_id::is_valid(current) && (identifier != cob_id::identifier(current))) {
         return AbortCode::device_state;
     }
-    // One identifier has one sender on the bus (ISO 11898-1), so that only receive PDOs can share theirs.
+    // An identifier has only one sender on the bus (ISO 11898-1), so only receive PDOs may share one.
     const bool transmits = direction == PdoDirection::transmit;
     const bool collides = is_taken(objects, PdoDirection::transmit, identifier, index) ||
                           (transmits && is_taken(objects, PdoDirection::receive, identifier, index));

@@ -1,5 +1,5 @@
-// What receive and transmit PDOs share: the communication parameters 14xxh and 18xxh, and the order in which a PDO is
-// re-mapped (CiA 301, 7.5.2.35 to 7.5.2.38).
+// The common part of receive and transmit PDOs: the communication parameters 14xxh and 18xxh, and the order in which a
+// PDO is re-mapped (CiA 301, 7.5.2.35 to 7.5.2.38).
 #pragma once
 
 #include <array>
@@ -15,14 +15,15 @@ enum class PdoDirection : std::uint8_t { receive, transmit };
 
 /// PDO1…PDO8 of each direction: 1400h…1407h, 1800h…1807h. The devices here have at most four.
 constexpr std::size_t max_pdos = 8U;
-/// CiA 301, 7.5.2.36: 64 entries of one bit each fill a PDO.
+/// Most mapping entries of a PDO: 64 entries of one bit fill it (CiA 301, 7.5.2.36).
 constexpr std::size_t max_pdo_lines = 64U;
 
-/// How far behind its communication parameters the mapping of a PDO stands: 16xxh, 1Axxh.
+/// Distance from the index of a PDO's communication parameters to that of its mapping: 14xxh to 16xxh, 18xxh to 1Axxh.
 constexpr std::uint32_t mapping_offset =
     generated::canopen::index::rpdo_mapping - generated::canopen::index::rpdo_communication;
 
-/// The objects of PDO `number` (0…max_pdos - 1).
+/// Returns the communication parameter object of PDO `number` (0…max_pdos - 1); mapping_object() returns its mapping
+/// object.
 constexpr std::uint16_t communication_object(const PdoDirection direction, const std::size_t number) noexcept {
     namespace index = generated::canopen::index;
     const std::size_t first =
@@ -33,36 +34,37 @@ constexpr std::uint16_t mapping_object(const PdoDirection direction, const std::
     return static_cast<std::uint16_t>(communication_object(direction, number) + mapping_offset);
 }
 
-/// Which right an entry needs that is mapped into a PDO.
+/// Returns the right that an entry needs to be mapped into a PDO.
 constexpr std::uint32_t mapping_right(const PdoDirection direction) noexcept {
     return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
 }
 
-/// Number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when to none.
+/// Returns the number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when it
+/// belongs to none.
 constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
     constexpr std::uint32_t number_bits = max_pdos - 1U;
     const bool belongs = (index & ~(mapping_offset | number_bits)) == communication_object(direction, 0U);
     return belongs ? (index & number_bits) : max_pdos;
 }
 
-/// When a received PDO takes effect and when a transmit PDO is sent, by its transmission type.
+/// When a receive PDO takes effect and when a transmit PDO is sent, by the transmission type.
 using PdoApplied = generated::canopen::transmission_type::Applied;
 using PdoSent = generated::canopen::transmission_type::Sent;
 
-/// One communication parameter object, read once after each change.
+/// The values of one communication parameter object, read once after each change.
 struct PdoParameters {
     std::uint32_t identifier{0U};
     bool valid{false};           ///< bit 31 of the COB-ID is clear
     bool remote_allowed{false};  ///< bit 30 of the COB-ID is clear
     std::uint8_t type{0U};
-    std::uint8_t sync_start{0U};  ///< counter value of the SYNC that is the first; zero: any
+    std::uint8_t sync_start{0U};  ///< counter value of the first SYNC; zero: any SYNC
     PdoApplied applied{PdoApplied::refused};
     PdoSent sent{PdoSent::refused};
     Duration inhibit{};  ///< least time between two transmissions
     Duration event{};    ///< longest time between two transmissions or receptions; zero: no limit
 };
 
-/// How many PDOs of a direction a dictionary has: the highest number present.
+/// Returns the number of PDOs of a direction in a dictionary: the highest number present.
 constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirection direction) noexcept {
     const std::size_t first = communication_object(direction, 0U);
     std::size_t count{0U};
@@ -73,7 +75,7 @@ constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirecti
     }
     return count;
 }
-/// How many entries the longest of its mapping objects can map.
+/// Returns the number of entries of the longest mapping object.
 constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
     std::size_t most{0U};
     for (const ObjectRow& object : tables.objects) {
@@ -85,11 +87,11 @@ constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
     return (most < max_pdo_lines) ? most : max_pdo_lines;
 }
 
-/// Reads the communication parameters of PDO `number`; "not valid" where there is no such PDO.
+/// Reads the communication parameters of PDO `number`; "not valid" when there is no such PDO.
 void read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number,
                          PdoParameters& read) noexcept;
 
-/// Whether an entry of 14xxh, 16xxh, 18xxh or 1Axxh may get this value now.
+/// Returns AbortCode::none when an entry of 14xxh, 16xxh, 18xxh or 1Axxh may be set to this value now.
 AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, std::uint32_t value) noexcept;
 
 }  // namespace canproof

@@ -9,13 +9,14 @@ namespace canproof {
 namespace {
 
 constexpr std::uint32_t max_bits = 64U;
-constexpr std::uint32_t last_dummy_index = 0x0007U;  // data types 0001h BOOLEAN … 0007h UNSIGNED32 stand for gaps
+constexpr std::uint32_t last_dummy_index = 0x0007U;  // indices 0001h (BOOLEAN) … 0007h (UNSIGNED32) are data types and
+                                                     // stand for gaps
 
 constexpr bool is_dummy(const std::uint16_t index) noexcept {
     return index <= last_dummy_index;
 }
 
-/// Length of a dummy entry by data type 0…7; zero for 0, which is none.
+/// Returns the length in bits of a dummy entry by data type 0…7; zero for 0, which is no data type.
 constexpr std::uint8_t dummy_bits(const std::uint16_t type_index) noexcept {
     constexpr std::array<std::uint8_t, 8U> bits{0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
     return bits[type_index];
@@ -31,12 +32,12 @@ constexpr std::uint8_t bits_of(const std::uint32_t entry) noexcept {
     return static_cast<std::uint8_t>(entry & 0xFFU);
 }
 
-/// Bits that an entry takes in a PDO: a BOOLEAN one, everything else whole bytes.
+/// Returns the bits that an entry occupies in a PDO: one for a BOOLEAN, whole bytes for all other types.
 std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// The lowest `bits` (1…64) bits of a number.
+/// Returns the lowest `bits` (1…64) bits of a number.
 constexpr std::uint64_t low_bits(const std::uint64_t number, const std::uint32_t bits) noexcept {
     return number & (UINT64_MAX >> ((max_bits - bits) % max_bits));
 }
@@ -87,13 +88,14 @@ namespace {
 
 constexpr std::size_t nowhere = SIZE_MAX;
 
-/// Where the bytes of a line begin in the image of values; nowhere when they are a constant, no whole bytes or a gap.
+/// Returns where the bytes of a line begin in the image of values; nowhere for a constant, a gap or a value that is not
+/// mapped as 1, 2 or 4 whole bytes.
 std::size_t offset_in_image(const PdoLine& line) noexcept {
     const bool lies_there = (line.width != 0U) && !line.row->may(rights::constant);
     return lies_there ? std::size_t{line.row->offset} : nowhere;
 }
 
-/// The bits that stand in the dictionary for a line; zero for a gap.
+/// Returns the present value of a line; zero for a gap.
 inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& objects) noexcept {
     switch (line.width) {
         case 1U:
@@ -136,7 +138,8 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
             all_free_ = all_free_ && line.is_free();
         }
     }
-    // A mapping that no frame can carry cannot be written (check_mapping_count); one that was shipped so is not used.
+    // A mapping too long for a frame cannot be written (check_mapping_count). If the defaults contain one, it is not
+    // used.
     const bool fits = (wanted <= max_pdo_lines) && (total <= max_bits);
     lines_ = places.part(0U, fits ? count : 0U);
     length_ = static_cast<std::uint8_t>(fits ? ((total + 7U) / 8U) : 0U);
@@ -144,8 +147,8 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     run_ = find_run(objects);
 }
 
-/// Where the values of all lines lie one behind the other, as the elements of an array do, and can be read as eight
-/// bytes; nullptr when they do not.
+/// Returns the address of the values when those of all lines are adjacent in the image, as the elements of an array
+/// are, and eight bytes can be read there; otherwise nullptr.
 const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const noexcept {
     const std::size_t first = is_usable() ? offset_in_image(*lines_.begin()) : nowhere;
     std::size_t next{first};

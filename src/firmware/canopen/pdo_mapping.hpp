@@ -1,5 +1,5 @@
-// What the mapped bits of a PDO mean: packing and unpacking by object 16xxh or 1Axxh (CiA 301, 7.5.2.36 and 7.5.2.38).
-// A mapping is resolved when it changes, so that a frame costs no search in the dictionary.
+// The mapping of a PDO: packs and unpacks its values by object 16xxh or 1Axxh (CiA 301, 7.5.2.36 and 7.5.2.38). A
+// mapping is resolved when it changes, so that a frame needs no search in the dictionary.
 #pragma once
 
 #include "firmware/base/slots.hpp"
@@ -8,40 +8,40 @@
 
 namespace canproof {
 
-/// Whether one mapping entry may stand in a PDO of this direction (rights::rpdo or rights::tpdo): 06020000h or
+/// Checks one mapping entry for a PDO of this direction (`right`: rights::rpdo or rights::tpdo). Returns 06020000h or
 /// 06090011h when its object is absent, 06040041h when it may not be mapped, has another length, or is a dummy of
 /// unknown type. Zero (nothing mapped) is allowed.
 AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t right, std::uint32_t entry) noexcept;
 
-/// Whether the first `count` entries of mapping object `index` make a PDO: each of them sound and none empty, no more
-/// than the object has and 64 bits in all at most (06040042h).
+/// Checks whether the first `count` entries of mapping object `index` make a PDO. Each must be valid and not empty; the
+/// object must have them and they must have at most 64 bits together (otherwise 06040042h).
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
                               std::uint32_t count) noexcept;
 
-/// One line of a mapping object, its entry found.
+/// One line of a mapping object with the entry that it maps.
 struct PdoLine {
     const EntryRow* row{nullptr};  ///< nullptr: a gap
     std::uint16_t index{0U};
     std::uint8_t bits{0U};
-    std::uint8_t width{0U};  ///< 1, 2 or 4 when just so many bytes at `value` are mapped; 0: by the row
+    std::uint8_t width{0U};  ///< 1, 2 or 4 when exactly these bytes at `value` are mapped; 0: use the row
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }
-    /// No limits and no owner: whatever comes goes into the image. A gap is free as well.
+    /// Returns whether every value is accepted and has no effect beyond the image: no limits and no owner, or a gap.
     bool is_free() const noexcept {
         return (row == nullptr) || ((row->limit == no_limit) && (row->service == Service::none));
     }
 };
 
-/// One resolved mapping object.
+/// A resolved mapping object.
 class PdoMapping {
   public:
-    /// Reads mapping object `index` anew; its lines find room in `places`.
+    /// Reads mapping object `index` again and stores its lines in `places`.
     void resolve(const ObjectDictionary& objects, std::uint16_t index, const Slots<PdoLine>& places) noexcept;
 
-    /// False when nothing is mapped, or more than a frame can carry.
+    /// Returns false when nothing is mapped, or more than a frame can carry.
     bool is_usable() const noexcept { return !lines_.empty(); }
-    /// Length in bytes of a PDO that carries all that is mapped, 0…8.
+    /// Returns the length in bytes of a PDO with all mapped values, 0…8.
     std::uint8_t length() const noexcept { return length_; }
     bool maps(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
         for (const PdoLine& line : lines_) {
@@ -51,17 +51,18 @@ class PdoMapping {
         }
         return false;
     }
-    /// One bit for each mapped value, by watch_mark(): what cannot be mapped here is seen at once.
+    /// Returns the bits of all mapped values, by watch_mark(): they show at once that a value is not mapped here.
     std::uint64_t watch_marks() const noexcept;
 
-    /// Whether each mapped value is within its limits and its owner takes it. `frame` is at least length() bytes long.
+    /// Returns whether each mapped value is within its limits and its owner accepts it. `frame` has at least length()
+    /// bytes.
     bool accepts(const Frame& frame, const ObjectDictionary& objects, ObjectAccess& access) const noexcept {
         if (all_free_) {
             return true;
         }
         return is_acceptable(packed_values(frame), objects, access);
     }
-    /// Writes the mapped values, which are accepted.
+    /// Writes the mapped values of an accepted frame.
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, const Instant now) const noexcept {
         const std::uint64_t packed = packed_values(frame);
         const bool stays = all_free_ && (((packed ^ values(objects)) & mapped_) == 0U);
@@ -69,7 +70,7 @@ class PdoMapping {
             apply_lines(packed, objects, access, now);
         }
     }
-    /// The mapped values as they go on the bus, the first byte lowest.
+    /// Returns the mapped values as sent on the bus, first byte in the lowest bits.
     std::uint64_t values(const ObjectDictionary& objects) const noexcept {
         return (run_ != nullptr) ? (load_le<max_frame_length>(run_) & mapped_) : collect(objects);
     }
@@ -85,14 +86,14 @@ class PdoMapping {
     std::uint64_t collect(const ObjectDictionary& objects) const noexcept;
 
     Slots<PdoLine> lines_{};
-    std::uint64_t mapped_{0U};  ///< the bits of a frame that are mapped or a gap
+    std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
     const std::uint8_t* run_{
-        nullptr};  ///< where all values lie as in the frame, eight bytes at least; nullptr: nowhere
+        nullptr};  ///< where all values are adjacent in frame order, at least eight bytes; nullptr: nowhere
     std::uint8_t length_{0U};
     bool all_free_{false};
 };
 
-/// The bit of a 64-bit set that stands for an entry. Two entries may share one.
+/// Returns the bit that represents an entry in a 64-bit set. Two entries may share a bit.
 constexpr std::uint64_t watch_mark(const std::uint32_t index, const std::uint32_t subindex) noexcept {
     const std::uint32_t spread = index + (index >> 4U) + subindex;
     return std::uint64_t{1U} << (spread & 63U);

@@ -1,4 +1,4 @@
-// The memory of a node's PDOs: the device owns it, as much as its own dictionary asks for.
+// The memory of a node's PDOs. The device owns it; its dictionary determines the size.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 namespace canproof {
 
-/// What a node is lent for its PDOs.
+/// The views through which a node uses that memory.
 struct PdoMemory {
     Slots<ReceivePdo> received{};
     Slots<TransmitPdo> sent{};
-    Slots<PdoLine> received_lines{};  ///< as many for each receive PDO
-    Slots<PdoLine> sent_lines{};      ///< as many for each transmit PDO
+    Slots<PdoLine> received_lines{};  ///< the same number for each receive PDO
+    Slots<PdoLine> sent_lines{};      ///< the same number for each transmit PDO
 };
 
 /// Memory for `received` and `sent` PDOs of at most `lines` mapped entries each: pdo_count() and pdo_lines() of the
@@ -31,7 +31,7 @@ struct SizedPdoMemory {
     }
 };
 
-/// The same, sized for a dictionary that is known when it is compiled.
+/// The memory for a dictionary that is known at compile time.
 template <const DictionaryTables& tables>
 using PdoMemoryFor = SizedPdoMemory<pdo_count(tables, PdoDirection::receive), pdo_count(tables, PdoDirection::transmit),
                                     pdo_lines(tables)>;

@@ -10,7 +10,7 @@ void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, co
     failed_ = on ? (failed_ | bit) : (failed_ & ~bit);
 }
 
-/// What nobody asks while all goes well.
+/// Returns the number of an RPDO. Called only after an error or with an event timer, so the search need not be fast.
 std::size_t ReceivePdos::number_of(const ReceivePdo& wanted) const noexcept {
     std::size_t number{0U};
     while (&rpdos_[number] != &wanted) {
@@ -47,7 +47,7 @@ void ReceivePdos::stop() noexcept {
     next_ = never;
 }
 
-/// Whether it is long enough and no value of it is refused, and takes note of that.
+/// Returns whether the frame is long enough and every value is accepted; records the result.
 static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
 inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) noexcept {
     const bool is_short = std::uint32_t{frame.length} < rpdo.mapping.length();
@@ -93,7 +93,8 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
     }
 }
 
-/// CAN-CBX-AO412, 7.7.2: an RTR on a receive PDO reads back what it writes. Elsewhere nobody asks a receive PDO.
+/// Answers a remote frame on a receive PDO with the values that the PDO writes (CAN-CBX-AO412, 7.7.2). RPDOs outside
+/// answering_remote_ do not answer.
 void ReceivePdos::answer(const Frame& request) noexcept {
     std::uint32_t answering{answering_remote_};
     for (const ReceivePdo& rpdo : rpdos_) {
@@ -105,7 +106,8 @@ void ReceivePdos::answer(const Frame& request) noexcept {
     }
 }
 
-/// Whether it waits with values that are still taken: a limit may have moved since the reception. It waits no more.
+/// Returns whether the RPDO has waiting values that are still accepted: a limit may have changed since the reception.
+/// Ends the waiting.
 bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
     if (!rpdo.waits) {

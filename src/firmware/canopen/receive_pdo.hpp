@@ -15,15 +15,15 @@ struct ReceivePdo {
 
     PdoParameters parameters{};
     PdoMapping mapping{};
-    std::uint32_t identifier{nobody};  ///< that of its frames; nobody while it is not valid
+    std::uint32_t identifier{nobody};  ///< of its frames; `nobody` while the PDO is not valid
     Frame waiting{};
     bool waits{false};
-    Instant due{never};  ///< the next reception, at the latest
+    Instant due{never};  ///< latest time of the next reception
 };
 
 class ReceivePdos {
   public:
-    /// `lines` are shared evenly among the `pdos`. `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
+    /// The `pdos` share `lines` evenly. `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
     ReceivePdos(const Slots<ReceivePdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                 ObjectAccess& access, TransmitQueue& queue, const std::uint8_t answering_remote) noexcept
         : rpdos_{pdos},
@@ -33,18 +33,18 @@ class ReceivePdos {
           queue_{queue},
           answering_remote_{answering_remote} {}
 
-    /// The parameters were loaded anew: nothing waits, nothing is late.
+    /// Reads the parameters after they were loaded: no frame waits, no RPDO is late.
     void reset() noexcept;
-    /// Operational is left: nothing waits for a SYNC, no reception is expected. What was wrong stays so until a
-    /// reception cures it.
+    /// Leaves operational: no frame waits for a SYNC, no reception is expected. Errors remain until a correct reception
+    /// ends them.
     void stop() noexcept;
-    /// Takes a data frame in operational; one that is no RPDO of this node is passed over.
+    /// Processes a data frame in operational; ignores one that is no RPDO of this node.
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The same for a remote frame.
+    /// Processes a remote frame in operational; ignores one that no RPDO of this node answers.
     void answer(const Frame& request) noexcept;
-    /// Applies what was received in the synchronous types since the last SYNC, RPDO1 first.
+    /// Applies the RPDOs of synchronous types received since the last SYNC, RPDO1 first.
     void sync(Instant now) noexcept;
-    /// Notices receptions that are overdue.
+    /// Detects overdue receptions.
     void advance(const Instant now) noexcept {
         if (next_ <= now) {
             find_overdue(now);
@@ -52,25 +52,27 @@ class ReceivePdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// An RPDO came with fewer bytes than mapped, and none of right length since (error 8210h).
+    /// Returns whether an RPDO was too short for its mapping and none of sufficient length has come since (error
+    /// 8210h).
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
-    /// A value of an RPDO was refused, and the RPDO has not come with values that are taken since (error 8200h).
+    /// Returns whether a value of an RPDO was refused and the RPDO has not come with accepted values since (error
+    /// 8200h).
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
-    /// An RPDO did not come within its event time, and has not come since.
+    /// Returns whether an RPDO missed its event time and has not come since.
     bool has_overdue() const noexcept { return overdue() != 0U; }
-    /// Any of these.
+    /// Returns whether any of these errors is present.
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// Which are overdue: bit n stands for RPDO n + 1.
+    /// Returns which RPDOs are overdue: bit n for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
-    /// An entry of 14xxh or 16xxh has a new value: the PDO begins anew.
+    /// Reads the PDO again after a write to an entry of 14xxh or 16xxh.
     void after_write(const EntryRef& entry) noexcept;
 
   private:
     void refresh(std::size_t number) noexcept;
     static constexpr std::uint32_t all_pdos = 0xFFU;
     static_assert(max_pdos <= 8U, "a PDO each is a bit of eight");
-    // Where the bits of a failure begin: bit n of eight stands for RPDO n + 1.
+    // First bit of each kind of error in failed_; the eight bits from there on stand for RPDO1 to RPDO8.
     static constexpr std::uint32_t came_short = 0U;
     static constexpr std::uint32_t came_refused = 8U;
     static constexpr std::uint32_t came_late = 16U;
@@ -89,7 +91,7 @@ class ReceivePdos {
     ObjectAccess& access_;
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
-    std::uint32_t failed_{0U};  ///< by came_short, came_refused and came_late
+    std::uint32_t failed_{0U};  ///< eight bits each for came_short, came_refused and came_late
     Instant next_{never};
 };
 

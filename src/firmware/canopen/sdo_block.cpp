@@ -34,7 +34,7 @@ void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) 
     block_size_ = block_size;
 }
 
-/// That segment, sequence number and data: the eight bytes of its frame as a number, the first one lowest.
+/// Returns the next segment: the eight bytes of its frame (sequence number and data) as a number, first byte lowest.
 inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
     const std::size_t from = base_ + (sent_ * sdo::segment_capacity);
     const std::uint64_t data = sdo::read_segment(value_, from);
@@ -42,7 +42,7 @@ inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
     ++sent_;
     last_sent_ = rest <= sdo::segment_capacity;
     if (from < checked_) {
-        // sent again
+        // a repeated segment does not count again
     } else if (last_sent_) {
         crc_.add(value_.part(from, rest));
         checked_ = value_.size();

@@ -1,5 +1,5 @@
-// What the two directions of SDO block transfer keep between frames (CiA 301, 7.2.4.3.9 to 7.2.4.3.15). Segments go in
-// and out here; which object they belong to, the frames around them and time are SdoServer's.
+// The state that the two directions of SDO block transfer keep between frames (CiA 301, 7.2.4.3.9 to 7.2.4.3.15). This
+// code handles the segments; SdoServer handles the object, the frames around the segments and time.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -13,11 +13,11 @@
 
 namespace canproof {
 
-/// Segments of a block download, put together in order. What arrives out of order is passed over and asked for again.
+/// Collects the segments of a block download in order. Segments out of order are ignored; the client repeats them.
 class SdoBlockDownload {
   public:
     enum class Step : std::uint8_t {
-        none,              ///< the sub-block goes on
+        none,              ///< the sub-block continues
         acknowledge,       ///< the sub-block is over
         invalid_sequence,  ///< a sequence number that no segment can have
         too_long           ///< more data than the place holds
@@ -25,7 +25,7 @@ class SdoBlockDownload {
 
     /// Begins a transfer into `place`.
     void start(MutableBytes place, bool checks_crc) noexcept;
-    /// One segment frame of eight bytes.
+    /// Processes one segment frame of eight bytes.
     Step take(const sdo::Request& segment) noexcept {
         static_assert(implements<req::CO_SDO_026> && implements<req::CO_SDO_027>);
         const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
@@ -35,14 +35,14 @@ class SdoBlockDownload {
         }
         if (sequence == (in_order_ + 1U)) {
             if (size_ > place_.size()) {
-                return Step::too_long;  // the segment before this one was full, for it was not the last
+                return Step::too_long;  // the segment before this one was full, because it was not the last
             }
             const std::uint64_t data = field_le<0U, max_frame_length>(segment) >> 8U;
             if (checks_crc_ && !last) {
                 crc_.add_seven(data);
             }
-            // Eight bytes are put more easily than seven: the next segment overwrites the last one. Bytes beyond the
-            // place may be unused ones of the last segment; finish() knows.
+            // One access writes eight bytes, and the next segment overwrites the eighth. Bytes beyond the place may be
+            // unused ones of the last segment; finish() checks that.
             place_.put_le<max_frame_length>(size_, data);
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
@@ -50,21 +50,21 @@ class SdoBlockDownload {
         }
         return (last || (sequence == generated::canopen::sdo_block_size)) ? Step::acknowledge : Step::none;
     }
-    /// Ends the sub-block: sequence number of the last segment that came in order, 0 when none did. The client goes on
-    /// behind that one.
+    /// Ends the sub-block. Returns the sequence number of the last segment received in order, 0 when there is none. The
+    /// client continues after that segment.
     std::uint8_t acknowledge() noexcept;
-    /// The segment that the client marked as the last has come in order.
+    /// Returns whether the segment that the client marked as the last has come in order.
     bool complete() const noexcept { return complete_; }
-    /// `unused` (0…7) bytes of the last segment hold no data. 06070012h when the rest is longer than the place,
-    /// 05040004h when the CRC was agreed on and is another.
+    /// Ends the transfer; `unused` (0…7) bytes of the last segment hold no data. Returns 06070012h when the data is
+    /// longer than the place, 05040004h when the CRC was agreed on and is wrong.
     AbortCode finish(std::uint8_t unused, std::uint16_t crc) noexcept;
-    /// Bytes received; after finish() the length of the value.
+    /// Returns the bytes received; after finish() the length of the value.
     std::size_t size() const noexcept { return size_; }
 
   private:
     MutableBytes place_{};
     std::size_t size_{0U};
-    Crc16 crc_{};                ///< without the last segment: how much of it counts is told only at the end
+    Crc16 crc_{};                ///< excludes the last segment until finish() knows how many of its bytes count
     std::uint8_t in_order_{0U};  ///< sequence number of the last segment taken in this sub-block
     bool checks_crc_{false};
     bool complete_{false};
@@ -78,22 +78,25 @@ class SdoBlockUpload {
         return (count > 0U) && (count <= generated::canopen::sdo_block_size);
     }
 
-    /// `value` stays where it is until the transfer ends. `block_size` is one of is_block_size().
+    /// Begins a transfer. `value` must remain until the transfer ends. `block_size` must satisfy is_block_size().
     void start(ByteView value, std::uint8_t block_size) noexcept;
-    /// Whether the present sub-block has another segment, and room for it among `queued` frames that wait.
+    /// Returns whether the present sub-block has another segment and the queue, with `queued` waiting frames, has room
+    /// for it.
     bool can_send(const std::size_t queued) const noexcept {
         return !last_sent_ && (std::uint32_t{sent_} < block_size_) && (queued < generated::canopen::sdo_block_queued);
     }
-    /// Queues the next segments under `id`, which it can, until the sub-block ends or the room.
+    /// Queues the next segments with identifier `id` until the sub-block ends or the room is used. Call only while
+    /// can_send() is true.
     void send(TransmitQueue& queue, std::uint32_t id) noexcept;
-    /// The client has segments up to `sequence` (0: none) and wants `block_size` segments next. 05040003h when that
-    /// segment was not sent, 05040002h for a block size of 0 or above 127.
+    /// Processes an acknowledgement: the client has received the segments up to `sequence` (0: none) and wants
+    /// `block_size` segments next. Returns 05040003h when that segment was not sent, 05040002h for a block size of 0 or
+    /// above 127.
     AbortCode acknowledge(std::uint8_t sequence, std::uint8_t block_size) noexcept;
-    /// All of the value is acknowledged.
+    /// Returns whether the whole value is acknowledged.
     bool complete() const noexcept { return complete_; }
-    /// Bytes of the last segment without data, 0…7.
+    /// Returns the bytes of the last segment without data, 0…7.
     std::uint8_t unused() const noexcept;
-    /// Over all that was sent.
+    /// Returns the CRC of all data sent.
     std::uint16_t crc() const noexcept { return crc_.value(); }
 
   private:
@@ -101,7 +104,7 @@ class SdoBlockUpload {
 
     ByteView value_{};
     std::size_t base_{0U};     ///< bytes before the present sub-block
-    std::size_t checked_{0U};  ///< bytes that the CRC covers: a repeated segment does not count again
+    std::size_t checked_{0U};  ///< bytes in the CRC: a repeated segment does not count again
     Crc16 crc_{};
     std::uint8_t block_size_{0U};
     std::uint8_t sent_{0U};  ///< segments of the present sub-block

@@ -1,11 +1,11 @@
-// How SDO frames are laid out (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
+// The layout of SDO frames (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
 #pragma once
 
 #include "firmware/canopen/frame.hpp"
 
 namespace canproof::sdo {
 
-/// The eight bytes of a client's frame; a frame of another length is none.
+/// The eight bytes of a client's frame; a frame of another length is no request.
 using Request = std::array<std::uint8_t, max_frame_length>;
 
 constexpr std::size_t index_position = 1U;
@@ -14,8 +14,8 @@ constexpr std::size_t data_position = 4U;     ///< first data byte of an initiat
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
 
-/// The object that an initiation or an abort names: index and sub-index where they stand in the first four bytes, the
-/// command beside them zero.
+/// The object of an initiate or abort frame: index and sub-index at their place in the first four bytes, zero at the
+/// place of the command.
 struct NamedObject {
     std::uint32_t bits{0U};
 
@@ -28,12 +28,12 @@ inline NamedObject named_object(const Request& request) noexcept {
     return NamedObject{static_cast<std::uint32_t>(field_le<0U, 4U>(request)) & 0xFFFFFF00U};
 }
 
-/// Size of a download that the client gives with its initiation.
+/// Returns the size of a download that the client gives in its initiate frame.
 inline std::uint32_t announced_size(const Request& request) noexcept {
     return static_cast<std::uint32_t>(field_le<data_position, 4U>(request));
 }
 
-/// What a segment holds of `value` from byte `from` on, the first byte lowest; zeros where the value has ended.
+/// Returns the seven bytes of `value` from byte `from` on, first byte lowest; zeros after its end.
 inline std::uint64_t read_segment(const ByteView value, const std::size_t from) noexcept {
     constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
     return get_le<segment_capacity + 1U>(value, from) & seven_bytes;
@@ -51,10 +51,10 @@ enum class ClientCommand : std::uint8_t {
     unassigned = 7U
 };
 
-/// What follows in the lowest two bits of ClientCommand::block_upload.
+/// The lowest two bits of byte 0 in a ClientCommand::block_upload request.
 enum class BlockUploadCommand : std::uint8_t { initiate = 0U, end = 1U, acknowledge = 2U, start = 3U };
 
-// Byte 0 of answers.
+// Byte 0 of the server's frames.
 constexpr std::uint32_t download_segment_done = 0x20U;
 constexpr std::uint32_t upload_initiated = 0x40U;
 constexpr std::uint32_t download_done = 0x60U;

@@ -115,7 +115,7 @@ std::size_t SdoServer::expedited_length(const std::uint8_t command) const noexce
     if ((command & sdo::size_flag) != 0U) {
         return sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
     }
-    // Size not shown: the entry's own length is meant.
+    // Without a size, the entry's own length applies.
     const auto place = objects_.writable(object_.index(), object_.subindex());
     const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
     return shorter ? place.value().capacity : sdo::expedited_capacity;
@@ -219,7 +219,8 @@ void SdoServer::upload_segment(const sdo::Request& request, const Instant now) n
 static_assert(implements<req::CO_SDO_018>);
 void SdoServer::refuse_command() noexcept {
     if (state_ == State::idle) {
-        // No transfer is open, and the request names no object: the abort must not name that of an earlier transfer.
+        // No transfer is open and the request has no object: the abort must not contain the object of an earlier
+        // transfer.
         object_ = sdo::NamedObject{};
     }
     abort(AbortCode::command_specifier);

@@ -1,5 +1,5 @@
-// SDO server: expedited, segmented and block transfer, both ways (CiA 301, 7.2.4). Every request gets at most one
-// answer; only a block upload sends segments by itself.
+// SDO server: expedited, segmented and block transfer in both directions (CiA 301, 7.2.4). Each request gets at most
+// one answer; only a block upload sends further frames (its segments).
 #pragma once
 
 #include <array>
@@ -17,16 +17,16 @@ namespace canproof {
 
 class SdoServer {
   public:
-    /// Longest value of which the server keeps its own copy during a transfer.
+    /// Longest value, in bytes, that the server copies for a transfer.
     static constexpr std::size_t buffer_size = generated::canopen::sdo_buffer_size;
 
-    /// Without `offers_block` block requests are unknown commands.
+    /// Without `offers_block`, block requests are unknown commands.
     SdoServer(ObjectAccess& objects, TransmitQueue& queue, const bool offers_block) noexcept
         : objects_{objects}, queue_{queue}, offers_block_{offers_block} {}
 
-    /// Takes the identifiers of 600h + node-ID and 580h + node-ID and forgets any transfer.
+    /// Sets the identifiers to 600h + node-ID and 580h + node-ID and drops any transfer.
     void reset(std::uint8_t node_id) noexcept;
-    /// Forgets a running transfer without a word: the node left the states in which SDO works.
+    /// Drops a running transfer without an abort frame, for example when the node leaves the states in which SDO works.
     void abandon() noexcept {
         state_ = State::idle;
         idle_until_ = never;
@@ -35,7 +35,7 @@ class SdoServer {
     bool is_request(const Frame& frame) const noexcept {
         return (frame.id == request_id_) && !frame.extended && !frame.remote;
     }
-    /// Answers one request. Frames of other than eight bytes are ignored.
+    /// Answers one request. Ignores frames without eight bytes.
     void receive(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
         if (frame.length != max_frame_length) {
@@ -47,27 +47,28 @@ class SdoServer {
             dispatch(frame.data, now);
         }
     }
-    /// Queues the next segments of a block upload; aborts a transfer that stalled for longer than the time-out.
+    /// Queues the next segments of a block upload; aborts a transfer that stalls longer than the time-out.
     void advance(const Instant now) noexcept {
         if (state_ != State::idle) {
             proceed(now);
         }
     }
-    /// The first half of that alone.
+    /// Only queues the next segments of a block upload.
     void send_waiting(const Instant now) noexcept {
         if (state_ == State::block_uploading) {
             send_segments(now);
         }
     }
-    /// A block upload with segments to send is due as soon as the queue has room; the driver calls advance() when a
-    /// frame has left.
+    /// Returns when advance() is due. A block upload with segments to send is due as soon as the queue has room; the
+    /// driver calls advance() when a frame has left.
     Instant next_deadline() const noexcept {
         if (state_ == State::idle) {
             return never;
         }
         return can_send_segment() ? last_progress_ : deadline();
     }
-    /// Until then only send_waiting() has something to do, whatever requests come in the meantime.
+    /// Returns the time until which only send_waiting() has work to do, even if requests of a running transfer come
+    /// before.
     Instant idle_until() const noexcept { return idle_until_; }
 
   private:
@@ -76,10 +77,10 @@ class SdoServer {
         downloading,
         uploading,
         block_downloading,      ///< segments arrive
-        block_download_ending,  ///< all are acknowledged; the end with the CRC is to come
-        block_upload_starting,  ///< the client is to say "start"
-        block_uploading,        ///< segments leave, an acknowledgement is to come
-        block_upload_ending     ///< the CRC is sent; the client is to confirm
+        block_download_ending,  ///< all segments are acknowledged; the server waits for the end with the CRC
+        block_upload_starting,  ///< the server waits for "start"
+        block_uploading,        ///< segments are sent; the server waits for an acknowledgement
+        block_upload_ending     ///< the CRC is sent; the server waits for the confirmation
     };
 
     void proceed(Instant now) noexcept;
@@ -87,14 +88,14 @@ class SdoServer {
     void initiate_download(const sdo::Request& request, Instant now) noexcept;
     void download_in_segments(const sdo::Request& request, Instant now) noexcept;
     void download_expedited(const sdo::Request& request, Instant now) noexcept;
-    /// Bytes of data in an expedited download.
+    /// Returns the bytes of data in an expedited download.
     std::size_t expedited_length(std::uint8_t command) const noexcept;
     void download_segment(const sdo::Request& request, Instant now) noexcept;
     void initiate_upload(const sdo::Request& request, Instant now) noexcept;
     void answer_upload(ByteView value, Instant now) noexcept;
     void upload_segment(const sdo::Request& request, Instant now) noexcept;
 
-    // Block transfer: sdo_server_block.cpp
+    // Block transfer, defined in sdo_server_block.cpp.
     void block_download(const sdo::Request& request, Instant now) noexcept;
     void initiate_block_download(const sdo::Request& request, Instant now) noexcept;
     void block_download_segment(const sdo::Request& request, Instant now) noexcept;
@@ -114,12 +115,13 @@ class SdoServer {
         object_ = sdo::named_object(request);
     }
     void begin(State state, Instant now) noexcept;
-    /// Finds the place for a download of the selected entry. `announced`: size that the client gave, if it gave one.
+    /// Finds the memory for a download of the selected entry. `announced`: the size that the client gave, if
+    /// `has_size`.
     AbortCode open_download(bool has_size, std::uint32_t announced) noexcept;
-    /// Writes the first `size` bytes of the place.
+    /// Writes the first `size` downloaded bytes to the entry.
     AbortCode commit(std::size_t size, Instant now) noexcept;
-    /// The value as this transfer sends it: the server's copy of a short one, so that a change during the transfer
-    /// cannot mix old and new bytes, or where a long one lies.
+    /// Returns the value for this transfer: a copy of a short value, so that a change during the transfer cannot mix
+    /// old and new bytes; a long value where it lies.
     ByteView keep(ByteView value) noexcept;
 
     void refuse_command() noexcept;
@@ -149,8 +151,8 @@ class SdoServer {
     bool has_size_{false};       ///< the client announced the size of its download
     std::size_t announced_{0U};  ///< that size
     std::size_t done_{0U};       ///< bytes transferred in segments
-    MutableBytes place_{};       ///< where a download gathers
-    ByteView value_{};           ///< what an upload sends
+    MutableBytes place_{};       ///< where a download is collected
+    ByteView value_{};           ///< the value that an upload sends
     SdoBlockDownload received_{};
     SdoBlockUpload sent_{};
     std::array<std::uint8_t, buffer_size> buffer_{};

@@ -43,8 +43,8 @@ bool Sync::produce(const Instant now) noexcept {
         frame.data[0] = counter_;
     }
     static_cast<void>(queue_.push(frame));
-    // The next one is due one period after this one was due, so that the producer does not drift; after a long silence
-    // it is not made up for.
+    // The next SYNC is due one period after this one was due, so that the producer does not drift. SYNCs missed in a
+    // long pause are not sent later.
     const Duration period = microseconds(objects_.read(index::sync_period, 0U));
     next_ = next_ + period;
     if (next_ <= now) {
@@ -69,7 +69,8 @@ AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) c
         return AbortCode::value_range;
     }
     const bool cycle_is_set = objects_.read(index::sync_period, 0U) != 0U;
-    // CiA 301, 7.5.2.22: the counter may change only while the communication cycle period is zero.
+    // 1019h synchronous counter overflow value may change only while 1006h communication cycle period is zero (CiA 301,
+    // 7.5.2.22).
     return cycle_is_set ? AbortCode::device_state : AbortCode::none;
 }
 

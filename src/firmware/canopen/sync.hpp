@@ -1,4 +1,5 @@
-// SYNC: consumer and producer (CiA 301, 7.2.5; objects 1005h, 1006h, 1019h).
+// SYNC: consumer and producer (CiA 301, 7.2.5; objects 1005h COB-ID SYNC, 1006h communication cycle period, 1019h
+// synchronous counter overflow value).
 #pragma once
 
 #include "firmware/base/requirement.hpp"
@@ -14,25 +15,25 @@ class Sync {
   public:
     Sync(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
 
-    /// The node entered a state in which SYNC works, or left the last one: the producer starts or stops.
+    /// Permits or forbids SYNC when the node enters or leaves a state in which it works: the producer starts or stops.
     void allow(bool allowed, Instant now) noexcept;
-    /// Whether a received frame has the identifier of the SYNC message.
+    /// Returns whether a received frame has the identifier of the SYNC message.
     bool is_sync(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_SYNC_001>);
         return (frame.id == identifier_) && !frame.extended && !frame.remote;
     }
-    /// Whether it has the length that 1019h asks for; any other is error 8240h.
+    /// Returns whether a SYNC has the length that 1019h demands; any other length is error 8240h.
     bool has_length(const Frame& sync) const noexcept {
         static_assert(implements<req::CO_SYNC_002>);
         return std::uint32_t{sync.length} == length_;
     }
-    /// The counter that a SYNC carries; zero while 1019h is zero.
+    /// Returns the counter of a SYNC; zero while 1019h is zero.
     std::uint8_t counter_of(const Frame& sync) const noexcept {
         return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];
     }
-    /// True when a SYNC was produced: the node consumes its own as well.
+    /// Produces a SYNC when it is due. Returns true if so: the node consumes its own SYNC as well.
     bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
-    /// The counter of the SYNC that was produced last; zero while 1019h is zero.
+    /// Returns the counter of the last produced SYNC; zero while 1019h is zero.
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 
@@ -42,14 +43,15 @@ class Sync {
   private:
     bool produce(Instant now) noexcept;
     bool is_producer() const noexcept;
-    /// Reads the parameters; the producer starts anew, one period from now, if it is switched on.
+    /// Reads the parameters; if the producer is switched on, it starts again, one period from now.
     void restart(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     Instant next_{never};
-    std::uint32_t identifier_{0U};  ///< of the SYNC; zero, which is the NMT master's and never comes here: no SYNC
-    std::uint8_t length_{0U};       ///< of a SYNC: one byte while 1019h is not zero
+    std::uint32_t identifier_{0U};  ///< of the SYNC; zero means no SYNC: 0 is the identifier of NMT and never reaches
+                                    ///< is_sync()
+    std::uint8_t length_{0U};       ///< of a SYNC in bytes: 1 while 1019h is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};
 };

@@ -7,7 +7,7 @@ namespace canproof {
 
 namespace {
 
-/// Types 0 to 240 and 252: what is sent was valid at a SYNC.
+/// Returns whether the type is 0 to 240 or 252: the values sent are those at a SYNC.
 bool is_sampled_at_sync(const PdoParameters& parameters) noexcept {
     return (parameters.sent == PdoSent::at_sync_after_event) || (parameters.sent == PdoSent::each_nth_sync) ||
            (parameters.sent == PdoSent::sync_sample_on_request);
@@ -80,7 +80,8 @@ void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t ind
     }
 }
 
-// The node passes SYNCs and remote frames on in operational only, so that neither asks whether the PDOs run.
+// The node passes on SYNCs and remote frames in operational only, so sync() and answer() need not check that the PDOs
+// run.
 void TransmitPdos::sync(const std::uint8_t counter) noexcept {
     for (TransmitPdo& tpdo : tpdos_) {
         if (tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
@@ -129,7 +130,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
         } else if (tpdo.sampled) {
             send(tpdo, tpdo.sample);
         } else {
-            // no SYNC yet, hence no values
+            // no values before the first SYNC
         }
     }
 }
@@ -145,14 +146,14 @@ void TransmitPdos::send_due(const Instant now) noexcept {
     next_ = next;
 }
 
-/// An event of `tpdo` at `event` is told as soon as it may be.
+/// Plans the frame for an event of `tpdo` at `event`: as soon as the inhibit time allows.
 void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
     tpdo.due = latest(event, tpdo.inhibited_until);
     next_ = earliest(next_, tpdo.due);
 }
 
-/// An interval that the timer ended is followed by the next one without a gap, so that a period does not drift; after a
-/// long silence it is not made up for.
+/// Restarts the event timer. When the timer itself caused the event, the next interval follows without a gap, so that
+/// the period does not drift. Intervals missed in a long pause are not made up.
 void TransmitPdos::restart_timer(TransmitPdo& tpdo, const Instant now) const noexcept {
     const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
     tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
@@ -173,7 +174,7 @@ void TransmitPdos::send(const TransmitPdo& tpdo, const std::uint64_t values) noe
     static_cast<void>(queue_.push(tpdo.parameters.identifier, tpdo.mapping.length(), values));
 }
 
-/// Which values each TPDO waits for and when it is due.
+/// Determines which values each TPDO waits for and when it is due.
 void TransmitPdos::schedule() noexcept {
     watched_ = 0U;
     next_ = never;
@@ -203,7 +204,7 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     } else if (before.event.us != tpdo.parameters.event.us) {
         tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : (now + tpdo.parameters.event);
     } else {
-        // the cycle goes on
+        // the cycle continues
     }
     schedule();
 }

@@ -1,4 +1,4 @@
-// Transmit PDOs: on events, by their timer, at a SYNC, on request (CiA 301, 7.2.2 and 7.5.2.37).
+// Transmit PDOs: sent on events, by their timer, at a SYNC or on request (CiA 301, 7.2.2 and 7.5.2.37).
 #pragma once
 
 #include "firmware/canopen/pdo_communication.hpp"
@@ -7,12 +7,13 @@
 
 namespace canproof {
 
-/// What the event of types 254 and 255 is, which CiA 301 leaves to the manufacturer and the profile.
+/// The event of transmission types 254 and 255; CiA 301 leaves it to the manufacturer and the profile.
 enum class TpdoTrigger : std::uint8_t {
-    /// A mapped process value changes; the event timer bounds the interval. Sent once on entering operational.
+    /// A change of a mapped process value; the event timer sets the longest interval. Also sent once on entering
+    /// operational.
     value_change,
-    /// The event timer alone, and entering operational while it is not zero: with zero the TPDO is silent (AX130751,
-    /// AX188001, AX060805: "time-driven").
+    /// The event timer alone. Also sent on entering operational if the timer is not zero; with zero the TPDO is not
+    /// sent (AX130751, AX188001, AX060805: "time-driven").
     event_timer
 };
 
@@ -22,32 +23,32 @@ struct TransmitPdo {
     PdoMapping mapping{};
     std::uint64_t sample{0U};  ///< the values of the last SYNC
     bool usable{false};
-    bool event_driven{false};   ///< usable, of type 254 or 255
+    bool event_driven{false};   ///< usable and of type 254 or 255
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
     bool sampled{false};
-    bool pending{false};           ///< an event has not been told yet
-    bool cycle_begun{false};       ///< the SYNC of the start value has come
+    bool pending{false};           ///< an event whose frame has not been sent yet
+    bool cycle_begun{false};       ///< the SYNC with the start value has come
     std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
-    Instant inhibited_until{};     ///< no event is told before
+    Instant inhibited_until{};     ///< no event frame is sent before this time
     Instant timer_expires{never};  ///< the event timer's next event
-    Instant due{never};            ///< when an event is to be told next
+    Instant due{never};            ///< when the next event frame is due
 };
 
 class TransmitPdos {
   public:
-    /// `lines` are shared evenly among the `pdos`.
+    /// The `pdos` share `lines` evenly.
     TransmitPdos(const Slots<TransmitPdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                  TransmitQueue& queue, const TpdoTrigger trigger) noexcept
         : tpdos_{pdos}, lines_{lines}, objects_{objects}, queue_{queue}, trigger_{trigger} {}
 
-    /// The parameters were loaded anew. Outside operational.
+    /// Reads the parameters after they were loaded; the node is not operational.
     void reset() noexcept;
-    /// Operational is entered: what is sent on entering leaves with the next advance().
+    /// Enters operational: frames sent on entering leave with the next advance().
     void start(Instant now) noexcept;
-    /// Operational is left.
+    /// Leaves operational.
     void stop() noexcept;
 
-    /// A mapped value may have changed; costs next to nothing when no TPDO waits for it. The frame leaves with the next
+    /// Notes that a value may have changed; takes little time when no TPDO waits for it. The frame leaves with the next
     /// advance(), so that values which change together leave together.
     void value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         const std::uint64_t mark = watch_mark(index, subindex);
@@ -55,9 +56,9 @@ class TransmitPdos {
             note_change(mark, index, subindex, now);
         }
     }
-    /// A SYNC, with its counter, or zero while 1019h is zero.
+    /// Processes a SYNC. `counter`: its counter, or zero while 1019h is zero.
     void sync(std::uint8_t counter) noexcept;
-    /// A remote frame; one that asks for no TPDO of this node is passed over.
+    /// Answers a remote frame; ignores one that requests no TPDO of this node.
     void answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (next_ <= now) {
@@ -66,7 +67,7 @@ class TransmitPdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// An entry of 18xxh or 1Axxh has a new value.
+    /// Applies a new value of an entry of 18xxh or 1Axxh.
     void after_write(const EntryRef& entry, Instant now) noexcept;
 
   private:
@@ -88,7 +89,7 @@ class TransmitPdos {
     TransmitQueue& queue_;
     TpdoTrigger trigger_;
     bool running_{false};
-    std::uint64_t watched_{0U};  ///< the same of all TPDOs
+    std::uint64_t watched_{0U};  ///< `watched` of all TPDOs together
     Instant next_{never};
 };
 

@@ -1,4 +1,4 @@
-// The bounded queue that a device is handed: frames leave it as they would win arbitration on the bus.
+// The bounded queue of frames to send. The frame with the highest priority on the bus leaves first.
 #pragma once
 
 #include <array>
@@ -11,26 +11,27 @@
 namespace canproof {
 
 static_assert(implements<req::CO_FRAME_002>);
-/// Lowest identifier first, and frames of one identifier in the order in which they were queued: a segment never
-/// overtakes the one before it.
+/// A queue sorted by identifier, lowest first. Frames of one identifier keep their order: a segment never overtakes the
+/// one before it.
 class TransmitQueue {
   public:
-    /// One SDO answer, EMCY, SYNC, error control and four PDOs are the most that one event can cause; the rest is room
-    /// for a driver that drains late, and for a block-upload sub-block.
+    /// One event causes at most one SDO answer, EMCY, SYNC, error control message and four PDOs. The rest is room for a
+    /// driver that sends late, and for the segments of a block upload.
     static constexpr std::size_t capacity = 32U;
 
-    /// False when the queue is full or closed: the frame is lost.
+    /// Queues a frame. Returns false when the queue is full or closed: the frame is lost.
     bool push(const Frame& frame) noexcept;
-    /// The same for a data frame of `length` (0…8) bytes, the first one lowest in `data`: written where it waits.
+    /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`; it is written directly to its place in
+    /// the queue.
     bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
-    /// The boot-up message of a reset: what waited is forgotten with the state that sent it, and what follows, of
-    /// whatever priority, stays behind it.
+    /// Queues the boot-up message of a reset. Waiting frames are dropped; later frames stay behind it whatever their
+    /// priority.
     void push_boot_up(const Frame& frame) noexcept;
     bool empty() const noexcept { return first_ == end_; }
     std::size_t size() const noexcept { return end_ - first_; }
-    /// The frame to be sent next; nullptr when there is none. Good until the queue is touched.
+    /// Returns the next frame to send; nullptr when there is none. Valid until the queue changes.
     const Frame* front() const noexcept { return empty() ? nullptr : &frames_[first_ % capacity]; }
-    /// Removes the frame to be sent next. Without one, gives an empty frame.
+    /// Removes and returns the next frame to send; an empty frame when there is none.
     Frame pop() noexcept {
         if (empty()) {
             return Frame{};
@@ -41,30 +42,31 @@ class TransmitQueue {
         return next;
     }
 
-    /// Takes back a frame that was popped and could not be sent: it goes in front of all with its identifier. False
-    /// when the queue is full; while it is closed the frame is lost, as every other.
+    /// Takes back a popped frame that could not be sent; it goes before all frames with its identifier. Returns false
+    /// when the queue is full. While the queue is closed the frame is lost, as every other.
     bool put_back(const Frame& frame) noexcept;
-    /// Whether the frame to be sent next is the boot-up message: what was popped before it goes out before it or not at
-    /// all.
+    /// Returns whether the next frame to send is the boot-up message. A frame popped earlier must be sent before it or
+    /// dropped.
     bool boot_up_waits() const noexcept { return boot_up_waits_; }
 
-    /// While the controller is bus-off nothing can be sent: pending frames are dropped and new ones refused.
+    /// Drops waiting frames and refuses new ones until open(): the controller is bus-off or LSS changes the bit rate.
     void close() noexcept;
     void open() noexcept { open_ = true; }
 
   private:
-    /// Where a frame with this identifier waits; nullptr when there is no room.
+    /// Returns the place for a frame with this identifier; nullptr when there is no room.
     Frame* take_place(std::uint32_t id) noexcept;
-    /// Moves every frame whose identifier is `bound` or higher one place on: the number of the place that becomes free.
+    /// Moves every frame with an identifier of `bound` or higher back by one place. Returns the number of the free
+    /// place.
     std::uint32_t make_room(std::uint32_t bound) noexcept;
     Frame& place(const std::uint32_t number) noexcept { return frames_[number % capacity]; }
     std::uint32_t id_at(const std::uint32_t number) const noexcept { return frames_[number % capacity].id; }
 
     static_assert((capacity & (capacity - 1U)) == 0U, "the numbers of places wrap to where the ring begins");
 
-    std::array<Frame, capacity> frames_{};  ///< a ring, ascending: a frame that is not urgent goes to its end
-    std::uint32_t first_{0U};               ///< number of the place of the next one to send
-    std::uint32_t end_{0U};                 ///< and of that behind the last one
+    std::array<Frame, capacity> frames_{};  ///< a ring in ascending order of identifiers: most frames go to its end
+    std::uint32_t first_{0U};               ///< number of the place of the next frame to send
+    std::uint32_t end_{0U};                 ///< number of the place behind the last frame
     bool open_{true};
     bool boot_up_waits_{false};
 };

@@ -1,5 +1,5 @@
-// Words of the standard that the register defines once for all services: NMT states and commands, SDO abort codes
-// (CiA 301, 7.2.4.3.17; `AbortCode::none` means that the access was done).
+// Terms of the standard that the requirements register defines once for all services: NMT states and commands, SDO
+// abort codes (CiA 301, 7.2.4.3.17; `AbortCode::none` means success).
 #pragma once
 
 #include "generated/canopen/enumerations.hpp"

@@ -26,14 +26,14 @@ constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e0
 /// The second set of curves with these colours is dashed, the third one dotted.
 constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
 
-struct Range {
+struct AxisRange {
     double low{0.0};
     double high{1.0};
 
     /// Returns the range of all points, extended to whole ticks; never empty.
-    static Range of(const std::vector<Curve>& curves, bool of_x) {
+    static AxisRange of(const std::vector<Curve>& curves, bool of_x) {
         bool any = false;
-        Range range;
+        AxisRange range;
         for (const Curve& curve : curves) {
             for (const auto& [x, y] : curve.points) {
                 const double value = of_x ? x : y;
@@ -55,7 +55,7 @@ struct Range {
 class Canvas {
   public:
     explicit Canvas(const LinePlot& plot)
-        : plot_{plot}, x_{Range::of(plot.curves, true)}, y_{Range::of(plot.curves, false)} {}
+        : plot_{plot}, x_{AxisRange::of(plot.curves, true)}, y_{AxisRange::of(plot.curves, false)} {}
 
     std::string svg() {
         const std::size_t rows = (plot_.curves.size() + legend_columns - 1) / legend_columns;
@@ -139,8 +139,8 @@ class Canvas {
     }
 
     const LinePlot& plot_;
-    Range x_;
-    Range y_;
+    AxisRange x_;
+    AxisRange y_;
     std::string text_;
 };
 

@@ -1,37 +1,53 @@
-// What src/devices/NAME/target/device.cpp and interrupts.cpp know of each other.
+// The interface between src/devices/NAME/target/device.cpp and interrupts.cpp.
 #pragma once
 
 #include "target/stm32f405/chip.hpp"
 #include "target/stm32f405/device_loop.hpp"
 
-/// The interrupt of received frames: the device's file drains its controller.
+/// Handles the interrupt of received frames: the device's file drains its controller.
 extern "C" void can_received();
 
 namespace canproof::target {
 
-/// Whether flash holds what seal has sealed.
+/// Returns whether the image in flash matches its seal, the CRC that src/target/image/seal wrote.
 bool is_sound();
 
-/// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
-/// image is damaged, or no clock is right.
-template <typename Device, typename Board>
-void run_image(Device& device, TransmitQueue& queue, Board& board, stm32f405::Chip& chip,
-               stm32f405::ParameterJournal& memory) {
-    if (!is_sound()) {
-        return;
+/// A device with its drivers. `Wiring` is its board, `MemorySize` the bytes of its parameter memory.
+template <typename Device, typename Wiring, typename FactoryData, std::size_t MemorySize>
+class DeviceImage {
+  public:
+    explicit DeviceImage(const stm32f405::ClockPlan& plan) : chip_{plan} {}
+
+    /// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
+    /// image is damaged, or no clock is right.
+    void run() {
+        if (!is_sound()) {
+            return;
+        }
+        chip_.start();
+        if (chip_.source == stm32f405::ClockSource::none) {
+            return;
+        }
+        wiring_.start();
+        memory_.open();
+        static_cast<void>(memory_.prepare());  // without it a commit has to erase, or says that it failed
+        stm32f405::DeviceLoop<Device, Wiring> loop{device_, queue_, wiring_, chip_.can, chip_.time, chip_.watchdog};
+        loop.power_on(chip_.source == stm32f405::ClockSource::crystal);
+        for (;;) {
+            loop.pass();
+        }
     }
-    chip.start();
-    if (chip.source == stm32f405::ClockSource::none) {
-        return;
-    }
-    board.start();
-    memory.open();
-    static_cast<void>(memory.prepare());  // without it a commit has to erase, or says that it failed
-    stm32f405::DeviceLoop<Device, Board> loop{device, queue, board, chip.can, chip.time, chip.watchdog};
-    loop.power_on(chip.source == stm32f405::ClockSource::crystal);
-    for (;;) {
-        loop.pass();
-    }
-}
+    /// The interrupt of received frames.
+    void drain() { chip_.can.drain(); }
+
+  private:
+    stm32f405::Chip chip_;
+    stm32f405::JournalRam<MemorySize> ram_;
+    stm32f405::ParameterJournal memory_{chip_.flash, stm32f405::parameter_sectors(), MutableBytes{ram_.bytes},
+                                        Slots<std::uint32_t>{ram_.changed}};
+    TransmitQueue queue_;
+    Device device_{memory_, queue_, FactoryData{}};
+    Wiring wiring_{chip_};
+};
 
 }  // namespace canproof::target

@@ -1,5 +1,5 @@
-// What a device's image has beside startup.cpp: the interrupts of the chip, and where its parts lie in flash. The
-// linker places them (stm32f405/device.ld).
+// The parts of a device's image beside startup.cpp: the interrupts of the chip and the check of the flash. The linker
+// provides the addresses (stm32f405/device.ld).
 #include <array>
 
 #include "target/image/image.hpp"
@@ -22,7 +22,7 @@ constexpr std::size_t can1_rx1 = 21;
 constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
     std::array<Handler, can1_rx1 + 1> handlers{};
     for (Handler& one : handlers) {
-        one = fault;  // nobody has enabled it
+        one = fault;  // not enabled
     }
     handlers[can1_rx0] = can_received;
     handlers[can1_rx1] = can_received;
@@ -32,7 +32,7 @@ constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
 [[gnu::section(".vectors.interrupts"), gnu::used]] constexpr std::array<Handler, can1_rx1 + 1> interrupts =
     make_interrupts();
 
-/// src/target/image/seal writes the CRC here.
+/// The CRC of the image; src/target/image/seal writes it here.
 [[gnu::section(".seal"), gnu::used]] const volatile std::uint32_t seal = 0xFFFFFFFFU;
 
 canproof::ByteView between(const std::uint8_t* begin, const std::uint8_t* end) {

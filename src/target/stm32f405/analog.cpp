@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint32_t conversion_done = bit(1U);     // EOC
 constexpr std::uint32_t converter_on = bit(0U);        // ADON
 constexpr std::uint32_t start_conversion = bit(30U);   // SWSTART
-constexpr std::uint32_t longest_sample = 0x07FFFFFFU;  // 480 cycles for nine channels
-constexpr std::uint32_t clock_by_4 = bit(16U);         // ADCPRE: at most 21 of 36 MHz
+constexpr std::uint32_t longest_sample = 0x07FFFFFFU;  // 480 cycles for each of nine channels
+constexpr std::uint32_t clock_by_4 = bit(16U);         // ADCPRE: at most 21 MHz; 36 MHz are allowed
 /// A conversion takes 24 us; a poll takes at least six cycles of 168 MHz.
 constexpr std::uint32_t most_polls = 20000U;
 constexpr std::uint32_t chip_sensor = bit(23U);  // TSVREFE
-// Of the sensor: 0.76 V at 25 degrees, 2.5 mV a degree.
+// The sensor gives 0.76 V at 25 °C and 2.5 mV per degree.
 constexpr float reference_v = 3.3F;
 constexpr float sensor_at_25_v = 0.76F;
 constexpr float sensor_v_a_degree = 0.0025F;
@@ -33,7 +33,7 @@ constexpr float most_counts = 65535.0F;
 
 constexpr float between(const float value, const float least, const float most) noexcept {
     if (!(value > least)) {
-        return least;  // NaN, too
+        return least;  // also for NaN
     }
     return (value < most) ? value : most;
 }
@@ -102,7 +102,7 @@ void PulseOutputs::start() noexcept {
     timer_.control.write(tim::enable | buffered);
 }
 
-/// The least prescaler with which a period fits 16 bits.
+/// Sets the frequency with the least prescaler for which the period fits 16 bits.
 void PulseOutputs::set_frequency(const float hertz) noexcept {
     const float clocks = (static_cast<float>(timer_mhz_) * 1000000.0F) / between(hertz, 1.0F, 1000000.0F);
     const auto divider = static_cast<std::uint32_t>(clocks / most_counts) + 1U;

@@ -1,5 +1,5 @@
-// Analog pins of a board: inputs one after the other through ADC1, outputs by the two channels of the DAC and by timers
-// whose duty a filter makes a voltage (RM0090 chapters 13, 14 and 18).
+// Analog pins of a board: inputs in turn through ADC1; outputs by the two channels of the DAC, and by timers whose
+// filtered pulses make a voltage (RM0090 chapters 13, 14 and 18).
 #pragma once
 
 #include "target/stm32f405/time_base.hpp"
@@ -29,26 +29,27 @@ struct DacRegisters {
     Register data_2;  ///< 14h DAC_DHR12R2
 };
 
-/// A share of the whole range, 0 to 1, of a converter of 12 bits.
+/// The greatest code of a 12-bit converter, for a share of 1.
 constexpr float full_scale_12_bit = 4095.0F;
 
 class AnalogInputs {
   public:
-    /// The sensor in the chip itself.
+    /// Channel of the temperature sensor in the chip.
     static constexpr std::size_t temperature_channel = 16U;
     static constexpr std::size_t channel_count = 17U;
 
     explicit AnalogInputs(AdcRegisters& registers) noexcept : registers_{registers} {}
 
-    /// `channels`: a bit a channel that is read. Ends with a first value of each, or without those that do not come.
+    /// Starts the converter. `channels`: one bit for each channel to read. Waits for the first value of each channel,
+    /// but at most a fixed number of polls.
     void start(std::uint32_t channels) noexcept;
-    /// Takes a conversion that is done, and starts that of the next channel.
+    /// Stores a finished conversion and starts that of the next channel.
     void advance() noexcept;
-    /// The channel's last conversion, 0 to 1 of the reference; 0 before the first.
+    /// Returns the channel's last conversion, 0 to 1 of the reference; 0 before the first.
     float share(const std::size_t channel) const noexcept {
         return static_cast<float>(values_[channel]) / full_scale_12_bit;
     }
-    /// Of the chip, in degrees Celsius, for a reference of 3.3 V (RM0090 13.10, data sheet).
+    /// Returns the temperature of the chip in degrees Celsius, for a reference of 3.3 V (RM0090 13.10, data sheet).
     float chip_temperature() const noexcept;
 
   private:
@@ -57,7 +58,7 @@ class AnalogInputs {
     AdcRegisters& registers_;
     std::array<std::uint16_t, channel_count> values_{};
     std::uint32_t channels_{0U};
-    std::uint32_t unread_{0U};  ///< those without a first value
+    std::uint32_t unread_{0U};  ///< channels without a first value
     std::size_t current_{0U};
 };
 
@@ -66,7 +67,7 @@ class AnalogOutputs {
     explicit AnalogOutputs(DacRegisters& registers) noexcept : registers_{registers} {}
 
     void start() noexcept;
-    /// Channel 0 or 1; a share beyond 0 to 1, and NaN, counts as the nearest end or 0.
+    /// Sets channel 0 or 1. A share outside 0 to 1 is clamped; NaN counts as 0.
     void set(std::size_t channel, float share) noexcept;
 
   private:
@@ -80,9 +81,9 @@ class PulseOutputs {
         : timer_{timer}, timer_mhz_{timer_mhz} {}
 
     void start() noexcept;
-    /// In Hz, 1 to 1,000,000; anything else stops at the nearest end.
+    /// Sets the frequency in Hz, clamped to 1…1,000,000.
     void set_frequency(float hertz) noexcept;
-    /// Channel 0 or 1; a share as above.
+    /// Sets the duty of channel 0 or 1; the share is clamped as in AnalogOutputs::set().
     void set_duty(std::size_t channel, float share) noexcept;
 
   private:

@@ -7,7 +7,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// Bounds of the fields of CAN_BTR (RM0090 32.9.2), and the least quanta that leave room for both segments.
+// Bounds of the fields of CAN_BTR (RM0090 32.9.2), and the fewest quanta that leave room for both segments.
 constexpr std::uint32_t most_prescaler = 1024U;
 constexpr std::uint32_t most_before_sample = 16U;
 constexpr std::uint32_t most_after_sample = 8U;
@@ -24,7 +24,7 @@ constexpr std::uint32_t at_most(const std::uint32_t value, const std::uint32_t m
     return (value < most) ? value : most;
 }
 
-/// By how much clock / clocks differs from `bit_rate`, in parts per million of it.
+/// Returns the deviation of clock_hz / clocks from `bit_rate` in parts per million.
 std::uint64_t error_ppm(const std::uint32_t clock_hz, const std::uint32_t clocks,
                         const std::uint32_t bit_rate) noexcept {
     const std::uint64_t wanted = std::uint64_t{bit_rate} * clocks;
@@ -33,7 +33,7 @@ std::uint64_t error_ppm(const std::uint32_t clock_hz, const std::uint32_t clocks
     return (off * million) / wanted;
 }
 
-/// A bit of `quanta` whose sample point is the nearest to seven eighths of it.
+/// Returns the timing of a bit of `quanta` with the sample point nearest to seven eighths.
 BitTiming timing_of(const std::uint32_t prescaler, const std::uint32_t quanta) noexcept {
     const std::uint32_t eighth = (quanta + 4U) / 8U;
     const std::uint32_t least_after = (quanta > (most_before_sample + 1U)) ? (quanta - (most_before_sample + 1U)) : 1U;
@@ -42,7 +42,7 @@ BitTiming timing_of(const std::uint32_t prescaler, const std::uint32_t quanta) n
     return BitTiming{prescaler, quanta - (1U + after), after, at_most(after, most_jump)};
 }
 
-/// How far the sample point lies from seven eighths, in thousandths of a bit.
+/// Returns the distance of the sample point from seven eighths, in thousandths of a bit.
 std::uint32_t sample_error(const BitTiming& timing) noexcept {
     return difference(((1U + timing.before_sample) * 1000U) / timing.quanta(), 875U);
 }

@@ -13,7 +13,7 @@ void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
     if (controller_.is_on_bus()) {
         transmitter_.serve(queue);
     } else if (was_on_bus) {
-        transmitter_.forget();  // the recovery from bus-off has begun: configure() aborts the mailboxes
+        transmitter_.forget();  // recovery from bus-off has begun: configure() aborts the mailboxes
     } else {
         // still off the bus
     }
@@ -22,7 +22,7 @@ void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
 void Bxcan::drain() noexcept {
     Frame frame{};
     bool any{true};
-    // The hardware can hold no more, and one may come in meanwhile.
+    // Twice the depth of both FIFOs: frames may arrive while the loop runs.
     for (std::size_t count = 0U; count < (2U * fifo_count * fifo_depth); ++count) {
         if (any) {
             any = receiver_.receive(frame);

@@ -1,5 +1,5 @@
-// The registers of bxCAN (RM0090 32.9; offsets in 32.9.5). Names are the manual's, spelt out; each has its own name
-// there beside it.
+// The registers of bxCAN (RM0090 32.9; offsets in 32.9.5). The names spell out the manual's; the manual's own name
+// stands beside each.
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -11,7 +11,7 @@ constexpr std::size_t fifo_count = 2U;
 constexpr std::size_t fifo_depth = 3U;
 constexpr std::size_t filter_bank_count = 28U;
 
-/// A mailbox to send from (TIxR, TDTxR, TDLxR, TDHxR) or the output of a receive FIFO (RIxR, RDTxR, RDLxR, RDHxR).
+/// A transmit mailbox (TIxR, TDTxR, TDLxR, TDHxR) or the output of a receive FIFO (RIxR, RDTxR, RDLxR, RDHxR).
 struct Mailbox {
     Register identifier;
     Register length;
@@ -54,7 +54,7 @@ namespace mcr {
 constexpr std::uint32_t initialise = bit(0U);     // INRQ
 constexpr std::uint32_t sleep = bit(1U);          // SLEEP
 constexpr std::uint32_t by_request = bit(2U);     // TXFP: 0 sends by identifier
-constexpr std::uint32_t lock_fifo = bit(3U);      // RFLM: a full FIFO keeps what it has
+constexpr std::uint32_t lock_fifo = bit(3U);      // RFLM: a full FIFO keeps its frames and drops new ones
 constexpr std::uint32_t no_retry = bit(4U);       // NART
 constexpr std::uint32_t leave_bus_off = bit(6U);  // ABOM
 constexpr std::uint32_t time_stamps = bit(7U);    // TTCM
@@ -66,7 +66,7 @@ constexpr std::uint32_t initialising = bit(0U);  // INAK
 constexpr std::uint32_t asleep = bit(1U);        // SLAK
 }  // namespace msr
 
-/// Bits of mailbox 0; those of mailbox n lie 8 * n higher, but `empty`, which lies n higher.
+/// Bits of mailbox 0. The bits of mailbox n are 8 * n positions higher; only `empty` is n positions higher.
 namespace tsr {
 constexpr std::uint32_t completed = bit(0U);  // RQCP0
 constexpr std::uint32_t sent = bit(1U);       // TXOK0
@@ -93,7 +93,7 @@ constexpr std::uint32_t passive = bit(1U);  // EPVF
 constexpr std::uint32_t bus_off = bit(2U);  // BOFF
 }  // namespace esr
 
-/// Identifier registers of mailboxes, and of filter banks of 32 bits but for `request`.
+/// Bits of the identifier registers of mailboxes; except for `request`, also of 32-bit filter banks.
 namespace ir {
 constexpr std::uint32_t request = bit(0U);   // TXRQ
 constexpr std::uint32_t remote = bit(1U);    // RTR

@@ -7,11 +7,11 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// By identifier, a full FIFO keeps its oldest frames, every frame has a time stamp; lost arbitration and errors are
-/// tried again; bus-off is left by set_bit_rate() and watch_bus() alone.
+/// Mode of operation: sends by identifier, a full FIFO keeps its oldest frames, every frame has a time stamp, lost
+/// arbitration and errors are retried. Only set_bit_rate() and watch_bus() leave bus-off.
 constexpr std::uint32_t operation = mcr::lock_fifo | mcr::time_stamps;
 
-/// Of an 11-bit identifier in a filter bank: the bit that tells the two FIFOs apart.
+/// The bit of an 11-bit identifier in a filter bank that selects the FIFO.
 constexpr std::uint32_t upper_half = 0x400U << ir::standard_shift;
 constexpr std::uint32_t both_banks = 0x3U;
 constexpr std::uint32_t second_bank = 0x2U;
@@ -65,12 +65,12 @@ void CanController::advance(const Instant now) noexcept {
             break;
         case Phase::off:
         default:
-            break;  // until the next bit rate
+            break;  // nothing to do until the next bit rate
     }
 }
 
-/// A controller that does not begin to initialise is reset as a whole (RM0090 32.9.2, CAN_MCR.RESET); one that does not
-/// join has a bus that is never recessive, and goes on waiting for it.
+/// Handles a missing acknowledgement. A controller that does not enter initialisation is reset as a whole (RM0090
+/// 32.9.2, CAN_MCR.RESET). One that does not join sees a bus that is never recessive and continues to wait.
 static_assert(implements<req::CO_CAN_002>);
 void CanController::give_up_waiting(const Instant now) noexcept {
     if (elapsed(since_, now).us < most_wait.us) {
@@ -83,16 +83,17 @@ void CanController::give_up_waiting(const Instant now) noexcept {
     }
 }
 
-/// Needs the initialisation mode for CAN_BTR. What was to be sent under the last configuration is not sent.
+/// Writes bit timing and filters; CAN_BTR requires the initialisation mode. Aborts the frames of the last
+/// configuration.
 void CanController::configure() noexcept {
     registers_.bit_timing.write(bit_timing_register(timing_));
     set_filters();
     registers_.transmit_status.write(tsr::abort | (tsr::abort << tsr::stride) | (tsr::abort << (2U * tsr::stride)));
 }
 
-/// Identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0, those from 400h on (SDO, error control, LSS) to
-/// FIFO 1: six places. A mask over IDE keeps 29-bit identifiers out. Which of the 11-bit ones the node takes is set
-/// in its dictionary at any time.
+/// Sets the filters: identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0, those from 400h on (SDO, error
+/// control, LSS) to FIFO 1, so that six places are used. A mask over IDE rejects 29-bit identifiers. All 11-bit
+/// identifiers pass, because the dictionary can change at any time which of them the node uses.
 static_assert(implements<req::CO_CAN_003>);
 void CanController::set_filters() noexcept {
     registers_.filter_master.set(filter_initialise);
@@ -120,7 +121,7 @@ void CanController::watch_bus(const Instant now) noexcept {
         is_recovering_ = true;
         enter(now);
     } else {
-        // at rest, or the hardware counts 128 times 11 recessive bits
+        // the controller waits, or the hardware counts 128 times 11 recessive bits
     }
 }
 

@@ -1,6 +1,6 @@
-// bxCAN on the bus and off it: initialisation, bit rate, acceptance filters, error states, recovery from bus-off
-// (RM0090 32.4, 32.7.4, 32.7.6, 32.9.2). Never waits: advance() takes the next step when the hardware has acknowledged
-// the last one.
+// bxCAN on and off the bus: initialisation, bit rate, acceptance filters, error states, recovery from bus-off (RM0090
+// 32.4, 32.7.4, 32.7.6, 32.9.2). It never waits: advance() takes the next step when the hardware has acknowledged the
+// last one.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -12,25 +12,25 @@ namespace canproof::stm32f405 {
 
 class CanController {
   public:
-    /// Longer than any frame takes at 10 kbit/s: whoever has not acknowledged by then does not.
+    /// Time-out of an acknowledgement: longer than any frame takes at 10 kbit/s.
     static constexpr Duration most_wait = milliseconds(1000U);
-    /// From bus-off to the start of the recovery.
+    /// Time from bus-off to the start of the recovery.
     static constexpr Duration bus_off_rest = milliseconds(100U);
 
-    /// `clock_hz`: that of APB1, which clocks the controller.
+    /// `clock_hz`: the clock of APB1, which drives the controller.
     CanController(BxcanRegisters& registers, const std::uint32_t clock_hz) noexcept
         : registers_{registers}, clock_hz_{clock_hz} {}
 
-    /// Leaves the bus, and joins it again at `bit_rate` bit/s. A rate that the clock does not give keeps it off the
-    /// bus.
+    /// Leaves the bus and joins it again at `bit_rate` bit/s. With a rate that the clock cannot generate it stays off
+    /// the bus.
     void set_bit_rate(std::uint32_t bit_rate, Instant now) noexcept;
-    /// The rate that was asked for last; 0 before.
+    /// Returns the last requested bit rate; 0 before the first.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
 
     void advance(Instant now) noexcept;
-    /// Whether frames can be sent and received.
+    /// Returns whether frames can be sent and received.
     bool is_on_bus() const noexcept { return phase_ == Phase::on_bus; }
-    /// Bus-off, too, when it cannot join the bus.
+    /// Returns the state; bus-off also while the controller cannot join the bus.
     CanState state() const noexcept { return state_; }
 
   private:
@@ -49,7 +49,7 @@ class CanController {
     BitTiming timing_{};
     Phase phase_{Phase::off};
     CanState state_{CanState::error_active};
-    Instant since_{};            ///< of the phase, or of the bus-off state
+    Instant since_{};            ///< start of the phase or of the bus-off state
     bool is_recovering_{false};  ///< the hardware counts recessive bits
 };
 

@@ -17,7 +17,7 @@ Frame read_frame(const Mailbox& mailbox) noexcept {
     frame.extended = (identifier & ir::extended) != 0U;
     frame.remote = (identifier & ir::remote) != 0U;
     frame.id = identifier >> (frame.extended ? ir::extended_shift : ir::standard_shift);
-    // A length code of 9 to 15 stands for eight bytes (ISO 11898-1).
+    // A length code of 9 to 15 means eight bytes (ISO 11898-1).
     frame.length = static_cast<std::uint8_t>((length < max_frame_length) ? length : max_frame_length);
     set_field_le<0U, 4U>(frame.data, mailbox.data_low.read());
     set_field_le<4U, 4U>(frame.data, mailbox.data_high.read());
@@ -26,7 +26,8 @@ Frame read_frame(const Mailbox& mailbox) noexcept {
 
 }  // namespace
 
-/// The time stamps wrap after 65,536 bits; the two frames are at most as far apart as the handler takes to come.
+/// Returns the FIFO with the older frame. The time stamps wrap after 65,536 bits; the two frames are closer together,
+/// because the handler runs sooner.
 std::size_t CanReceiver::oldest(const std::uint32_t pending_0, const std::uint32_t pending_1) const noexcept {
     if ((pending_0 == 0U) || (pending_1 == 0U)) {
         return (pending_0 == 0U) ? 1U : 0U;

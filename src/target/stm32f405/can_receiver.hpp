@@ -1,4 +1,4 @@
-// What bxCAN has received: two FIFOs of three frames, read in the order of the bus (RM0090 32.7.3, 32.9.3).
+// Reception with bxCAN: two FIFOs of three frames, read in the order of the bus (RM0090 32.7.3, 32.9.3).
 #pragma once
 
 #include "firmware/canopen/frame.hpp"
@@ -10,12 +10,12 @@ class CanReceiver {
   public:
     explicit CanReceiver(BxcanRegisters& registers) noexcept : registers_{registers} {}
 
-    /// Takes the oldest frame out of the FIFOs. False when there is none, or when the hardware still gives the place of
-    /// the last one back.
+    /// Takes the oldest frame out of the FIFOs. Returns false when there is none, or while the hardware still releases
+    /// the place of the last one.
     bool receive(Frame& frame) noexcept;
-    /// Whether frames were lost because a FIFO was full, since the last call.
+    /// Returns whether frames were lost since the last call because a FIFO was full.
     bool take_overrun() noexcept;
-    /// Whether received frames raise an interrupt.
+    /// Sets whether received frames raise an interrupt.
     void interrupt_on_frames(bool enabled) noexcept;
 
   private:

@@ -7,7 +7,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// Each round fills a mailbox or frees one: two for each mailbox, and nothing is left to do.
+/// Each round fills or frees a mailbox; after two rounds per mailbox nothing is left to do.
 constexpr std::size_t most_rounds = 2U * mailbox_count;
 
 constexpr std::uint32_t of_mailbox(const std::uint32_t bits, const std::size_t mailbox) noexcept {
@@ -49,8 +49,8 @@ std::size_t CanTransmitter::waiting() const noexcept {
     return count;
 }
 
-/// A mailbox is free again when its frame was sent, or when an abort came before that: the hardware says which, for an
-/// abort may be too late (RM0090 32.7.1).
+/// Frees the mailboxes whose frames were sent or aborted. The hardware reports which of the two happened, because an
+/// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue.
 static_assert(implements<req::CO_CAN_006>);
 void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     const std::uint32_t status = registers_.transmit_status.read();
@@ -74,8 +74,8 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     is_alone_ = is_alone_ && (waiting() != 0U);
 }
 
-/// The queue is full: the frame of an aborted mailbox finds room when the first of the queue takes its place. Where
-/// that one is no more urgent, or its like waits in a mailbox behind this one, the frame is sent from here again.
+/// Exchanges the frame of an aborted mailbox with the first frame of the full queue. If that frame is not more urgent,
+/// or a later mailbox has a frame with the same identifier, the mailbox sends its own frame again.
 static_assert(implements<req::CO_CAN_006>);
 void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) noexcept {
     Slot& slot = slots_[mailbox];
@@ -88,12 +88,13 @@ void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) n
     if (is_in_order) {
         const Frame aborted = slot.frame;
         slot.frame = queue.pop();
-        static_cast<void>(queue.put_back(aborted));  // into the room of the one that left
+        static_cast<void>(queue.put_back(aborted));  // uses the place of the frame that left
     }
     request(mailbox);
 }
 
-/// Whether a frame went from the queue to a mailbox, or a mailbox was made free for it.
+/// Moves a frame from the queue to a mailbox, or frees a mailbox for it. Returns false when there is nothing more to
+/// do.
 static_assert(implements<req::CO_CAN_006>);
 bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
     const Frame* const next = queue.front();
@@ -115,8 +116,8 @@ bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
     return true;
 }
 
-/// The first free mailbox behind those with the same identifier, so that these are sent before; mailbox_count when
-/// there is none.
+/// Returns the first free mailbox behind those with the same identifier, so that their frames are sent first;
+/// mailbox_count when there is none.
 std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
     std::size_t found{mailbox_count};
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
@@ -132,7 +133,7 @@ std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
     return found;
 }
 
-/// Of all mailboxes; of equal identifiers the one that came last.
+/// Returns the mailbox with the least urgent frame; among equal identifiers the newest one.
 std::size_t CanTransmitter::least_urgent() const noexcept {
     std::size_t found{0U};
     for (std::size_t mailbox = 1U; mailbox < mailbox_count; ++mailbox) {
@@ -153,7 +154,7 @@ bool CanTransmitter::make_room(const std::uint32_t id, TransmitQueue& queue) noe
     return !slots_[mailbox].busy;
 }
 
-/// What a reset of the node has made obsolete does not go out behind its boot-up message.
+/// Aborts all frames: after a reset of the node they must not follow its boot-up message.
 void CanTransmitter::drop_all() noexcept {
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
         if (slots_[mailbox].busy) {

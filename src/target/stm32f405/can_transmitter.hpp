@@ -1,5 +1,5 @@
-// The three mailboxes of bxCAN under a transmit queue (RM0090 32.7.1, 32.9.3). They hold the most urgent frames; the
-// hardware sends the lowest identifier among them, and of equal ones the lowest mailbox.
+// The three mailboxes of bxCAN, filled from a transmit queue (RM0090 32.7.1, 32.9.3). They hold the most urgent frames;
+// the hardware sends the lowest identifier first, and among equal identifiers the lowest mailbox.
 #pragma once
 
 #include "firmware/canopen/frame.hpp"
@@ -12,12 +12,12 @@ class CanTransmitter {
   public:
     explicit CanTransmitter(BxcanRegisters& registers) noexcept : registers_{registers} {}
 
-    /// Notices what was sent, and fills the mailboxes from the queue. A frame that is more urgent than those in three
-    /// full mailboxes takes the place of the least urgent one, which goes back to the queue unless it is on the bus.
+    /// Frees the mailboxes of sent frames and fills them from the queue. If all three are full and a frame is more
+    /// urgent, it replaces the least urgent one, which goes back to the queue unless it is already on the bus.
     void serve(TransmitQueue& queue) noexcept;
-    /// The controller has begun anew and aborted what it had.
+    /// Forgets the frames in the mailboxes, after the controller has restarted and aborted them.
     void forget() noexcept;
-    /// Frames that the hardware has not sent yet.
+    /// Returns the number of frames that the hardware has not sent yet.
     std::size_t waiting() const noexcept;
 
   private:
@@ -25,7 +25,7 @@ class CanTransmitter {
         Frame frame{};
         bool busy{false};
         bool aborting{false};
-        bool unwanted{false};  ///< aborted for good
+        bool unwanted{false};  ///< aborted and not to be sent again
     };
 
     void collect(TransmitQueue& queue) noexcept;
@@ -40,7 +40,7 @@ class CanTransmitter {
 
     BxcanRegisters& registers_;
     std::array<Slot, mailbox_count> slots_{};
-    bool is_alone_{false};  ///< the boot-up message is in a mailbox: nothing may overtake it
+    bool is_alone_{false};  ///< the boot-up message is in a mailbox: no frame may overtake it
 };
 
 }  // namespace canproof::stm32f405

@@ -23,7 +23,7 @@ void Chip::start() noexcept {
     clocks.enable_apb[1U].set(apb2_adc1);
     was_reset_by_watchdog = clock.take_watchdog_reset();
     time.start();
-    port_b.pull_up(can_receive_pin);  // an open receiver reads as a recessive bus
+    port_b.pull_up(can_receive_pin);  // without a transceiver the input reads as a recessive bus
     port_b.configure(can_receive_pin, PinMode::alternate, can_function);
     port_b.configure(can_transmit_pin, PinMode::alternate, can_function);
     can.interrupt_on_frames(true);

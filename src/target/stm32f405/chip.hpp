@@ -9,7 +9,7 @@
 
 namespace canproof::stm32f405 {
 
-/// CAN1 is on PB8 (receive) and PB9 (transmit), alternate function 9 (data sheet, Table 9).
+/// The chip with all drivers. CAN1 uses PB8 (receive) and PB9 (transmit), alternate function 9 (data sheet, Table 9).
 struct Chip {
     explicit Chip(const ClockPlan& clock_plan) noexcept : plan{clock_plan} {}
 
@@ -30,7 +30,7 @@ struct Chip {
     ClockSource source{ClockSource::none};
     bool was_reset_by_watchdog{false};
 
-    /// Clocks, time, and CAN's pins and interrupts; the boards start the rest.
+    /// Starts clocks, time, and the pins and interrupts of CAN; the boards start the rest.
     void start() noexcept;
 };
 

@@ -7,13 +7,13 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// RM0090 7.3.2: the PLL wants 1 to 2 MHz at its input, and 2 MHz for the least jitter; it divides its output by two.
+// The PLL needs 1 to 2 MHz at its input, and 2 MHz for the least jitter; it divides its output by two (RM0090 7.3.2).
 constexpr std::uint32_t crystal_mhz = 8U;
 constexpr std::uint32_t internal_mhz = 16U;
 constexpr std::uint32_t pll_input_mhz = 2U;
 constexpr std::uint32_t usb_divider = 7U;
 
-/// Five wait states serve 150 to 168 MHz at 2.7 to 3.6 V (RM0090 3.5.1), and all below.
+/// Five wait states are right for 150 to 168 MHz at 2.7 to 3.6 V, and enough for lower clocks (RM0090 3.5.1).
 constexpr std::uint32_t wait_states = 5U;
 
 constexpr std::uint32_t pll_configuration(const ClockPlan& plan, const std::uint32_t source_mhz) noexcept {

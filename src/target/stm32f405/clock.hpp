@@ -1,5 +1,5 @@
-// The clock tree: 8 MHz crystal or the chip's own 16 MHz oscillator, PLL, dividers of the buses (RM0090 chapters 5
-// and 7, 3.5.1).
+// The clock tree: 8 MHz crystal or the chip's 16 MHz oscillator, PLL, dividers of the buses (RM0090 chapters 5 and 7,
+// 3.5.1).
 #pragma once
 
 #include "target/stm32f405/flash.hpp"
@@ -64,9 +64,9 @@ constexpr std::uint32_t by_watchdog = bit(29U);  // IWDGRSTF
 }  // namespace rcc_csr
 
 constexpr std::uint32_t power_clock = bit(28U);   // PWREN of RCC_APB1ENR
-constexpr std::uint32_t full_voltage = bit(14U);  // VOS of PWR_CR: what 168 MHz need
+constexpr std::uint32_t full_voltage = bit(14U);  // VOS of PWR_CR: required for 168 MHz
 
-/// Clocks of a device's image. APB1, which clocks CAN, has a quarter of the core; its timers have half.
+/// Clocks of a device's image. APB1, which clocks CAN, runs at a quarter of the core clock, its timers at half.
 struct ClockPlan {
     std::uint32_t core_mhz{168U};  ///< an even number of 100 to 168
 
@@ -74,29 +74,30 @@ struct ClockPlan {
     constexpr std::uint32_t timer_mhz() const noexcept { return core_mhz / 2U; }
 };
 
-/// APB1 gets 42 MHz, which 666.667 kbit/s divide and 800 kbit/s do not.
+/// APB1 runs at 42 MHz, which is a multiple of 666.667 kbit/s but not of 800 kbit/s.
 constexpr ClockPlan core_168_mhz{168U};
-/// APB1 gets 40 MHz, which 800 kbit/s divide as well.
+/// APB1 runs at 40 MHz, which is also a multiple of 800 kbit/s.
 constexpr ClockPlan core_160_mhz{160U};
 
 enum class ClockSource : std::uint8_t {
     crystal,
-    internal,  ///< the crystal does not start: by 1 % and more off, which is too much for CAN
-    none       ///< the PLL does not lock: the core runs at 16 MHz, and no time is right
+    internal,  ///< the crystal does not start; the oscillator is off by 1 % or more, too much for CAN
+    none       ///< the PLL does not lock: the core runs at 16 MHz, and all times are wrong
 };
 
 class Clock {
   public:
-    /// A crystal takes some milliseconds; a poll takes at least six cycles of 16 MHz, so that this is 37 ms at least.
+    /// A crystal starts within some milliseconds. A poll takes at least six cycles at 16 MHz, so this waits at least 37
+    /// ms.
     static constexpr std::uint32_t usual_polls = 100000U;
 
     Clock(ClockRegisters& clocks, PowerRegisters& power, FlashRegisters& flash,
           const std::uint32_t most_polls = usual_polls) noexcept
         : clocks_{clocks}, power_{power}, flash_{flash}, most_polls_{most_polls} {}
 
-    /// From the state after a reset to the plan's clocks.
+    /// Switches from the state after a reset to the plan's clocks.
     ClockSource start(const ClockPlan& plan) noexcept;
-    /// Whether the watchdog made the last reset. Forgets it: the next call says what came since.
+    /// Returns whether the watchdog caused the last reset, and clears that information.
     bool take_watchdog_reset() noexcept;
 
   private:

@@ -1,5 +1,5 @@
-// A device on the microcontroller: power-on, then one pass after the other. Its board hands it physical inputs and
-// takes its outputs: a class with the types Inputs and Outputs and the functions
+// A device on the microcontroller: power-on, then one pass after the other. Its board reads physical inputs and drives
+// outputs: a class with the types Inputs and Outputs and the functions
 //   void start(); void read(Inputs&); void drive(const Outputs&);
 #pragma once
 
@@ -14,20 +14,20 @@ namespace canproof::stm32f405 {
 template <typename Device, typename Board>
 class DeviceLoop {
   public:
-    /// Of the frames that wait, a pass takes no more: outputs and watchdog have their turn.
+    /// A pass takes at most this many waiting frames, so that outputs and watchdog are served in time.
     static constexpr std::uint32_t frames_a_pass = 8U;
-    /// A lost frame is reported for so long, so that an LED shows it.
+    /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
 
     DeviceLoop(Device& device, TransmitQueue& queue, Board& board, Bxcan& can, TimeBase& time,
                Watchdog& watchdog) noexcept
         : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog} {}
 
-    /// `may_join`: whether the clock is right enough for the bus.
+    /// Powers the device on. `may_join`: the clock is accurate enough for the bus.
     void power_on(const bool may_join) noexcept {
         may_join_ = may_join;
         static_assert(implements<req::CO_WATCHDOG_001>);
-        static_cast<void>(watchdog_.start());  // with whatever period it has
+        static_cast<void>(watchdog_.start());  // continues even if the period was not set
         const Instant now = time_.now();
         take_inputs(now);
         device_.power_on(inputs_, now);

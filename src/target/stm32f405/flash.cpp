@@ -7,7 +7,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// RM0090 3.6.1: these two in this order unlock FLASH_CR; any other write locks it until the next reset.
+// These two keys in this order unlock FLASH_CR; any other write locks it until the next reset (RM0090 3.6.1).
 constexpr std::uint32_t first_key = 0x45670123U;
 constexpr std::uint32_t second_key = 0xCDEF89ABU;
 
@@ -21,7 +21,7 @@ void Flash::begin() noexcept {
     }
 }
 
-/// The data cache may hold words as they were: it is emptied while it is off (RM0090 3.5.2).
+/// Locks the flash and clears the data cache, which may hold old words. It must be off for that (RM0090 3.5.2).
 void Flash::finish() noexcept {
     registers_.control.write(flash_cr::lock);
     registers_.access_control.set(flash_acr::reset_data);
@@ -38,11 +38,11 @@ bool Flash::wait() const noexcept {
     return false;
 }
 
-/// Errors of the last operation block the next one until they are cleared (RM0090 3.6.4).
+/// Waits for the last operation and clears its errors, which would block the next one (RM0090 3.6.4).
 bool Flash::is_ready() noexcept {
     const bool is_idle = wait();
     if (is_idle) {
-        registers_.status.write(flash_sr::errors | flash_sr::done);  // a written 1 clears it
+        registers_.status.write(flash_sr::errors | flash_sr::done);  // writing 1 clears a flag
     }
     return is_idle;
 }

@@ -1,5 +1,5 @@
-// The flash memory's own controller: erase a sector, program a word (RM0090 3.5 to 3.9). While it works the processor
-// stands still at its next fetch from flash: an interrupt does not run meanwhile.
+// The controller of the flash memory: erases a sector, programs a word (RM0090 3.5 to 3.9). Meanwhile the processor
+// stops at its next fetch from flash; no interrupt runs.
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -46,12 +46,13 @@ class Flash {
     explicit Flash(FlashRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
         : registers_{registers}, most_polls_{most_polls} {}
 
-    /// Lets erase() and program() work until finish(). Between the two nothing is read through the data cache.
+    /// Enables erase() and program() until finish(), and switches the data cache off meanwhile.
     void begin() noexcept;
     void finish() noexcept;
-    /// Makes every bit of a sector (0…11) 1. False when the controller reports an error or does not come to an end.
+    /// Erases a sector (0…11): sets all its bits. Returns false when the controller reports an error or does not
+    /// finish.
     bool erase(std::uint32_t sector) noexcept;
-    /// Programs a word that was erased. False when it does not hold the value afterwards, too.
+    /// Programs an erased word. Returns false in the same cases, and when the word does not have the value afterwards.
     bool program(Register& word, std::uint32_t value) noexcept;
 
   private:

@@ -28,7 +28,7 @@ std::uint32_t Port::read(const std::uint32_t first, const std::uint32_t count) c
     return (registers_.input.read() >> first) & (bit(count) - 1U);
 }
 
-/// One write: no other pin of the port is touched.
+/// Sets a pin with one write, which affects no other pin of the port.
 static_assert(implements<req::CO_IMAGE_002>);
 void Port::set(const std::uint32_t pin, const bool high) noexcept {
     registers_.set_reset.write(bit(high ? pin : (pin + 16U)));

@@ -1,4 +1,4 @@
-// Pins (RM0090 chapter 8).
+// General-purpose pins (RM0090 chapter 8).
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -24,10 +24,10 @@ class Port {
   public:
     explicit Port(GpioRegisters& registers) noexcept : registers_{registers} {}
 
-    /// `function` (0…15) counts for PinMode::alternate alone.
+    /// Sets the mode of a pin. `function` (0…15) is used for PinMode::alternate only.
     void configure(std::uint32_t pin, PinMode mode, std::uint32_t function = 0U) noexcept;
     void pull_up(std::uint32_t pin) noexcept;
-    /// The levels of `count` pins from `first` on, the first in bit 0.
+    /// Returns the levels of `count` pins from `first` on, the first in bit 0.
     std::uint32_t read(std::uint32_t first, std::uint32_t count) const noexcept;
     bool is_high(const std::uint32_t pin) const noexcept { return read(pin, 1U) != 0U; }
     void set(std::uint32_t pin, bool high) noexcept;

@@ -1,12 +1,12 @@
-// Whether the image in flash is the one that was built.
+// Checks that the image in flash is the one that was built.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
 
 namespace canproof::stm32f405 {
 
-/// Whether the last four bytes of `image` are the CRC-32 of `vectors` and of what lies before them in `image`, least
-/// significant byte first.
+/// Returns whether the last four bytes of `image`, least significant byte first, are the CRC-32 of `vectors` followed
+/// by the rest of `image`.
 bool is_sound_image(ByteView vectors, ByteView image) noexcept;
 
 }  // namespace canproof::stm32f405

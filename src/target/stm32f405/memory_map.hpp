@@ -1,5 +1,5 @@
-// Where the peripherals of an STM32F405 lie (RM0090 2.3, Table 1; the core's own in ARMv7-M B3). Images use this file
-// alone; tests hand models to the drivers.
+// Addresses of the peripherals of an STM32F405 (RM0090 2.3, Table 1; those of the core in ARMv7-M B3). Only images use
+// this file; tests pass models to the drivers.
 #pragma once
 
 #include "target/stm32f405/analog.hpp"
@@ -32,19 +32,19 @@ constexpr std::uintptr_t sector_2_address = 0x08008000U;
 constexpr std::uintptr_t sector_3_address = 0x0800C000U;
 constexpr std::size_t sector_words = 4096U;
 
-/// The registers at an address.
+/// Returns the registers at an address.
 template <typename Registers>
 inline Registers& registers_at(const std::uintptr_t address) noexcept {
     return *reinterpret_cast<Registers*>(address);
 }
 
-/// The two sectors of the parameter journal.
+/// Returns the two sectors of the parameter journal.
 inline std::array<FlashSector, ParameterJournal::sector_count> parameter_sectors() noexcept {
     return {FlashSector{2U, Slots<Register>{&registers_at<Register>(sector_2_address), sector_words}},
             FlashSector{3U, Slots<Register>{&registers_at<Register>(sector_3_address), sector_words}}};
 }
 
-// Clocks of peripherals: RCC_AHB1ENR, RCC_APB1ENR, RCC_APB2ENR (RM0090 7.3.10, 7.3.13, 7.3.14).
+// Clock enable bits of peripherals: RCC_AHB1ENR, RCC_APB1ENR, RCC_APB2ENR (RM0090 7.3.10, 7.3.13, 7.3.14).
 constexpr std::uint32_t ahb1_ports_a_to_c = 0x7U;
 constexpr std::uint32_t apb1_tim2_to_4 = 0x7U;
 constexpr std::uint32_t apb1_can1 = bit(25U);

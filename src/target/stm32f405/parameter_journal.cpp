@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t blank = 0xFFFFFFFFU;
 constexpr std::uint8_t blank_byte = 0xFFU;
 
-// Header: slot 0 of a sector. The first word says that an erase came to its end, the others that the sector counts.
+// Header: slot 0 of a sector. Its first word marks a completed erase; the other words make the sector valid.
 constexpr std::uint32_t erased_mark = 0x00000000U;
 constexpr std::uint32_t journal_magic = 0x4A504F43U;  // "COPJ" in memory
 constexpr std::size_t mark_at = 0U;
@@ -20,7 +20,8 @@ constexpr std::size_t magic_at = 1U;
 constexpr std::size_t generation_at = 2U;
 constexpr std::size_t header_crc_at = 3U;
 
-// Slot: the first word has the line in bits 0 to 11, the number of the commit above it, and whether it is its last.
+// Slot: the first word has the line in bits 0 to 11, the number of the commit from bit 12 on, and bit 31 in the last
+// slot of a commit.
 constexpr std::size_t place_at = 0U;
 constexpr std::size_t line_at = 1U;
 constexpr std::size_t slot_crc_at = 5U;
@@ -52,7 +53,7 @@ Slots<Register> ParameterJournal::slot_at(const std::size_t sector, const std::s
     return sectors_[sector].words.part(slot * slot_words, slot_words);
 }
 
-/// Whether a sector has a header, and then the generation in it.
+/// Returns whether a sector has a valid header; `generation` receives the generation in it.
 bool ParameterJournal::is_in_use(const std::size_t sector, std::uint32_t& generation) const noexcept {
     Slot header{};
     for (std::size_t i = 0U; i < slot_words; ++i) {
@@ -104,7 +105,7 @@ void ParameterJournal::open() noexcept {
     replay();
 }
 
-/// Fills the bytes from the commits that are whole.
+/// Fills the bytes in RAM from the complete commits.
 void ParameterJournal::replay() noexcept {
     for (std::size_t at = 0U; at < bytes_.size(); ++at) {
         bytes_.set(at, blank_byte);
@@ -135,8 +136,8 @@ void ParameterJournal::replay() noexcept {
     }
 }
 
-/// Takes over the lines of commit `number` in the slots from `from` to `last`; among them may be those of a commit that
-/// was cut off.
+/// Copies the lines of commit `number` from the slots `from` to `last`; slots of an interrupted commit among them are
+/// skipped.
 void ParameterJournal::apply(const std::size_t from, const std::size_t last, const std::uint32_t number) noexcept {
     for (std::size_t slot = from; slot <= last; ++slot) {
         Slot content{};
@@ -213,7 +214,7 @@ bool ParameterJournal::append() noexcept {
     return write_lines(active_, changed_count());
 }
 
-/// Begins the other sector with all that is there. Its header comes last: until then the old sector counts.
+/// Starts the other sector with all lines. Its header is written last: until then the old sector is valid.
 bool ParameterJournal::move() noexcept {
     const std::size_t to = spare();
     note_filled_lines();
@@ -241,7 +242,7 @@ bool ParameterJournal::move() noexcept {
     return done;
 }
 
-/// The `lines` lines that have changed go to the next slots.
+/// Writes the `lines` changed lines to the next slots.
 bool ParameterJournal::write_lines(const std::size_t sector, const std::size_t lines) noexcept {
     std::size_t left{lines};
     for (std::size_t line = 0U; line < line_count(); ++line) {
@@ -257,7 +258,7 @@ bool ParameterJournal::write_lines(const std::size_t sector, const std::size_t l
     return true;
 }
 
-/// The word that makes a slot count, its CRC, comes last.
+/// Writes a slot. Its CRC, which makes it valid, is written last.
 bool ParameterJournal::write_slot(const std::size_t sector, const std::size_t line, const bool is_last) noexcept {
     Slot content{};
     content[place_at] = static_cast<std::uint32_t>(line) | (number_ << number_shift) | (is_last ? last_of_commit : 0U);
@@ -289,7 +290,7 @@ std::size_t ParameterJournal::changed_count() const noexcept {
     return count;
 }
 
-/// Lines that hold anything count as changed: a new sector gets them all.
+/// Marks all lines that are not blank as changed, because a new sector needs them all.
 void ParameterJournal::note_filled_lines() noexcept {
     for (std::size_t at = 0U; at < bytes_.size(); ++at) {
         if (bytes_[at] != std::uint32_t{blank_byte}) {

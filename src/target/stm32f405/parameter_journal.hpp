@@ -1,10 +1,10 @@
-// Parameter memory in two sectors of flash. Its bytes lie in RAM; commit() appends the lines that have changed to a
-// journal in one sector, and begins the other sector when the first is full. A power cut at any word leaves what the
-// last commit() left.
+// Parameter memory in two sectors of flash. Its bytes lie in RAM; commit() appends the changed lines to a journal in
+// one sector, and starts the other sector when the first is full. A power cut at any word leaves what the last commit()
+// left.
 //
-// A sector is a header and slots of six words. The header counts once its last word is right, and of two sectors the
-// one with the newer generation counts. A slot is a line of 16 bytes with its place, the number of its commit and a
-// CRC; the lines of a commit count once its last one is there.
+// A sector has a header and slots of six words. The header is valid once its last word is right; of two valid sectors
+// the one with the newer generation is used. A slot has a line of 16 bytes with its place, the number of its commit and
+// a CRC. The lines of a commit are valid once its last slot is complete.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -24,18 +24,18 @@ class ParameterJournal final : public NonVolatileMemory {
     static constexpr std::size_t line_size = 16U;
     static constexpr std::size_t sector_count = 2U;
 
-    /// `bytes`: the memory as it is read, a multiple of 16 and at most 10 KiB; `changed`: a bit a line. Both outlive
-    /// it.
+    /// `bytes`: the RAM copy of the memory, a multiple of 16 and at most 10 KiB; `changed`: one bit per line. Both must
+    /// outlive the journal.
     ParameterJournal(Flash& flash, const std::array<FlashSector, sector_count>& sectors, const MutableBytes bytes,
                      const Slots<std::uint32_t> changed) noexcept
         : NonVolatileMemory{}, flash_{flash}, sectors_{sectors}, bytes_{bytes}, changed_{changed} {}
 
-    /// After power-on, before anything is read: finds what was committed last.
+    /// Restores the last commit; call after power-on, before the first read.
     void open() noexcept;
-    /// Erases the sector that is not in use where that is needed, so that no commit() has to: half a second. False when
-    /// the flash failed.
+    /// Erases the unused sector if necessary, which takes half a second, so that no commit() needs to. Returns false
+    /// when the flash fails.
     bool prepare() noexcept;
-    /// How often a sector was begun: each of the two was erased half as often.
+    /// Returns how many sectors were started; each of the two was erased half as often.
     std::uint32_t generation() const noexcept { return generation_; }
 
     std::size_t size() const override { return bytes_.size(); }
@@ -82,7 +82,7 @@ class ParameterJournal final : public NonVolatileMemory {
     std::size_t active_{no_sector};
     std::size_t next_slot_{1U};
     std::uint32_t generation_{0U};
-    std::uint32_t number_{0U};  ///< of the last commit, whole or not
+    std::uint32_t number_{0U};  ///< of the last commit, complete or not
 };
 
 /// The RAM of a journal of `Size` bytes.

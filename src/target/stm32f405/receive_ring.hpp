@@ -1,4 +1,4 @@
-// Frames on their way from the interrupt to the main loop. One side pushes, the other pops; neither waits.
+// The frames between the interrupt and the main loop. One side pushes, the other pops; neither waits.
 #pragma once
 
 #include <atomic>
@@ -9,11 +9,11 @@ namespace canproof::stm32f405 {
 
 class ReceiveRing {
   public:
-    /// The shortest frame takes 47 µs at 1 Mbit/s: 1.5 ms of a full bus, while the longest cycle of a device takes less
+    /// 32 of the shortest frames (47 µs at 1 Mbit/s) are 1.5 ms of a full bus; the longest cycle of a device takes less
     /// than 1 ms.
     static constexpr std::uint32_t capacity = 32U;
 
-    /// The interrupt's side. Without room the frame is lost, and take_overrun() says so.
+    /// Called by the interrupt. Without room the frame is lost, and take_overrun() reports it.
     void push(const Frame& frame) noexcept {
         const std::uint32_t end = end_.load(std::memory_order_relaxed);
         if ((end - first_.load(std::memory_order_acquire)) == capacity) {
@@ -25,7 +25,7 @@ class ReceiveRing {
     }
     void note_overrun() noexcept { overrun_.store(true, std::memory_order_release); }
 
-    /// The main loop's side.
+    /// Called by the main loop. Returns false when there is no frame.
     bool pop(Frame& frame) noexcept {
         const std::uint32_t first = first_.load(std::memory_order_relaxed);
         const bool any = end_.load(std::memory_order_acquire) != first;
@@ -35,13 +35,13 @@ class ReceiveRing {
         }
         return any;
     }
-    /// Whether a frame was lost since the last call.
+    /// Returns whether a frame was lost since the last call.
     bool take_overrun() noexcept { return overrun_.exchange(false, std::memory_order_acq_rel); }
 
   private:
     std::array<Frame, capacity> frames_{};
-    std::atomic<std::uint32_t> first_{0U};  ///< counts all frames that were popped
-    std::atomic<std::uint32_t> end_{0U};    ///< and all that were pushed
+    std::atomic<std::uint32_t> first_{0U};  ///< counts all popped frames
+    std::atomic<std::uint32_t> end_{0U};    ///< counts all pushed frames
     std::atomic<bool> overrun_{false};
 };
 

@@ -1,5 +1,5 @@
-// One 32-bit register of a peripheral. Two functions touch it and nothing else does: a test links other ones, which
-// hand each access to a model of the peripheral.
+// One 32-bit register of a peripheral. Only read() and write() access it. A test links other definitions of both, which
+// pass each access to a model of the peripheral.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ class Register {
     std::uint32_t read() const noexcept;
     void write(std::uint32_t bits) noexcept;
 
-    /// Whether any bit of `mask` is set.
+    /// Returns whether any bit of `mask` is set.
     bool has(const std::uint32_t mask) const noexcept { return (read() & mask) != 0U; }
-    /// Reads, replaces the bits of `mask` by those of `bits`, writes. Not for registers in which a read or a written 1
-    /// acts.
+    /// Reads the register, replaces the bits of `mask` by those of `bits` and writes it. Not for registers in which a
+    /// read or a written 1 has an effect.
     void replace(const std::uint32_t mask, const std::uint32_t bits) noexcept {
         write((read() & ~mask) | (bits & mask));
     }
@@ -30,11 +30,11 @@ class Register {
 
 static_assert(sizeof(Register) == sizeof(std::uint32_t), "registers lie one behind the other");
 
-/// Room between two registers.
+/// A gap between two registers.
 template <std::size_t Count>
 using Reserved = std::array<std::uint32_t, Count>;
 
-/// Bit `position` (0…31) of a register.
+/// Returns bit `position` (0…31) of a register.
 constexpr std::uint32_t bit(const std::uint32_t position) noexcept {
     return std::uint32_t{1U} << position;
 }

@@ -8,7 +8,7 @@ namespace canproof::stm32f405 {
 void TimeBase::start() noexcept {
     timer_.prescaler.write(timer_mhz_ - 1U);
     timer_.reload.write(UINT32_MAX);
-    timer_.events.write(tim::update);  // the prescaler is taken over with an update (RM0090 18.3.1)
+    timer_.events.write(tim::update);  // an update makes the prescaler effective (RM0090 18.3.1)
     timer_.counter.write(0U);
     timer_.control.write(tim::enable);
     last_ = 0U;

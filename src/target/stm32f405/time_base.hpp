@@ -1,4 +1,4 @@
-// Microseconds in 64 bits from a timer of 32 bits (TIM2, RM0090 chapter 18).
+// A 64-bit count of microseconds from a 32-bit timer (TIM2, RM0090 chapter 18).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -32,12 +32,12 @@ constexpr std::uint32_t update = bit(0U);  // UG of TIMx_EGR
 
 class TimeBase {
   public:
-    /// `timer_mhz`: clock of the timer, a whole number of MHz.
+    /// `timer_mhz`: the clock of the timer, a whole number of MHz.
     TimeBase(TimerRegisters& timer, const std::uint32_t timer_mhz) noexcept : timer_{timer}, timer_mhz_{timer_mhz} {}
 
     void start() noexcept;
-    /// Microseconds since start(). For one caller alone, and due at least once in 71 minutes, after which 32 bits are
-    /// full.
+    /// Returns the microseconds since start(). Only one caller may use it, at least once in 71 minutes, because the
+    /// 32-bit timer then wraps.
     Instant now() noexcept;
 
   private:

@@ -7,7 +7,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// RM0090 21.4: keys, the prescaler that divides 32 kHz by 32, and the flags of a value that is still taken over.
+// Keys, the prescaler that divides 32 kHz by 32, and the flags of a pending new value (RM0090 21.4).
 constexpr std::uint32_t key_start = 0xCCCCU;
 constexpr std::uint32_t key_access = 0x5555U;
 constexpr std::uint32_t key_refresh = 0xAAAAU;

@@ -1,5 +1,5 @@
-// The independent watchdog: a counter on an oscillator of its own that resets the chip unless it is refreshed, and that
-// nothing stops (RM0090 chapter 21).
+// The independent watchdog: a counter with its own oscillator that resets the chip unless it is refreshed. Nothing
+// stops it (RM0090 chapter 21).
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -15,17 +15,17 @@ struct WatchdogRegisters {
 
 class Watchdog {
   public:
-    /// Milliseconds at the oscillator's 32 kHz. It runs at 17 to 47 kHz (data sheet): 0.68 to 1.9 s, more than the 0.5
-    /// s for which an erase of 16 KiB stops the processor.
+    /// Period in ms at the nominal 32 kHz. The oscillator runs at 17 to 47 kHz (data sheet): 0.68 to 1.9 s, longer than
+    /// the 0.5 s for which an erase of 16 KiB stops the processor.
     static constexpr std::uint32_t period_ms = 1000U;
-    /// The oscillator takes over a new value within five of its cycles; a poll takes at least six cycles of 168 MHz.
+    /// A new value becomes effective within five cycles of the oscillator; a poll takes at least six cycles at 168 MHz.
     static constexpr std::uint32_t usual_polls = 1000000U;
 
     explicit Watchdog(WatchdogRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
         : registers_{registers}, most_polls_{most_polls} {}
 
-    /// From now on refresh() is due within period_ms. False when the period was not taken over: it is then the longest
-    /// or the shortest that the hardware has.
+    /// Starts the watchdog: from now on refresh() is due within period_ms. Returns false when the period was not
+    /// accepted: it is then the longest or the shortest of the hardware.
     bool start() noexcept;
     void refresh() noexcept;
 

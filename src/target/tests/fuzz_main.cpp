@@ -1,4 +1,4 @@
-// Plays a fuzz target's corpus: --list=FILE names its files, one a line; --work=FILE and --every-work=FILE take the
+// Runs a fuzz target's corpus: --list=FILE names its files, one per line; --work=FILE and --every-work=FILE record the
 // instructions of each frame. A violated invariant ends the image with a status other than 0.
 #include <cstdint>
 #include <cstdio>

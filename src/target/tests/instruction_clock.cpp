@@ -23,7 +23,7 @@ constexpr std::uint32_t enabled = 1U;
 constexpr std::uint32_t processor_clock = 1U << 2U;
 constexpr std::uint32_t has_wrapped = 1U << 16U;
 
-/// 16 ns at 168 MHz are 2.688 ticks: 336 ticks for 125 instructions.
+/// Converts ticks to instructions: 16 ns at 168 MHz are 2.688 ticks, so 336 ticks are 125 instructions.
 std::uint32_t instructions_of(std::uint32_t ticks) {
     return static_cast<std::uint32_t>((std::uint64_t{ticks} * 125U + 168U) / 336U);
 }
@@ -38,8 +38,8 @@ InstructionClock::InstructionClock() {
 }
 
 void InstructionClock::start() const {
-    timer().value = 0;                   // any write begins anew
-    static_cast<void>(timer().control);  // reading clears has_wrapped
+    timer().value = 0;                   // any write restarts the count
+    static_cast<void>(timer().control);  // a read clears has_wrapped
 }
 
 std::uint32_t InstructionClock::instructions() const {

@@ -1,5 +1,6 @@
-// Instructions between two points, by SysTick: under `qemu -icount shift=4` each instruction takes 16 ns of the virtual
-// clock, by which SysTick runs at 168 MHz. A count, not a time: neither flash wait states nor the pipeline are in it.
+// Counts the instructions between two points with SysTick. Under `qemu -icount shift=4` each instruction takes 16 ns of
+// the virtual clock, and SysTick runs at 168 MHz. The result is a count, not a time: it excludes flash wait states and
+// the pipeline.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,11 @@ namespace canproof::target {
 
 class InstructionClock {
   public:
-    /// Measures what measuring itself takes.
+    /// Measures the instructions of the measurement itself.
     InstructionClock();
 
     void start() const;
-    /// Since start(); right to one instruction, up to six million. UINT32_MAX beyond.
+    /// Returns the instructions since start(), accurate to one instruction, up to six million; UINT32_MAX beyond.
     std::uint32_t instructions() const;
 
   private:

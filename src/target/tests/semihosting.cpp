@@ -16,7 +16,7 @@ namespace canproof::target {
 
 namespace {
 
-/// Arm semihosting 2.0: BKPT ABh with the operation in r0 and its block in r1.
+/// Calls Arm semihosting 2.0: BKPT ABh with the operation in r0 and its block in r1.
 int semihost(int operation, const void* block) {
     register int r0 asm("r0") = operation;
     register const void* r1 asm("r1") = block;
@@ -26,7 +26,8 @@ int semihost(int operation, const void* block) {
 
 constexpr int sys_get_cmdline = 0x15;
 
-/// Without it newlib's abort() would end the image with 1, the status of a failed test, and without a word.
+/// Ends the image when the heap is used up. Newlib's abort() would end it with 1, the status of a failed test, and
+/// without a message.
 [[noreturn]] void heap_is_used_up() {
     std::fputs("the heap is used up\n", stderr);
     std::_Exit(71);
@@ -70,14 +71,14 @@ std::string take_option(std::vector<std::string>& words, const std::string& name
 
 }  // namespace canproof::target
 
-/// Any exception of the processor: an image for QEMU ends with 70, the status of an internal software error.
+/// Handles any exception of the processor: the image ends with 70, the status of an internal software error.
 void fault() {
     std::fputs("fault\n", stderr);
     std::exit(70);
 }
 
-// What start-up code of a hosted program would define: nothing is destroyed at the end of an image. And what GoogleTest
-// asks about folders: they are there.
+// Definitions that the start-up code of a hosted program would provide (nothing is destroyed at the end of an image),
+// and answers to GoogleTest's questions about folders (they exist).
 extern "C" {
 void* __dso_handle = nullptr;
 void _fini() {}

@@ -1,4 +1,4 @@
-// What an image in QEMU needs of the machine around it.
+// The functions that an image in QEMU needs from the machine around it.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace canproof::target {
 
-/// Opens the console and gives the words of the command line, the image's own name first.
+/// Opens the console and returns the words of the command line, the image's own name first.
 std::vector<std::string> begin_image();
 
-/// The value of `--name=value` among `words`, taken out of them; empty without it.
+/// Removes `--name=value` from `words` and returns the value; empty when it is absent.
 std::string take_option(std::vector<std::string>& words, const std::string& name);
 
 }  // namespace canproof::target

@@ -1,4 +1,4 @@
-// The conformance slave from its generated tables: no register is read on the microcontroller.
+// The conformance slave made from its generated tables: the microcontroller cannot read a requirements register.
 #include "tests/support/slave.hpp"
 
 #include "generated/slave/objects.hpp"

@@ -1,4 +1,5 @@
-// slave_tables DIR: writes the tables of the conformance slave, which the target cannot read from its register.
+// slave_tables DIR writes the tables of the conformance slave, because the target cannot read its requirements
+// register.
 #include <iostream>
 
 #include "host/codegen/write_all.hpp"

@@ -1,5 +1,5 @@
-// Runs the tests of an image: arguments of GoogleTest, --verdicts=FILE, --frame-log=FILE, --work=FILE and
-// --every-work=FILE; --shard=I/N runs every Nth test from the Ith.
+// Runs the tests of an image. Options: those of GoogleTest, --verdicts=FILE, --frame-log=FILE, --work=FILE and
+// --every-work=FILE; --shard=I/N runs every Nth test, starting with the Ith.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -21,7 +21,7 @@ std::string running_test() {
     return test == nullptr ? "-" : std::string{test->test_suite_name()} + "." + test->name();
 }
 
-/// `passed Suite.Test` a line. GoogleTest's own XML would need the whole report in RAM at once.
+/// Writes a line `passed Suite.Test` per test. GoogleTest's own XML would need the whole report in RAM at once.
 class Verdicts : public testing::EmptyTestEventListener {
   public:
     explicit Verdicts(const std::string& path) : file_{std::fopen(path.c_str(), "wb")} {}

@@ -10,7 +10,8 @@ namespace canproof::target {
 
 namespace {
 
-/// Its texts take their memory at once: a short one in the midst of a free 64 KiB would leave no room for a DOMAIN.
+/// The worst work of a kind. Its texts reserve memory at once: a short text in the middle of a free 64 KiB block would
+/// leave no room for a DOMAIN.
 struct Dearest {
     explicit Dearest(const char* name) : kind{name} {
         what.reserve(40);
@@ -19,7 +20,7 @@ struct Dearest {
 
     const char* kind;
     std::uint32_t count{0};
-    std::uint32_t worth{0};  ///< what it is the dearest by
+    std::uint32_t worth{0};  ///< the figure that is compared
     std::uint32_t instructions{0};
     std::uint32_t bits{0};
     std::string what{"-"};
@@ -30,8 +31,8 @@ enum Kind : std::size_t { power_on, frame, tick, command, share };
 std::array<Dearest, 5> dearest{Dearest{"power_on"}, Dearest{"frame"}, Dearest{"tick"}, Dearest{"command"},
                                Dearest{"share"}};
 
-/// Frames that command more than a service: NMT reset node and reset communication, LSS switch state global (to
-/// waiting, it resets the communication) and store configuration; SDO writes of 1010h and 1011h.
+/// Returns whether a frame is a rare command: NMT reset node or reset communication, LSS switch state global (to
+/// waiting, it resets the communication) or store configuration, or an SDO write of 1010h or 1011h.
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
     const bool stores = text.rfind("7E5#17", 0) == 0;
@@ -40,13 +41,13 @@ bool is_command(const std::string& text) {
     return resets || stores || index == "1010" || index == "1110";
 }
 
-/// Least bits that a frame takes on the bus: 44 and its data, no stuff bits, three between frames (ISO 11898-1).
+/// Returns the fewest bits of a frame on the bus: 44 and its data, no stuff bits, three between frames (ISO 11898-1).
 std::uint32_t bits_of(const Frame& frame) {
     const std::uint32_t data = frame.remote ? 0 : 8U * frame.length;
     return 47 + data + (frame.extended ? 20 : 0);
 }
 
-/// The 11 bits that decide first which of two frames has the bus.
+/// Returns the 11 bits that arbitration compares first.
 std::uint32_t base_identifier(const Frame& frame) {
     return frame.extended ? frame.id >> 18U : frame.id;
 }
@@ -66,7 +67,7 @@ void note(Kind which, std::uint32_t worth, const Dearest& one) {
 std::uint32_t counted = 0;
 std::FILE* every_work = nullptr;
 
-// The work that was counted last: what the device sends because of it follows.
+// The last counted work; frames that the device sends because of it follow.
 Dearest last{"-"};
 test::Work last_work = test::Work::tick;
 std::uint32_t received = 0;
@@ -78,7 +79,7 @@ void write_line(std::FILE* file, const char* kind, std::uint32_t count, const De
                  one.where.c_str());
 }
 
-/// Nothing more is sent because of the last work.
+/// Records the last work: no more frames follow because of it.
 void finish() {
     if (!waits) {
         return;
@@ -92,7 +93,7 @@ void finish() {
     }
     note(kind, last.instructions, last);
     if (kind == frame) {
-        constexpr std::uint32_t parts = 256;  // of an instruction
+        constexpr std::uint32_t parts = 256;  // fractions of an instruction
         note(share, last.instructions * parts / last.bits, last);
     }
 }

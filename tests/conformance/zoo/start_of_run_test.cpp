@@ -1,5 +1,5 @@
-// How a run of conformance cases begins with a slave that is wrong from its first answer on: what it does wrongly is
-// reported, and the cases run. A slave of which nothing comes ends the run.
+// Start of a run of conformance cases with a slave that is wrong from its first answer on: its faults are reported, and
+// the cases run. A slave that sends nothing ends the run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,18 +39,18 @@ const Distortion& fault(const std::string& id) {
 
 }  // namespace
 
-TEST(StartOfARun, ReportsNoTroubleWithACorrectSlave) {
+TEST(StartOfARun, NoTroubleIsReportedWithACorrectSlave) {
     EXPECT_THAT(run_one_case({}, "sdo-device-type").troubles, IsEmpty());
 }
 
-TEST(StartOfARun, ReportsAValueThatTheSlaveSendsWronglyAndRunsTheCases) {
+TEST(StartOfARun, WrongValueIsReportedAndTheCasesRun) {
     const conform::ConformReport report = run_one_case(fault("sdo-upload-size"), "sdo-device-type");
     EXPECT_THAT(report.troubles, Contains("1008h:00 cannot be read: 18 bytes announced, 17 sent"));
     ASSERT_EQ(report.results.size(), 1U);
     EXPECT_EQ(report.results.front().verdict, Verdict::passed);
 }
 
-TEST(StartOfARun, ReportsAMissingBootUpMessageAndRunsTheCases) {
+TEST(StartOfARun, MissingBootUpMessageIsReportedAndTheCasesRun) {
     const conform::ConformReport report = run_one_case(fault("nmt-no-boot-up"), "sdo-device-type");
     EXPECT_THAT(report.troubles, ElementsAre("no boot-up message after reset node"));
     ASSERT_EQ(report.results.size(), 1U);
@@ -58,7 +58,7 @@ TEST(StartOfARun, ReportsAMissingBootUpMessageAndRunsTheCases) {
     EXPECT_THAT(report.results.front().notes, ElementsAre("the slave sends no boot-up message, or not each time"));
 }
 
-TEST(StartOfARun, EndsWithASlaveThatSaysNothing) {
+TEST(StartOfARun, RunEndsWithASlaveThatDoesNotAnswer) {
     const Distortion silent = keeps_back([](WrongSlave&, const Frame&) { return true; });
     EXPECT_THROW(run_one_case(silent, "sdo-device-type"), host::InputError);
 }

@@ -1,5 +1,5 @@
-// Angles, frames, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read in
-// hundredths of a degree, accelerations in thousandths of g.
+// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read
+// in hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -22,7 +22,7 @@ using Row = std::vector<int>;
 
 }  // namespace
 
-TEST_F(Angles, ALevelUnitReadsZeroAndFeelsMinus1gOnZ) {
+TEST_F(Angles, LevelUnitReadsZeroAndMeasuresMinus1gOnZ) {
     verifies<req::INC_ANGLE_001, req::INC_ANGLE_006, req::INC_INSTALL_002, req::INC_S_ACCELERATION_X,
              req::INC_S_ACCELERATION_Y, req::INC_S_ACCELERATION_Z>();
     verifies<req::INC_OD_4000, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050>();
@@ -47,7 +47,7 @@ TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Angles, TiltAsShippedAndEulerBy2100hAtOnce) {
+TEST_F(Angles, AngleTypeIsTiltAsShippedAndEulerAtOnceBy2100h) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -58,7 +58,7 @@ TEST_F(Angles, TiltAsShippedAndEulerBy2100hAtOnce) {
     EXPECT_EQ(refusal(0x2100, 0, 2, 1), "06090031");
 }
 
-TEST_F(Angles, ReachTheWholeTurn) {
+TEST_F(Angles, AnglesCoverTheWholeTurn) {
     verifies<req::INC_ANGLE_013, req::INC_ANGLE_003, req::INC_ANGLE_005>();
     EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{15000, 18000, 15000}));
     EXPECT_EQ(angles_at(-0.5, 0.0, 0.8660254), (Row{-15000, 18000, 15000}));
@@ -70,22 +70,22 @@ TEST_F(Angles, ReachTheWholeTurn) {
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], -9000);
 }
 
-TEST_F(Angles, TiltJumpsWhereGzChangesItsSign) {
+TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007>();
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0001), (Row{15000, 12000, 9001}));
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));  // no hysteresis
 }
 
-TEST_F(Angles, TurningAboutTheVerticalChangesNothing) {
+TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
-    // The same attitude with yaw 90: what the unit feels is R(roll) R(pitch) R(yaw) of the vertical, and the turn about
-    // the vertical leaves the vertical as it is: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    // The same attitude with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical, and a turn about the
+    // vertical does not change the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
 }
 
-TEST_F(Angles, TiltRollGoesOnInGimbalLock) {
+TEST_F(Angles, TiltRollIsMeasuredInGimbalLock) {
     verifies<req::INC_ANGLE_008>();
     angles_of(0.0, 40.0);
     EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
@@ -99,14 +99,14 @@ TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
     write_real(0x2210, 0, 90.0F);
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
-    // The unit's X axis points where the machine's forward axis would after the pitch: 1 g along it is felt as
-    // (cos 30, 0, -sin 30) by the machine.
+    // The X axis of the unit points where the forward axis of the machine would point after the pitch: 1 g along it is
+    // (cos 30, 0, -sin 30) in the machine frame.
     feel(1.0, 0.0, 0.0);
     pass(5);
     EXPECT_EQ(accelerations(), (Row{866, 0, -500}));
 }
 
-TEST_F(Angles, InitialAnglesHaveTheirRanges) {
+TEST_F(Angles, InitialAnglesOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_2200, req::INC_OD_2210>();
     const auto bits = [](float value) { return bits_of(value); };
     EXPECT_EQ(refusal(0x2200, 0, bits(90.0F), 4), "");
@@ -130,7 +130,7 @@ TEST_F(Angles, AutoNullTakesThePresentPositionAsLevel) {
     EXPECT_EQ(refusal(0x2300, 0, 2, 1), "06090031");
 }
 
-TEST_F(Angles, AutoNullMeasuresTheUnitNotTheMachine) {
+TEST_F(Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
     verifies<req::INC_INSTALL_003, req::INC_INSTALL_004>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);
@@ -141,14 +141,14 @@ TEST_F(Angles, AutoNullMeasuresTheUnitNotTheMachine) {
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
 }
 
-TEST_F(Angles, Writing0To2300hDoesNothing) {
+TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     verifies<req::INC_INSTALL_003, req::INC_OD_2300>();
     write(0x2050, 2, 1, 1);
     angles_of(0.0, 40.0);
     pass(5);
     EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
     write(0x2300, 0, 0, 1);
-    EXPECT_EQ(roll(), 2000);  // the average goes on
+    EXPECT_EQ(roll(), 2000);  // the average continues
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);
@@ -161,12 +161,12 @@ TEST_F(Angles, AutoNullWorksBehindTheInputFilter) {
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
     turn(10.0, 0.0);
-    pass(5);  // one sample of 1 Hz has covered 3 % of the way
+    pass(5);  // one sample at 1 Hz has covered 3 % of the step
     write(0x2300, 0, 1, 1);
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
 
-TEST_F(Angles, AutoNullIsRefusedWhereThereIsNoRollOrNoDirection) {
+TEST_F(Angles, AutoNullIsRefusedWithoutADefinedRollOrDirection) {
     verifies<req::INC_INSTALL_005>();
     const auto expect_refused = [this](const char* why) {
         EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
@@ -187,7 +187,7 @@ TEST_F(Angles, AutoNullIsRefusedWhereThereIsNoRollOrNoDirection) {
     expect_refused("accelerometer error");
 }
 
-TEST_F(Angles, AFailedSensorKeepsItsAccelerationsWhateverTheFrame) {
+TEST_F(Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
     verifies<req::INC_FV_007>();
     feel(0.25, -0.5, 0.75);
     pass(5);
@@ -203,7 +203,7 @@ TEST_F(Angles, AFailedSensorKeepsItsAccelerationsWhateverTheFrame) {
     EXPECT_EQ(accelerations(), (Row{250, -750, -500})) << "rolled by 90 degrees: y = -z, z = y of the unit";
 }
 
-TEST_F(Angles, AutoNullIsLostWithAResetUnlessStored) {
+TEST_F(Angles, AutoNullIsLostAtAResetUnlessStored) {
     verifies<req::INC_INSTALL_006, req::INC_OD_2300>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);
@@ -217,7 +217,7 @@ TEST_F(Angles, AutoNullIsLostWithAResetUnlessStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Angles, CalibrationUndoesThePositionOfTheSensorFirst) {
+TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
     verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401>();
     factory.calibration = {30.0F, 90.0F};
     power_on();
@@ -228,12 +228,12 @@ TEST_F(Angles, CalibrationUndoesThePositionOfTheSensorFirst) {
     EXPECT_EQ(real(0x2401), 90.0F);
     EXPECT_EQ(refusal(0x2400, 0, 0, 4), "06010002");
     EXPECT_EQ(refusal(0x2401, 0, 0, 4), "06010002");
-    // The initial angles act on what the calibration gives: the unit is level, so roll 10 reads as -10.
+    // The initial angles act on the calibrated value: the unit is level, so roll 10 reads as -10.
     write_real(0x2210, 0, 10.0F);
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
 
-TEST_F(Angles, ANewFrameRestartsTheAdditionalFilters) {
+TEST_F(Angles, NewInitialAnglesRestartTheAdditionalFilters) {
     verifies<req::INC_INSTALL_008>();
     write(0x2050, 1, 1, 1);
     write(0x2051, 1, 100, 2);
@@ -255,7 +255,7 @@ TEST_F(Angles, ANewFrameRestartsTheAdditionalFilters) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Angles, AreInvertedBy2031hAndAccelerationsBy2011h) {
+TEST_F(Angles, AnglesAreInvertedBy2031hAndAccelerationsBy2011h) {
     verifies<req::INC_FV_004, req::INC_OD_2011, req::INC_OD_2031>();
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     EXPECT_EQ(accelerations(), (Row{-500, -500, -707}));
@@ -277,7 +277,7 @@ TEST_F(Angles, AreInvertedBy2031hAndAccelerationsBy2011h) {
     EXPECT_EQ(refusal(0x2011, 1, 2, 1), "06090031");
 }
 
-TEST_F(Angles, CountOneUnitByDecimalDigits) {
+TEST_F(Angles, ResolutionFollowsTheDecimalDigits) {
     verifies<req::INC_FV_003, req::INC_OD_2010, req::INC_OD_2030>();
     angle_digits(1);
     acceleration_digits(1);
@@ -321,7 +321,7 @@ TEST_F(Angles, FieldValuesAreScaledOffsetRoundedAndSaturated) {
     EXPECT_EQ(accelerations(), (Row{353, 20, -909}));  // sin 20.04 = 0.3427, cos 20.04 = 0.9395
 }
 
-TEST_F(Angles, OffsetsTakeFloatsAndNothingElse) {
+TEST_F(Angles, OffsetsRefuseInfinityNanAndValuesBeyondTheirLimits) {
     verifies<req::INC_OD_2020, req::INC_OD_2040>();
     for (const std::uint16_t index : std::vector<std::uint16_t>{0x2020, 0x2040}) {
         EXPECT_EQ(refusal(index, 1, bits_of(4294967295.0F), 4), "");
@@ -348,7 +348,7 @@ class RangedAngles : public Angles {
 
 }  // namespace
 
-TEST_F(RangedAngles, FullTurnHas360DegreesOnPitchAndRoll) {
+TEST_F(RangedAngles, FullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, 2700, 900}));
@@ -356,10 +356,10 @@ TEST_F(RangedAngles, FullTurnHas360DegreesOnPitchAndRoll) {
     EXPECT_EQ(angles_of(30.0, 0.0), (Row{300, 0, 300}));
     write(0x2031, 1, 1, 1);
     EXPECT_EQ(angles(), (Row{-300, 0, 300}));
-    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after it was brought into its range
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after the conversion to its range
 }
 
-TEST_F(RangedAngles, RightAngleHasTheDistanceFromTheLevel) {
+TEST_F(RangedAngles, RightAngleGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{300, 0, 300}));
@@ -367,7 +367,7 @@ TEST_F(RangedAngles, RightAngleHasTheDistanceFromTheLevel) {
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
 }
 
-TEST_F(RangedAngles, HalfTurnsAreAsShippedAndNoObjectShowsTheRange) {
+TEST_F(RangedAngles, HalfTurnIsAsShippedAndNoObjectShowsTheRange) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     angle_digits(10);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));
@@ -377,7 +377,7 @@ TEST_F(RangedAngles, HalfTurnsAreAsShippedAndNoObjectShowsTheRange) {
     }
 }
 
-TEST_F(RangedAngles, AVerticalMountReadsItsRollRoundTheWholeTurn) {
+TEST_F(RangedAngles, VerticalMountReadsRollOverTheWholeTurn) {
     verifies<req::INC_RANGE_003>();
     start_with(ax060805::AngleConfiguration::full_turn);
     use_euler_angles();

@@ -1,4 +1,4 @@
-// What stays in the AX060805's list of active errors, 1003h (4.2.4), node 127: emergency messages on 0FFh.
+// Errors that stay in the list of active errors of the AX060805, 1003h (4.2.4), node 127: emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_errors.hpp"
@@ -12,7 +12,7 @@ using List = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_F(Ax060805Errors, TheEndOfABusOffPushesNoActiveErrorOutOfTheList) {
+TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
     verifies<req::INC_ERR_002, req::INC_ERR_008, req::CO_EMCY_010>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
@@ -26,7 +26,7 @@ TEST_F(Ax060805Errors, TheEndOfABusOffPushesNoActiveErrorOutOfTheList) {
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
 
-TEST_F(Ax060805Errors, AResetOfTheCommunicationKeepsTheOrderOfTheList) {
+TEST_F(Ax060805Errors, ResetCommunicationKeepsTheOrderOfTheErrorList) {
     verifies<req::INC_ERR_002, req::CO_EMCY_011>();
     write(0x1029, 2, 1, 1);
     fail_accelerometer();
@@ -42,14 +42,14 @@ TEST_F(Ax060805Errors, AResetOfTheCommunicationKeepsTheOrderOfTheList) {
     EXPECT_EQ(listed(), (List{0x0000FF00, 0x00004200}));
 }
 
-TEST_F(Ax060805Errors, AResetOfTheCommunicationDoesNotFillAListThatWasEmptied) {
+TEST_F(Ax060805Errors, ResetCommunicationDoesNotRefillAnEmptiedErrorList) {
     verifies<req::INC_ERR_003, req::CO_EMCY_011>();
     fail_accelerometer();
     write(0x1003, 0, 0, 1);
     EXPECT_EQ(listed(), (List{}));
     send("000#8200");
     EXPECT_EQ(listed(), (List{}));
-    EXPECT_EQ(read(0x1001), 1U);  // it lasts
+    EXPECT_EQ(read(0x1001), 1U);  // the error is still active
 }
 
 }  // namespace canproof::test

@@ -15,7 +15,7 @@ using List = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_F(Ax060805Errors, AnAccelerometerFaultIsFF00h) {
+TEST_F(Ax060805Errors, AccelerometerFaultIsFF00h) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
              req::INC_S_ACCELEROMETER_FAULT>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
@@ -27,7 +27,7 @@ TEST_F(Ax060805Errors, AnAccelerometerFaultIsFF00h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, WhatIsNoAccelerationIsAFaultToo) {
+TEST_F(Ax060805Errors, NanOrOutOfRangeAccelerationIsAnAccelerometerFault) {
     verifies<req::INC_ERR_006, req::INC_K_SENSOR_RANGE, req::INC_S_ACCELERATION_X, req::INC_S_ACCELERATION_Y,
              req::INC_S_ACCELERATION_Z>();
     struct Row {
@@ -48,7 +48,7 @@ TEST_F(Ax060805Errors, WhatIsNoAccelerationIsAFaultToo) {
     }
 }
 
-TEST_F(Ax060805Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
+TEST_F(Ax060805Errors, SensorTemperatureOutsideItsRangeOf165DegreesIs4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
              req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
     EXPECT_EQ(read(0x4020), 0U);
@@ -65,7 +65,7 @@ TEST_F(Ax060805Errors, ASensorTemperatureOutsideIts165DegreesIs4200h) {
     EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, TheGraverConditionIsTheFigureOfMerit) {
+TEST_F(Ax060805Errors, WorseConditionDeterminesTheFigureOfMerit) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
     heat(130.0F);
     fail_accelerometer();
@@ -73,10 +73,10 @@ TEST_F(Ax060805Errors, TheGraverConditionIsTheFigureOfMerit) {
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
     feel(0.0, 0.0, 0.0);
-    pass(100);  // the input filter needs its time to lose 1 g
+    pass(100);  // the input filter needs time until 1 g has decayed
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // all three
+    fail_accelerometer();  // all three conditions
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
@@ -89,7 +89,7 @@ TEST_F(Ax060805Errors, TheGraverConditionIsTheFigureOfMerit) {
     EXPECT_EQ(read(0x4020), 0U);
 }
 
-TEST_F(Ax060805Errors, AFailedSensorsValuesStay) {
+TEST_F(Ax060805Errors, ValuesOfAFailedSensorStay) {
     verifies<req::INC_FV_007>();
     turn(30.0, 0.0);
     pass(1000);
@@ -103,13 +103,13 @@ TEST_F(Ax060805Errors, AFailedSensorsValuesStay) {
     EXPECT_EQ(pitch(), -60);
 }
 
-TEST_F(Ax060805Errors, AResetWithAFailedSensorShowsWhatPowerOnShows) {
+TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     verifies<req::INC_FV_007, req::CO_NMT_005>();
     turn(30.0, 0.0);
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // there has been no sample since
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no sample was taken since
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -142,7 +142,7 @@ TEST_F(Ax060805Errors, SensorErrorsChangeTheStateBy1029hSub2) {
     EXPECT_EQ(refusal(0x1029, 2, 3, 1), "06090031");
 }
 
-TEST_F(Ax060805Errors, TheMasterMayStartANodeWhoseErrorLasts) {
+TEST_F(Ax060805Errors, MasterMayStartANodeWhoseErrorLasts) {
     verifies<req::INC_ERR_011>();
     send("000#0100");
     fail_accelerometer();
@@ -152,7 +152,7 @@ TEST_F(Ax060805Errors, TheMasterMayStartANodeWhoseErrorLasts) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Ax060805Errors, AHotSensorHoldsTheNodeBackAfterAResetOfTheCommunication) {
+TEST_F(Ax060805Errors, HotSensorPreventsTheSelfStartAfterResetCommunication) {
     verifies<req::INC_ERR_011, req::INC_START_001>();
     write(0x5555, 0, 1, 1);
     write(0x1029, 2, 0, 1);
@@ -167,7 +167,7 @@ TEST_F(Ax060805Errors, AHotSensorHoldsTheNodeBackAfterAResetOfTheCommunication) 
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Ax060805Errors, OneThatCameAndWentWithoutANodeIdIsNotTold) {
+TEST_F(Ax060805Errors, ErrorThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
     verifies<req::INC_ERR_007, req::INC_LSS_002>();
     for (const char* request : {"7E5#0401", "7E5#11FF", "7E5#17"}) {
         send(request);
@@ -180,7 +180,7 @@ TEST_F(Ax060805Errors, OneThatCameAndWentWithoutANodeIdIsNotTold) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00"}));
 }
 
-TEST_F(Ax060805Errors, AreToldWithASampleNotWithTheFilters) {
+TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     verifies<req::INC_ERR_005, req::INC_FILTER_001>();
     write(0x2052, 0, 7, 2);
     pass(6);
@@ -189,7 +189,7 @@ TEST_F(Ax060805Errors, AreToldWithASampleNotWithTheFilters) {
     EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10, not at 7
 }
 
-TEST_F(Ax060805Errors, OneThatLastsThroughAResetIsToldAgain) {
+TEST_F(Ax060805Errors, ErrorThatOutlastsAResetIsReportedAgain) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
     fail_accelerometer();
     EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));
@@ -199,7 +199,7 @@ TEST_F(Ax060805Errors, OneThatLastsThroughAResetIsToldAgain) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-TEST_F(Ax060805Errors, TheListHoldsFourActiveErrors) {
+TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
     verifies<req::INC_ERR_002, req::INC_OD_1003>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
@@ -218,12 +218,12 @@ TEST_F(Ax060805Errors, TheListHoldsFourActiveErrors) {
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
     heat(25.0F);
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
-    fail_accelerometer(false);  // its entry was pushed out
+    fail_accelerometer(false);  // its entry was removed from the list
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
     EXPECT_EQ(read(0x1003, 4), 0U);
 }
 
-TEST_F(Ax060805Errors, TheListCanBeClearedWhileErrorsLast) {
+TEST_F(Ax060805Errors, ErrorListCanBeClearedWhileErrorsLast) {
     verifies<req::INC_ERR_003, req::INC_OD_1003>();
     fail_accelerometer();
     EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
@@ -238,7 +238,7 @@ TEST_F(Ax060805Errors, TheListCanBeClearedWhileErrorsLast) {
     EXPECT_EQ(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805Errors, TheErrorRegisterIs1WhileAnyErrorLasts) {
+TEST_F(Ax060805Errors, ErrorRegisterIs1WhileAnyErrorLasts) {
     verifies<req::INC_ERR_001, req::INC_OD_1001>();
     heat(130.0F);
     inputs.can_overrun = true;
@@ -260,7 +260,7 @@ TEST_F(Ax060805Errors, LostFramesAre8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
+TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
     verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
@@ -268,14 +268,14 @@ TEST_F(Ax060805Errors, TheEndOfABusOffIs8140hAndErrorPassiveIsNotTold) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), (Frames{}));
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // nothing lasts: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: 1001h reads 0
     EXPECT_EQ(read(0x1001), 0U);
     EXPECT_EQ(listed(), (List{}));
     pass(1000);
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, AMissingHeartbeatNamesItsNode) {
+TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
     write(0x1016, 1, 0x002200C8, 4);  // node 22h, 200 ms
     pass(1000);                       // nothing is expected before the first heartbeat
@@ -291,7 +291,7 @@ TEST_F(Ax060805Errors, AMissingHeartbeatNamesItsNode) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, AMissingGuardingRequestIs1000h) {
+TEST_F(Ax060805Errors, MissingGuardingRequestIs1000h) {
     verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
@@ -306,7 +306,7 @@ TEST_F(Ax060805Errors, AMissingGuardingRequestIs1000h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
+TEST_F(Ax060805Errors, OverdueRpdoIs8250h) {
     verifies<req::INC_ERR_009, req::INC_ERR_010, req::INC_T22, req::INC_OD_1400>();
     write(0x1400, 5, 100, 2);
     pass(1000);
@@ -323,7 +323,7 @@ TEST_F(Ax060805Errors, AnRpdoThatDoesNotComeAgainIs8250h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, AnRpdoTooShortIs8210h) {
+TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
     verifies<req::INC_ERR_009, req::INC_T22>();
     send("000#0100");
     EXPECT_EQ(send("27F#0000000000"), (Frames{"0FF#1082010000000000"}));
@@ -350,7 +350,7 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
+TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);
@@ -366,8 +366,8 @@ TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-// The boot-up message is lost, what the boot reported of errors is not.
-TEST_F(Ax060805Errors, ADamagedSetFoundAtPowerOnInBusOffIsReportedAfterIt) {
+// The boot-up message is lost, the errors found at boot-up are not.
+TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::INC_ERR_012, req::CO_EMCY_017>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;

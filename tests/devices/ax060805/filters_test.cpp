@@ -21,7 +21,7 @@ class Filters : public InclinometerTest {
         write(0x2050, angle, type, 1);
         write(0x2051, angle, constant, 2);
     }
-    /// Pitch in hundredths after it stood at each of these angles for one period of the filter.
+    /// Returns the pitch in hundredths after each of these angles was applied for one filter period.
     Row pitches(const std::vector<double>& stands, std::uint64_t period) {
         Row all;
         for (const double angle : stands) {
@@ -35,7 +35,7 @@ class Filters : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Filters, TheSensorIsSampledEach5ms) {
+TEST_F(Filters, SensorIsSampledEvery5ms) {
     verifies<req::INC_FILTER_001, req::INC_K_SAMPLE_PERIOD>();
     switch_filter_off();
     EXPECT_EQ(device->next_deadline().us, 5000U);
@@ -52,27 +52,27 @@ TEST_F(Filters, TheSensorIsSampledEach5ms) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Filters, TheFirstSampleIsTakenAtStartAsItIs) {
+TEST_F(Filters, FirstSampleIsTakenUnfilteredAtStart) {
     verifies<req::INC_FILTER_001, req::INC_FILTER_005>();
     turn(30.0, 0.0);
     power_on();
     EXPECT_EQ(pitch(), 30);
 }
 
-TEST_F(Filters, ASampleCoversItsShareOfAStep) {
+TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     verifies<req::INC_FILTER_002, req::INC_OD_2002, req::INC_OD_2003>();
     feel(1.0, 0.0, -1.0);
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 145);  // 1 - exp(-2 pi 5 0.005) = 0.1454
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 270);  // 1 - 0.85464^2 = 0.2696
-    write(0x2003, 0, 50, 1);           // goes on from there
+    write(0x2003, 0, 50, 1);           // continues from there
     EXPECT_EQ(value(0x4000, 1), 270);
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
 }
 
-TEST_F(Filters, At1HzIsTheSlowestAnd50HzTheFastest) {
+TEST_F(Filters, InputFilterTakes1To50Hz) {
     verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
     EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
     EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
@@ -82,7 +82,7 @@ TEST_F(Filters, At1HzIsTheSlowestAnd50HzTheFastest) {
     EXPECT_EQ(value(0x4000, 1), 31);  // 0.030928
 }
 
-TEST_F(Filters, SettlesTo95PercentWithin200msWithoutOvershoot) {
+TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
     verifies<req::INC_FILTER_003>();
     turn(30.0, 0.0);
     int last = 0;
@@ -97,7 +97,7 @@ TEST_F(Filters, SettlesTo95PercentWithin200msWithoutOvershoot) {
     EXPECT_EQ(last, 3000);
 }
 
-TEST_F(Filters, SwitchedOffEverySamplePasses) {
+TEST_F(Filters, SwitchedOffInputFilterPassesEverySample) {
     verifies<req::INC_FILTER_004, req::INC_OD_2002>();
     write(0x2003, 0, 1, 1);
     switch_filter_off();
@@ -107,7 +107,7 @@ TEST_F(Filters, SwitchedOffEverySamplePasses) {
     EXPECT_EQ(refusal(0x2002, 0, 2, 1), "06090031");
 }
 
-TEST_F(Filters, StartsAnewAfterAnAccelerometerError) {
+TEST_F(Filters, InputFilterRestartsAfterAnAccelerometerError) {
     verifies<req::INC_FILTER_005>();
     inputs.accelerometer_fault = true;
     set_inputs();
@@ -118,7 +118,7 @@ TEST_F(Filters, StartsAnewAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
 }
 
-TEST_F(Filters, AveragesForgetWhatWasBeforeAnAccelerometerError) {
+TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
     verifies<req::INC_AVG_007>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -141,10 +141,10 @@ TEST_F(Filters, AveragesForgetWhatWasBeforeAnAccelerometerError) {
     inputs.accelerometer_fault = false;
     turn(0.0, 40.0);
     pass(5);
-    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter as well
+    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
 }
 
-TEST_F(Filters, AFailedSensorLeavesTheAveragesAsTheyAre) {
+TEST_F(Filters, FailedSensorFreezesTheAverages) {
     verifies<req::INC_FV_007, req::INC_AVG_007>();
     switch_filter_off();
     set_filter(1, 1, 4);
@@ -155,19 +155,19 @@ TEST_F(Filters, AFailedSensorLeavesTheAveragesAsTheyAre) {
     pass(30);
     EXPECT_EQ(pitch(), 2000);  // no third sample
     write(0x2051, 1, 8, 2);
-    EXPECT_EQ(pitch(), 2000);  // the restart has nothing to begin with
+    EXPECT_EQ(pitch(), 2000);  // the restart has no sample yet
 }
 
-TEST_F(Filters, MovingAverageOfFourSamples) {
+TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
-    pass(2);  // changes fall between samples and filter periods
+    pass(2);  // changes are between samples and filter periods
     // The first sample, 0, was taken when the filter started.
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
 
-TEST_F(Filters, RepeatingFilterGivesOneMeanABlock) {
+TEST_F(Filters, RepeatingFilterGivesOneMeanPerBlock) {
     verifies<req::INC_AVG_003, req::INC_T4, req::INC_OD_2050>();
     switch_filter_off();
     set_filter(1, 2, 3);
@@ -175,7 +175,7 @@ TEST_F(Filters, RepeatingFilterGivesOneMeanABlock) {
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));  // 0 3 6 · 9 12 15
 }
 
-TEST_F(Filters, TakeASampleAtTheCommonRate) {
+TEST_F(Filters, AdditionalFiltersSampleAtTheCommonRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -200,18 +200,18 @@ TEST_F(Filters, TakeASampleAtTheCommonRate) {
     EXPECT_EQ(refusal(0x2052, 0, 60000, 2), "");
 }
 
-TEST_F(Filters, AFilterRateOf1msRepeatsSamplesOfTheSensor) {
+TEST_F(Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
     verifies<req::INC_AVG_004>();
     switch_filter_off();
     set_filter(1, 1, 10);
     write(0x2052, 0, 1, 2);
     pass(5);
     turn(10.0, 0.0);
-    pass(9);  // the sensor gives it after 5 ms; five filter samples of it are in by now
+    pass(9);  // the sensor value appears after 5 ms; five filter samples contain it by then
     EXPECT_EQ(pitch(), 500);
 }
 
-TEST_F(Filters, EachAngleHasItsOwnTypeAndConstant) {
+TEST_F(Filters, EachAngleHasItsOwnFilterTypeAndConstant) {
     verifies<req::INC_AVG_005, req::INC_OD_2050, req::INC_OD_2051>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -232,7 +232,7 @@ TEST_F(Filters, EachAngleHasItsOwnTypeAndConstant) {
     }
 }
 
-TEST_F(Filters, AverageTheShortWayRound) {
+TEST_F(Filters, FiltersAverageTheShortWayAcross180Degrees) {
     verifies<req::INC_AVG_006>();
     switch_filter_off();
     turn(0.0, 179.0);
@@ -247,7 +247,7 @@ TEST_F(Filters, AverageTheShortWayRound) {
     EXPECT_EQ(roll(), -17800);
 }
 
-TEST_F(Filters, ANewTypeConstantOrRateRestarts) {
+TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
     verifies<req::INC_AVG_007>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -272,7 +272,7 @@ TEST_F(Filters, ANewTypeConstantOrRateRestarts) {
     EXPECT_EQ(pitch(), 4500);  // at the rate of the sensor
 }
 
-TEST_F(Filters, AWindowOf60000NeedsNoMoreTimeOrMemory) {
+TEST_F(Filters, WindowOf60000NeedsNoMoreTimeOrMemory) {
     verifies<req::INC_AVG_002>();
     switch_filter_off();
     set_filter(1, 1, 60000);
@@ -285,7 +285,7 @@ TEST_F(Filters, AWindowOf60000NeedsNoMoreTimeOrMemory) {
     EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; a run is 938 of 60000 samples
 }
 
-TEST_F(Filters, LatencyIsThatOfTheSlowestAngle) {
+TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
     write(0x2003, 0, 50, 1);
@@ -311,7 +311,7 @@ TEST_F(Filters, LatencyIsThatOfTheSlowestAngle) {
     EXPECT_EQ(read(0x4010), 150U);  // 10 / 2 * 30
 }
 
-TEST_F(Filters, ALateCallTakesOneSampleAndGoesOnFromThere) {
+TEST_F(Filters, LateCallTakesOneSampleAndRestartsThePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
     now = now + milliseconds(52);  // ten samples late
@@ -319,29 +319,29 @@ TEST_F(Filters, ALateCallTakesOneSampleAndGoesOnFromThere) {
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }
 
-TEST_F(Filters, ALittleLateCallMovesNeitherSamplesNorFilters) {
+TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // 4 ms behind the sample at 5, 2 ms behind the filters at 7
+    now = now + milliseconds(9);  // 4 ms after the sample at 5, 2 ms after the filters at 7
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);
     EXPECT_EQ(device->next_deadline().us, 14000U);
 }
 
-TEST_F(Filters, AFrameFindsTheSampleThatWasDue) {
+TEST_F(Filters, FrameSeesTheSampleThatWasDueBeforeIt) {
     verifies<req::INC_FILTER_001>();
     switch_filter_off();
     turn(10.0, 0.0);
-    now = now + milliseconds(7);  // nobody has asked the device since 0
+    now = now + milliseconds(7);  // the device was not called since 0
     EXPECT_EQ(pitch(), 1000);
     turn(20.0, 0.0);
     now = now + milliseconds(4);
-    turn(30.0, 0.0);  // behind the sample at 10
+    turn(30.0, 0.0);  // after the sample at 10
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Filters, WhatIsMeasuredShowsWithTheNextSample) {
+TEST_F(Filters, NewMeasurementsAppearWithTheNextSample) {
     verifies<req::INC_FILTER_001, req::INC_FV_006, req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
     write(0x2052, 0, 7, 2);
     inputs.sensor_temperature = 20.0F;

@@ -1,4 +1,4 @@
-// A reset of the node begins the function blocks anew, also where they feed each other.
+// Reset node restarts the function blocks, also when they feed each other.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,7 +11,7 @@ class FunctionsAfterReset : public InclinometerTest {};
 
 }  // namespace
 
-TEST_F(FunctionsAfterReset, FunctionThatTakesOneBehindItHasNothingInTheFirstPass) {
+TEST_F(FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
     verifies<req::INC_BIN_009, req::INC_SIG_002>();
     write_real(0x4070, 0, 5.0F);
     write(0x3020, 1, 24, 1);  // function 2 gives 4070h + 0

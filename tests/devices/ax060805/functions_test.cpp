@@ -1,5 +1,5 @@
-// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127. Their
-// arithmetic is tested in tests/devices/ax060805/blocks/binary_function_test.cpp.
+// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
+// tests/devices/ax060805/blocks/binary_function_test.cpp tests their arithmetic.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -14,7 +14,7 @@ class Functions : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(Functions, EverySourceOfTable1) {
+TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_005, req::INC_OD_3010, req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
     inputs.processor_temperature = 41.5F;
@@ -42,7 +42,7 @@ TEST_F(Functions, EverySourceOfTable1) {
         {7, 100.0F, 2025},                        //
         {8, 1.0F, 0},                             // no filter: no delay
         {9, 1.0F, 0},                             //
-        {20, 100.0F, 1500},                       // one count is one unit
+        {20, 100.0F, 1500},                       // one count per unit
         {21, 100.0F, 2500},                       //
         {22, 100.0F, 3500},                       //
         {23, 1.0F, 77},                           //
@@ -66,7 +66,7 @@ TEST_F(Functions, EverySourceOfTable1) {
     EXPECT_EQ(refusal(at(1, 0), 1, 29, 1), "06090031");
 }
 
-TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
+TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
     verifies<req::INC_BIN_001, req::INC_BIN_009, req::INC_STORE_001>();
     for (const int function : {1, 10}) {
         operate(function, 1);
@@ -79,7 +79,7 @@ TEST_F(Functions, StoredOnesWorkFromTheFirstSampleOn) {
     EXPECT_EQ(output(10), 2);
 }
 
-TEST_F(Functions, TakeWhatTheFirstSampleMeasures) {
+TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     verifies<req::INC_BIN_009, req::INC_GLOBAL_003>();
     operate(1, 1);
     connect(1, 1, 27);  // the supply
@@ -97,7 +97,7 @@ TEST_F(Functions, TakeWhatTheFirstSampleMeasures) {
     EXPECT_NE(figure_of_merit, 0);
 }
 
-TEST_F(Functions, EachOfTheTenIsASource) {
+TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
@@ -113,10 +113,10 @@ TEST_F(Functions, EachOfTheTenIsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the last pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the previous pass
 }
 
-TEST_F(Functions, EveryParameterOfEachTakesPart) {
+TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
     verifies<req::INC_BIN_001, req::INC_BIN_011>();
     verifies<req::INC_OD_3011, req::INC_OD_3021, req::INC_OD_3031, req::INC_OD_3041, req::INC_OD_3051, req::INC_OD_3061,
              req::INC_OD_3071, req::INC_OD_3081, req::INC_OD_3091, req::INC_OD_30A1>();
@@ -156,7 +156,7 @@ TEST_F(Functions, EveryParameterOfEachTakesPart) {
     }
 }
 
-TEST_F(Functions, ParametersHaveTheirRanges) {
+TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013,
              req::INC_OD_3014, req::INC_OD_3015>();
     EXPECT_EQ(refusal(0x300A, 1, 20, 1), "");
@@ -202,13 +202,13 @@ TEST_F(Functions, AsShippedNothingIsConnected) {
         EXPECT_EQ(real(0x300B, static_cast<std::uint8_t>(function)), 1.0F);
         EXPECT_EQ(real(0x300C, static_cast<std::uint8_t>(function)), 0.0F);
     }
-    // Operation alone connects nothing either.
+    // An operation alone connects nothing.
     operate(1, 1);
     pass(5);
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Functions, AnUndefinedInputTakesItsDefaultOrNothing) {
+TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
     verifies<req::INC_BIN_002, req::INC_SIG_002>();
     operate(1, 1);
     connect(1, 1, 26);
@@ -230,7 +230,7 @@ TEST_F(Functions, AnUndefinedInputTakesItsDefaultOrNothing) {
     EXPECT_EQ(output(2), 3);
 }
 
-TEST_F(Functions, AnUndefinedResultUndoesThoseThatUseIt) {
+TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
     verifies<req::INC_SIG_002, req::INC_BIN_002, req::INC_BIN_007>();
     operate(1, 0);
     connect(1, 1, 26);
@@ -246,7 +246,7 @@ TEST_F(Functions, AnUndefinedResultUndoesThoseThatUseIt) {
     EXPECT_EQ(output(2), 2);
 }
 
-TEST_F(Functions, OutputsAreRoundedAndSaturatedButPassOnUnrounded) {
+TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     verifies<req::INC_BIN_008, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);
@@ -270,7 +270,7 @@ TEST_F(Functions, OutputsAreRoundedAndSaturatedButPassOnUnrounded) {
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
-TEST_F(Functions, RunFrom1To10AtEachSample) {
+TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
     verifies<req::INC_BIN_009>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
@@ -278,7 +278,7 @@ TEST_F(Functions, RunFrom1To10AtEachSample) {
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: 1 takes what 3 gave in the last pass
+    connect(1, 1, 12);  // a ring: 1 uses the result of 3 in the previous pass
     give_default(1, 1, 0.0F);
     EXPECT_EQ(output(3), 0);  // not before the next sample
     pass(5);
@@ -290,7 +290,7 @@ TEST_F(Functions, RunFrom1To10AtEachSample) {
     EXPECT_EQ(output(3), 6);
 }
 
-TEST_F(Functions, AFailedSensorHasNoSignals) {
+TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
     verifies<req::INC_SIG_002, req::INC_FV_007>();
     inputs.accelerometer_fault = true;
     set_inputs();
@@ -318,7 +318,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
     }
 }
 
-TEST_F(Functions, BitsOfADiscreteConstant) {
+TEST_F(Functions, BitsOfADiscreteConstantAreSources) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60 = 3Ch

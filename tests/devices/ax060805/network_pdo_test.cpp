@@ -5,7 +5,7 @@
 
 namespace canproof::test {
 
-TEST_F(Network, Tpdo1ComesEach250msWithAnglesAndFigureOfMerit) {
+TEST_F(Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
     verifies<req::INC_PDO_002, req::INC_OD_1800, req::INC_OD_1A00>();
     turn(0.0, -20.0);
     pass(1000);
@@ -21,7 +21,7 @@ TEST_F(Network, Tpdo1ComesEach250msWithAnglesAndFigureOfMerit) {
     EXPECT_EQ(pass(1000), (Frames{}));
 }
 
-TEST_F(Network, Tpdo2And3AreSilentUntilTheirTimersAreSet) {
+TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     verifies<req::INC_PDO_003, req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1A01, req::INC_OD_1A02>();
     acceleration_digits(1000);
     inputs.sensor_temperature = 21.0F;
@@ -95,7 +95,7 @@ TEST_F(Network, TransmissionTypesCannotBeWritten) {
     }
 }
 
-TEST_F(Network, APdoIsMappedAnewInFiveSteps) {
+TEST_F(Network, PdoIsRemappedInFiveSteps) {
     verifies<req::INC_PDO_006, req::INC_OD_1601, req::INC_OD_1A03>();
     EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // while it is valid
     write(0x1803, 1, 0xC00004FF, 4);

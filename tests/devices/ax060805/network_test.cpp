@@ -8,14 +8,14 @@
 
 namespace canproof::test {
 
-TEST_F(Network, ShipsAsNode127At125kbit) {
+TEST_F(Network, DeviceShipsAsNode127At125kbit) {
     verifies<req::INC_LSS_001, req::INC_K_NODE_ID, req::INC_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->node_id(), 127);
     EXPECT_EQ(device->bit_rate(), 125000U);
 }
 
-TEST_F(Network, TheManualsSessionSetsTheNodeId) {
+TEST_F(Network, SessionOfTheManualSetsTheNodeId) {
     verifies<req::INC_LSS_002, req::INC_LSS_005, req::INC_LSS_006>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
@@ -46,7 +46,7 @@ TEST_F(Network, CobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     EXPECT_EQ(read(0x1801, 1), 0x40000323U);
 }
 
-TEST_F(Network, TheManualsSessionSetsTheBitRate) {
+TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
     verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
@@ -63,7 +63,7 @@ TEST_F(Network, TheManualsSessionSetsTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, BitRatesOfTable21) {
+TEST_F(Network, LssTakesTheBitRatesOfTable21) {
     verifies<req::INC_LSS_004, req::INC_T21>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000, 0, 0};
     configure_lss();
@@ -76,10 +76,10 @@ TEST_F(Network, BitRatesOfTable21) {
             EXPECT_EQ(device->bit_rate(), rates[index]);
         }
     }
-    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // no other table
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // another table does not exist
 }
 
-TEST_F(Network, AStoredBitRateWaitsForTheNextPowerOn) {
+TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::INC_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
     configure_lss();
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
@@ -91,7 +91,7 @@ TEST_F(Network, AStoredBitRateWaitsForTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, StoreAndRestoreByGroup) {
+TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1017>();
     const auto change = [this] {
         write(0x1017, 0, 500, 2);
@@ -138,7 +138,7 @@ TEST_F(Network, StoreAndRestoreByGroup) {
     }
 }
 
-TEST_F(Network, EveryParameterIsStoredAndNoMeasuredValue) {
+TEST_F(Network, EveryParameterIsStoredAndNoMeasuredValueIs) {
     verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
     write(0x2051, 3, 1234, 2);
     write_real(0x3095, 2, 1.5F);
@@ -181,7 +181,7 @@ TEST_F(Network, IdentityIsThatOfTheUnit) {
     EXPECT_EQ(read(0x1018, 4), 0x12345678U);
 }
 
-TEST_F(Network, HeartbeatTakes0And10MillisecondsAndMore) {
+TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
     verifies<req::INC_HB_001, req::INC_OD_1017>();
     EXPECT_EQ(pass(100), (Frames{}));
     write(0x1017, 0, 10, 2);
@@ -193,15 +193,15 @@ TEST_F(Network, HeartbeatTakes0And10MillisecondsAndMore) {
     EXPECT_EQ(pass(100), (Frames{}));
 }
 
-TEST_F(Network, AHeartbeatConsumerHasANodeIdUpTo127AndNoReservedBits) {
+TEST_F(Network, HeartbeatConsumerTakesNodeIdsUpTo127AndNoReservedBits) {
     verifies<req::INC_OD_1016>();
-    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is nobody: it monitors nothing
+    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0x01220064, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Network, AutomaticUpdatesChangeNothing) {
+TEST_F(Network, AutomaticUpdateSettingHasNoEffect) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);
@@ -217,7 +217,7 @@ TEST_F(Network, AutomaticUpdatesChangeNothing) {
     EXPECT_EQ(read(0x5550), 0U);
 }
 
-TEST_F(Network, StartsByItselfWith5555hStored) {
+TEST_F(Network, DeviceStartsItselfWith5555hStored) {
     verifies<req::INC_START_001, req::INC_OD_5555>();
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -233,7 +233,7 @@ TEST_F(Network, StartsByItselfWith5555hStored) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SelfStartYieldsToASensorError) {
+TEST_F(Network, SensorErrorPreventsTheSelfStart) {
     verifies<req::INC_START_001, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
@@ -243,7 +243,7 @@ TEST_F(Network, SelfStartYieldsToASensorError) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
+TEST_F(Network, SensorErrorPreventsTheSelfStartAtEitherReset) {
     verifies<req::INC_START_001, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
@@ -252,7 +252,7 @@ TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
     send("000#8200");
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    write(0x1029, 2, 1, 1);  // errors leave the state alone
+    write(0x1029, 2, 1, 1);  // errors do not change the state
     store_all();
     send("000#8200");
     pass(1);
@@ -267,7 +267,7 @@ TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
+TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasured) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002, req::INC_FV_006, req::INC_OD_5020, req::INC_OD_5030,
              req::INC_OD_4060, req::INC_S_SUPPLY, req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
     EXPECT_NEAR(real(0x5020), 23.2F, 1e-5F);
@@ -281,7 +281,7 @@ TEST_F(Network, SupplyAndTemperaturesAreShownAsMeasured) {
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // no measurement: the object ends at 70 V
+    inputs.supply_voltage = 70.5F;  // not measurable: the object ends at 70 V
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();

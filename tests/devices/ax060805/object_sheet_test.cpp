@@ -1,5 +1,5 @@
-// Every object of the AX060805 as chapter 4 of its manual has it, where the register's decisions leave it: type,
-// access, mapping, default at node 127 and limits of each entry, read by hand from the object's page.
+// Every object of the AX060805 by chapter 4 of its manual and the decisions of the register: type, access, mapping,
+// default at node 127 and limits of each entry, taken by hand from the object page.
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -23,7 +23,7 @@ const std::int64_t least_of_all = bits(-4294967295.0F);
 }  // namespace
 
 // 4.2.1 to 4.2.13
-TEST_F(InclinometerObjectSheet, CommunicationObjects) {
+TEST_F(InclinometerObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::INC_OD_1000, req::INC_OD_1001, req::INC_OD_1002, req::INC_OD_100C, req::INC_OD_100D, req::INC_OD_1010,
              req::INC_OD_1011, req::INC_OD_1016, req::INC_OD_1018, req::INC_OD_1020, req::INC_OD_1029>();
     check({
@@ -41,20 +41,20 @@ TEST_F(InclinometerObjectSheet, CommunicationObjects) {
     });
 }
 
-// 4.2.4: four entries; the count takes nothing but 0
-TEST_F(InclinometerObjectSheet, ErrorList) {
+// 4.2.4: four entries; only 0 can be written to the count
+TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::INC_OD_1003>();
     check_error_list(4);
 }
 
 // 4.2.10: off, or 10 to 65535 ms
-TEST_F(InclinometerObjectSheet, ProducerHeartbeat) {
+TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::INC_OD_1017>();
     check_producer_heartbeat();
 }
 
 // 4.2.14 and 4.2.15: identifiers at node 127 = 7Fh
-TEST_F(InclinometerObjectSheet, PdoCommunicationParameters) {
+TEST_F(InclinometerObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800, req::INC_OD_1801,
              req::INC_OD_1802, req::INC_OD_1803>();
     check_communication({
@@ -70,7 +70,7 @@ TEST_F(InclinometerObjectSheet, PdoCommunicationParameters) {
 }
 
 // 4.2.14 and 4.2.15: mappings
-TEST_F(InclinometerObjectSheet, PdoMappings) {
+TEST_F(InclinometerObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::INC_OD_1600, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603, req::INC_OD_1A00, req::INC_OD_1A01,
              req::INC_OD_1A02, req::INC_OD_1A03>();
     check_mappings({
@@ -86,7 +86,7 @@ TEST_F(InclinometerObjectSheet, PdoMappings) {
 }
 
 // 4.3.1 to 4.3.12
-TEST_F(InclinometerObjectSheet, SensorAndFilters) {
+TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
     verifies<req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003, req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020,
              req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040, req::INC_OD_2050, req::INC_OD_2051,
              req::INC_OD_2052>();
@@ -107,7 +107,7 @@ TEST_F(InclinometerObjectSheet, SensorAndFilters) {
 }
 
 // 4.3.13 to 4.3.18; the command of 2300h is no parameter
-TEST_F(InclinometerObjectSheet, Angles) {
+TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     verifies<req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2300, req::INC_OD_2400,
              req::INC_OD_2401>();
     check({
@@ -121,7 +121,7 @@ TEST_F(InclinometerObjectSheet, Angles) {
 }
 
 // 4.3.19 to 4.3.21; received values are no parameters
-TEST_F(InclinometerObjectSheet, ReceivedValues) {
+TEST_F(InclinometerObjectSheet, ReceivedValueObjectsMatchTheManual) {
     verifies<req::INC_OD_2500, req::INC_OD_2501, req::INC_OD_2502>();
     check({
         {0x2500, 3, i16, Access::rw, {0}, none, none, Map::rpdo, false},
@@ -131,7 +131,7 @@ TEST_F(InclinometerObjectSheet, ReceivedValues) {
 }
 
 // 4.3.22 to 4.3.32; Table 1 has 29 sources, Table 9 four unary functions, Table 10 21 binary ones
-TEST_F(InclinometerObjectSheet, BinaryFunctions) {
+TEST_F(InclinometerObjectSheet, BinaryFunctionObjectsMatchTheManual) {
     verifies<req::INC_OD_3000, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C>();
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,
@@ -165,7 +165,7 @@ TEST_F(InclinometerObjectSheet, BinaryFunctions) {
 }
 
 // 4.3.33 to 4.3.45
-TEST_F(InclinometerObjectSheet, MeasuredValuesAndConstants) {
+TEST_F(InclinometerObjectSheet, MeasuredValuesAndConstantsMatchTheManual) {
     verifies<req::INC_OD_4000, req::INC_OD_4010, req::INC_OD_4020, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050,
              req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_5550,
              req::INC_OD_5555>();

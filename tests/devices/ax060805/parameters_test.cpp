@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// What an entry takes and what lies beyond, as bits. The first value taken is not the default.
+/// Accepted and refused values of an entry, as bits. The first accepted value is not the default.
 struct Limits {
     std::uint16_t index;
     int subs;  ///< sub-indices 1 to this; 0 for a variable
@@ -32,7 +32,7 @@ Limits real(std::uint16_t index, int subs) {
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
-// The value ranges of 4.3, by hand
+// The value ranges of 4.3, written by hand.
 std::vector<Limits> manufacturer_limits() {
     std::vector<Limits> all{
         {0x2000, 0, 1, {1, 0}, {}, {2}},
@@ -92,7 +92,7 @@ class Parameters : public InclinometerTest {
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
 };
 
-/// The sixty parameters of the ten functions.
+/// Claims the sixty parameters of the ten functions.
 void verifies_every_function() {
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,
@@ -166,7 +166,7 @@ TEST_F(Parameters, EverySubIndexHasItsLimits) {
     });
 }
 
-TEST_F(Parameters, FloatsAreNumbers) {
+TEST_F(Parameters, Real32ParametersRefuseInfinityAndNan) {
     verifies<req::INC_OD_2020, req::INC_OD_2040, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2502, req::INC_OD_300B,
              req::INC_OD_300C, req::INC_OD_4070>();
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
@@ -178,7 +178,7 @@ TEST_F(Parameters, FloatsAreNumbers) {
     });
 }
 
-TEST_F(Parameters, ManufacturerParametersAreStoredEachForItself) {
+TEST_F(Parameters, EveryManufacturerParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003,
              req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020, req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040,
              req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052, req::INC_OD_2100, req::INC_OD_2200>();
@@ -201,7 +201,7 @@ TEST_F(Parameters, ManufacturerParametersAreStoredEachForItself) {
     });
 }
 
-TEST_F(Parameters, CommunicationParametersAreStoredEachForItself) {
+TEST_F(Parameters, EveryCommunicationParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_100C, req::INC_OD_100D, req::INC_OD_1016, req::INC_OD_1017,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
              req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603>();
@@ -213,7 +213,7 @@ TEST_F(Parameters, CommunicationParametersAreStoredEachForItself) {
     store_all();
     power_on();
     for (const auto& setting : communication_settings()) {
-        const bool passing = setting.sub == 0 && setting.value == 0;  // a step on the way to a mapping
+        const bool passing = setting.sub == 0 && setting.value == 0;  // an intermediate step of a mapping
         if (!passing) {
             EXPECT_EQ(read(setting.index, setting.sub), setting.value)
                 << name(setting.index, setting.sub, setting.value);
@@ -245,7 +245,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Parameters, MappingOfEveryEntry) {
+TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
     verifies<req::INC_PDO_007, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
     // index, sub-indices from and to, bits
     struct Mappable {

@@ -11,7 +11,7 @@ class ReceivedValues : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(ReceivedValues, AsShippedALimitOf45FromTheBusIs45Degrees) {
+TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
     send("000#0100");
     send("27F#2D0000000000");  // 2Dh = 45 for the first
@@ -35,7 +35,7 @@ TEST_F(ReceivedValues, AsShippedALimitOf45FromTheBusIs45Degrees) {
 }
 
 // 4.3.20: 1000 / 2501h counts are one unit
-TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsOfOneUnit) {
+TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 4500);
@@ -43,13 +43,13 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsOfOneUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 450);
     write(0x2501, 3, 10, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 45);
-    write(0x2501, 3, 500, 2);  // 2 counts
+    write(0x2501, 3, 500, 2);  // 2 counts per unit
     EXPECT_EQ(taken_from(22, 1.0F), 2250);
     write_real(0x2502, 3, -500.0F);  // in counts
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
+TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
              req::INC_OD_2502>();
     operate(1, 10);  // pitch > limit
@@ -57,7 +57,7 @@ TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);       // tenths of a degree
     write_real(0x2502, 1, 5.0F);    // half a degree more
-    write_real(0x2040, 1, 100.0F);  // moves the field value only
+    write_real(0x2040, 1, 100.0F);  // changes the field value only
     write(0x2500, 1, 200, 2);       // limit 20.5
     turn(20.4, 0.0);
     pass(5);
@@ -75,7 +75,7 @@ TEST_F(ReceivedValues, CompareAnAngleWithALimitFromTheBus) {
     EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
 }
 
-TEST_F(ReceivedValues, AreUndefinedUntilTheyCome) {
+TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("000#0100");
@@ -90,7 +90,7 @@ TEST_F(ReceivedValues, AreUndefinedUntilTheyCome) {
     EXPECT_EQ(taken_from(21, 1.0F), 3000);
 }
 
-TEST_F(ReceivedValues, AreUndefinedAgainAfterATimeout) {
+TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // stays operational
@@ -106,7 +106,7 @@ TEST_F(ReceivedValues, AreUndefinedAgainAfterATimeout) {
     EXPECT_EQ(taken_from(20, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
+TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1601, 1, 0x25000210, 4);
@@ -116,7 +116,7 @@ TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
     write(0x1029, 1, 1, 1);  // stays operational
     send("000#0100");
     send("27F#E80300000000");
-    pass(100);  // RPDO1 is late and stays so
+    pass(100);  // RPDO1 is late and stays late
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("37F#D007");  // RPDO2 brings 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
@@ -124,7 +124,7 @@ TEST_F(ReceivedValues, EachRpdoThatIsLateCountsForItself) {
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
 }
 
-TEST_F(ReceivedValues, AValueWrittenAfterTheTimeoutCounts) {
+TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);

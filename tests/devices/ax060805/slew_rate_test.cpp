@@ -1,4 +1,4 @@
-// Slew rate of the AX060805's transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
+// Slew rate of the AX060805 transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,14 +11,14 @@ class SlewRate : public InclinometerTest {
   protected:
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
     bool is_fast() const { return device->outputs().slew_rate_fast; }
-    /// LSS makes the rate of `index` (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s) active.
+    /// Activates the bit rate of `index` by LSS (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s).
     void activate(std::size_t index) {
         send("7E5#0401");
         send("7E5#1300" + hex_le(index, 1));
         send("7E5#150100");
         pass(2);
     }
-    /// As activate(), and stores it; ends in LSS waiting.
+    /// Activates and stores a bit rate; ends in LSS waiting.
     void activate_and_store(std::size_t index) {
         activate(index);
         send("7E5#17");
@@ -32,7 +32,7 @@ class SlewRate : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(SlewRate, IsSetAtOnce) {
+TEST_F(SlewRate, SlewRateIsSetAtOnce) {
     verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
     EXPECT_FALSE(device->outputs().slew_rate_fast);
     EXPECT_EQ(read(0x2000), 0U);
@@ -43,7 +43,7 @@ TEST_F(SlewRate, IsSetAtOnce) {
     EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
 }
 
-TEST_F(SlewRate, FollowsTheBitRate) {
+TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
     for (std::size_t index = 0; index < fast.size(); ++index) {
@@ -59,10 +59,10 @@ TEST_F(SlewRate, FollowsTheBitRate) {
     write(0x2000, 0, 0, 1);
     store_all();
     power_on();
-    EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
+    EXPECT_FALSE(device->outputs().slew_rate_fast);  // the stored value takes precedence
 }
 
-TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheSlowOne) {
+TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2003, 0, 7, 1);
     store_all();  // at 125 kbit/s
@@ -76,7 +76,7 @@ TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheSlowOne) {
     expect_fast(true, "after a reset as well");
 }
 
-TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheFastOne) {
+TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
     verifies<req::INC_SLEW_002>();
     activate_and_store(2);
     store_all();  // at 500 kbit/s
@@ -87,7 +87,7 @@ TEST_F(SlewRate, ASaveOfOtherParametersDoesNotFreezeTheFastOne) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, OneThatWasSetAndStoredHoldsAtItsBitRate) {
+TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001, req::INC_STORE_002>();
     write(0x2000, 0, 1, 1);
     store_all();
@@ -101,7 +101,7 @@ TEST_F(SlewRate, OneThatWasSetAndStoredHoldsAtItsBitRate) {
     expect_fast(false, "restored: as suits 125 kbit/s");
 }
 
-TEST_F(SlewRate, OneThatWasSetGivesWayToANewBitRateWithAndWithoutPowerOn) {
+TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     verifies<req::INC_SLEW_002>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
@@ -114,12 +114,12 @@ TEST_F(SlewRate, OneThatWasSetGivesWayToANewBitRateWithAndWithoutPowerOn) {
     expect_fast(true, "the bit rate of the save again");
 }
 
-TEST_F(SlewRate, ASaveOfTheCommunicationLeavesItsBitRateAlone) {
+TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
     activate_and_store(3);
-    write(0x1010, 2, 0x65766173, 4);  // the communication parameters alone
+    write(0x1010, 2, 0x65766173, 4);  // only the communication parameters
     power_on();
     expect_fast(false, "250 kbit/s");
     activate_and_store(4);
@@ -127,7 +127,7 @@ TEST_F(SlewRate, ASaveOfTheCommunicationLeavesItsBitRateAlone) {
     expect_fast(true, "what was stored at 125 kbit/s");
 }
 
-TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
+TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
     verifies<req::INC_SLEW_002>();
     activate(2);  // 500 kbit/s until the next power-on
     send("7E5#0400");
@@ -136,10 +136,10 @@ TEST_F(SlewRate, ASaveAtAnActiveRateThatIsNotStoredIsOneOfThatRate) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, RestoredDefaultsSuitTheBitRateInUse) {
+TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_002>();
     activate_and_store(0);
-    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all, those of the manufacturer
+    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all groups, then those of the manufacturer
         power_on();
         write(0x2000, 0, 0, 1);
         store_all();

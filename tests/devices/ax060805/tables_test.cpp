@@ -1,4 +1,4 @@
-// Decision tables of the AX060805's manual, cell by cell, and constants of its angles and its plant.
+// Decision tables of the AX060805 manual, cell by cell, and constants of its angles and its plant.
 #include "generated/ax060805/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,8 @@ namespace own = generated::ax060805;
 
 }  // namespace
 
-// 3.3 Table 5: an error outweighs what makes the data suspect, a temperature, a fall without weight or a roll that is
-// none
-TEST(InclinometerTables, FigureOfMerit) {
+// 3.3 Table 5: an error precedes conditions that make the data doubtful: a temperature, free fall, or an undefined roll
+TEST(InclinometerTables, FigureOfMeritTableFollowsTheManual) {
     verifies<req::INC_T5>();
     for (const bool error : {false, true}) {
         for (const bool outside : {false, true}) {
@@ -36,7 +35,7 @@ TEST(InclinometerTables, FigureOfMerit) {
 }
 
 // 3.3 Table 4
-TEST(InclinometerTables, FiltersOfAnAngle) {
+TEST(InclinometerTables, AngleFilterTableFollowsTheManual) {
     verifies<req::INC_T4>();
     namespace t = own::angle_filter;
     const std::array<t::Filter, 3> filters{t::Filter::none, t::Filter::moving_average, t::Filter::repeating};
@@ -47,8 +46,8 @@ TEST(InclinometerTables, FiltersOfAnAngle) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.8 Table 10: the order of the rows is the number
-TEST(InclinometerTables, BinaryFunctions) {
+// 3.8 Table 10: rows are in the order of the operation number
+TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     verifies<req::INC_T10>();
     namespace t = own::binary_function;
     using F = t::Function;
@@ -67,8 +66,8 @@ TEST(InclinometerTables, BinaryFunctions) {
 }
 
 // 5.1.1 Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06
-// degrees, 3.0 degrees, 0.1 % and 1 %. No other part is made.
-TEST(InclinometerTables, SensorByPartNumber) {
+// degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
+TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::sensor_accuracy;
     for (std::uint32_t part = 0; part <= 60841; ++part) {
@@ -89,9 +88,9 @@ TEST(InclinometerTables, SensorByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first three are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz; 2 degrees at
-// 25 degrees Celsius, drift from -40 on.
-TEST(InclinometerTables, Constants) {
+// The first three are decisions of the register, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz; 2 degrees at 25
+// degrees Celsius, drift from -40 on.
+TEST(InclinometerTables, ConstantsFollowTheManual) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,
              req::INC_K_LOWEST_AMBIENT>();

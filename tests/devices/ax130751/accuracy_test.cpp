@@ -1,4 +1,4 @@
-// How close an output of the AX130751 comes to what is commanded (manual, section 4).
+// Accuracy of the outputs of the AX130751 (manual, section 4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,7 +17,7 @@ class Ax130751Accuracy : public Ax130751Test {
             EXPECT_EQ(write(0x2331, output, 0, 2), "");
         }
     }
-    /// Sets the type, lets it bring its own scaling, and commands a process value.
+    /// Sets the type, which sets its own scaling, and commands a process value.
     void command(int output, int type, int value) {
         EXPECT_EQ(write(0x6310, output, type, 2), "");
         EXPECT_EQ(write(0x7300, output, value, 2), "");
@@ -27,7 +27,7 @@ class Ax130751Accuracy : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Accuracy, VoltageWithinTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_VOLTAGE>();
     const double tolerance = 20.0 * 0.002;  // -10 V to 10 V
     for (const int millivolts : {0, 1, 2500, 4999, 5000}) {
@@ -39,7 +39,7 @@ TEST_F(Ax130751Accuracy, VoltageWithinTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, CurrentWithinTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, CurrentErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_CURRENT>();
     const double tolerance = 24.0 * 0.002;  // 0 to 24 mA
     for (const int microamperes : {0, 4000, 12345, 20000}) {
@@ -48,7 +48,7 @@ TEST_F(Ax130751Accuracy, CurrentWithinTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, DutyCycleAndFrequencyWithinOneThousandthOfTheirRange) {
+TEST_F(Ax130751Accuracy, DutyCycleAndFrequencyErrByAtMostOneThousandthOfTheirRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_DUTY, req::AOR_S_FREQUENCY>();
     for (const int tenths : {1, 333, 1000}) {
         command(1, 40, tenths);

@@ -1,4 +1,4 @@
-// Each output of an AX130751 by its own parameters, while the other output has others (1.2, 1.3).
+// Each output of an AX130751 follows its own parameters, while the other output has different ones (1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,13 +14,13 @@ class Ax130751Channels : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// Enable or override of output n: 2500h:n.
+    /// Connects enable or override of output n to 2500h:n.
     void connect(std::uint16_t source_index, int output) {
         extra_as_percent(output);
         set8(source_index, output, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), output, 3 + output);
     }
-    /// RPDO1 brings 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2; both lost after 50 ms.
+    /// Lets the RPDOs time out after 50 ms: RPDO1 maps 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2.
     void lose_commands() {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);
@@ -33,7 +33,7 @@ class Ax130751Channels : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Channels, OverridesHaveTheirOwnInputResponseAndValue) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnOverrideInputResponseAndValue) {
     verifies<req::AOR_OUT_010, req::AOR_T08, req::AOR_DO_006>();
     for (const int type : {10, 1020}) {
         for (const int ours : {1, 2}) {
@@ -43,7 +43,7 @@ TEST_F(Ax130751Channels, OverridesHaveTheirOwnInputResponseAndValue) {
                 set16(0x6310, output, type);
                 connect(0x2360, output);
                 set16(0x2500, output, 0);
-                set8(0x2362, output, output == ours ? 1 : 0);  // overridden when OFF, the other when ON
+                set8(0x2362, output, output == ours ? 1 : 0);  // overridden when OFF, the other output when ON
                 set16(0x2300, output, output == ours ? 1 : 0);
             }
             pass(1);
@@ -57,7 +57,7 @@ TEST_F(Ax130751Channels, OverridesHaveTheirOwnInputResponseAndValue) {
     }
 }
 
-TEST_F(Ax130751Channels, EnablesHaveTheirOwnInputAndResponse) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
     verifies<req::AOR_OUT_009, req::AOR_T07>();
     command(1, 4000);
     command(2, 4000);
@@ -67,7 +67,7 @@ TEST_F(Ax130751Channels, EnablesHaveTheirOwnInputAndResponse) {
         for (const int output : {1, 2}) {
             connect(0x2350, output);
             set16(0x2500, output, 0);
-            set8(0x2352, output, output == ours ? 0 : 3);  // shut off when OFF, the other when ON
+            set8(0x2352, output, output == ours ? 0 : 3);  // shut off when OFF, the other output when ON
         }
         pass(1);
         EXPECT_FLOAT_EQ(volts(ours), 0.0F);
@@ -80,7 +80,7 @@ TEST_F(Ax130751Channels, EnablesHaveTheirOwnInputAndResponse) {
     }
 }
 
-TEST_F(Ax130751Channels, FaultsOfAnalogueOutputsHaveTheirOwnModeAndValue) {
+TEST_F(Ax130751Channels, EachAnalogueOutputHasItsOwnFaultModeAndValue) {
     verifies<req::AOR_OUT_011, req::AOR_T09>();
     for (const int ours : {1, 2}) {
         SCOPED_TRACE(ours);
@@ -98,7 +98,7 @@ TEST_F(Ax130751Channels, FaultsOfAnalogueOutputsHaveTheirOwnModeAndValue) {
     }
 }
 
-TEST_F(Ax130751Channels, FaultsOfDigitalOutputsHaveTheirOwnModeAndState) {
+TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
     verifies<req::AOR_DO_005, req::AOR_T02>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
@@ -107,7 +107,7 @@ TEST_F(Ax130751Channels, FaultsOfDigitalOutputsHaveTheirOwnModeAndState) {
         const int other = 3 - ours;
         set8(0x6250, ours, 0);  // keeps its state
         set8(0x6250, other, 1);
-        set8(0x6340, ours, 1);  // of an analogue output: has no meaning here
+        set8(0x6340, ours, 1);  // for an analogue output; no effect here
         set8(0x6340, other, 0);
         set8(0x6260, ours, 1);
         set8(0x6260, other, 0);
@@ -123,7 +123,7 @@ TEST_F(Ax130751Channels, FaultsOfDigitalOutputsHaveTheirOwnModeAndState) {
     }
 }
 
-TEST_F(Ax130751Channels, LevelsPolaritiesAndBlinkRatesAreTheirOwn) {
+TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
     verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_004, req::AOR_T_DIGITAL_RANGE>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Channels, LevelsPolaritiesAndBlinkRatesAreTheirOwn) {
     }
 }
 
-TEST_F(Ax130751Channels, DigitsOfAllFourScalingsAreTheirOwn) {
+TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005>();
     for (const int output : {1, 2}) {
         SCOPED_TRACE(output);
@@ -175,8 +175,8 @@ TEST_F(Ax130751Channels, DigitsOfAllFourScalingsAreTheirOwn) {
     }
 }
 
-// What one type left at the terminals the next does not have.
-TEST_F(Ax130751Channels, ANewTypeLeavesNothingOfTheOldOneAtTheTerminals) {
+// A new type clears all signals of the previous type at the terminals.
+TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {
         int type;
@@ -206,7 +206,7 @@ TEST_F(Ax130751Channels, ANewTypeLeavesNothingOfTheOldOneAtTheTerminals) {
     }
 }
 
-TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
     verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {
@@ -229,7 +229,7 @@ TEST_F(Ax130751Channels, ANewTypePutsItsOverrideAndFaultValuesToOff) {
     }
 }
 
-TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
+TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
     set16(0x6310, 1, 20);
     set16(0x7323, 1, 16000);
@@ -245,7 +245,7 @@ TEST_F(Ax130751Channels, AStoredTypeWrittenAgainIsNoNewOne) {
     EXPECT_EQ(get16(0x7323, 2), 4000);
 }
 
-TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
+TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
     set16(0x1800, 5, 0);  // no TPDO1
     set16(0x6310, 2, 1020);
@@ -273,7 +273,7 @@ TEST_F(Ax130751Channels, ANewTypeForgetsTheLatchAndTheBlinking) {
     EXPECT_EQ(device->next_deadline(), never) << "a voltage does not blink";
 }
 
-TEST_F(Ax130751Channels, ADigitalOutputWithoutAControlHasItsFaultState) {
+TEST_F(Ax130751Channels, DigitalOutputWithoutAControlHasItsFaultState) {
     verifies<req::AOR_DO_005, req::AOR_OUT_029>();
     set16(0x6310, 2, 1020);
     set8(0x2340, 2, not_used);

@@ -29,11 +29,11 @@ class Ax130751Diagnostics : public Ax130751Blocks {
     }
     bool all_run() const { return volts(1) == 2.0F && volts(2) == 4.0F && relay_on(); }
     bool all_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && !relay_on(); }
-    /// The coil, which carries current in state OFF, has none.
+    /// Returns whether the outputs are off and the coil, which carries current in state OFF, has no current.
     bool hardware_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && device->outputs().relay_nc; }
 };
 
-TEST_F(Ax130751Diagnostics, MeasuresSupplyAndTemperature) {
+TEST_F(Ax130751Diagnostics, SupplyAndTemperatureAreMeasured) {
     verifies<req::AOR_DIAG_001, req::AOR_S_SUPPLY, req::AOR_S_TEMPERATURE>();
     EXPECT_FLOAT_EQ(get_real(0x5020), 24.0F);
     EXPECT_FLOAT_EQ(get_real(0x5030), 35.0F);
@@ -43,7 +43,7 @@ TEST_F(Ax130751Diagnostics, MeasuresSupplyAndTemperature) {
     EXPECT_FLOAT_EQ(get_real(0x5030), -7.5F);
 }
 
-TEST_F(Ax130751Diagnostics, UnderVoltageWithHysteresis) {
+TEST_F(Ax130751Diagnostics, UnderVoltageFaultHasHysteresis) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_006, req::AOR_DIAG_009>();
     supply(8.0F);
     EXPECT_TRUE(all_run()) << "at the threshold";
@@ -55,7 +55,7 @@ TEST_F(Ax130751Diagnostics, UnderVoltageWithHysteresis) {
     EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, OverVoltageWithHysteresis) {
+TEST_F(Ax130751Diagnostics, OverVoltageFaultHasHysteresis) {
     verifies<req::AOR_DIAG_003, req::AOR_DIAG_006>();
     supply(35.0F);
     EXPECT_TRUE(all_run());
@@ -67,7 +67,7 @@ TEST_F(Ax130751Diagnostics, OverVoltageWithHysteresis) {
     EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, OverTemperatureWithHysteresis) {
+TEST_F(Ax130751Diagnostics, OverTemperatureFaultHasHysteresis) {
     verifies<req::AOR_DIAG_004, req::AOR_DIAG_006>();
     temperature(85.0F);
     EXPECT_TRUE(all_run());
@@ -79,7 +79,7 @@ TEST_F(Ax130751Diagnostics, OverTemperatureWithHysteresis) {
     EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, ThresholdsAreThoseConfigured) {
+TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);
@@ -119,7 +119,7 @@ TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Diagnostics, WithoutShutdownOutputsGoOn) {
+TEST_F(Ax130751Diagnostics, OutputsKeepRunningWithoutShutdown) {
     verifies<req::AOR_DIAG_006>();
     set8(0x5025, 0, 0);
     supply(7.5F);
@@ -133,7 +133,7 @@ TEST_F(Ax130751Diagnostics, WithoutShutdownOutputsGoOn) {
     EXPECT_TRUE(all_off());
 }
 
-TEST_F(Ax130751Diagnostics, HardwareProtectionHasTheLastWord) {
+TEST_F(Ax130751Diagnostics, HardwareProtectionOverridesSwitchedOffDetection) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     supply(7.0F);
@@ -150,7 +150,7 @@ TEST_F(Ax130751Diagnostics, HardwareProtectionHasTheLastWord) {
     EXPECT_TRUE(hardware_off()) << "what cannot be measured protects too";
 }
 
-TEST_F(Ax130751Diagnostics, ShutdownComesBeforeEverything) {
+TEST_F(Ax130751Diagnostics, ShutdownPrecedesOverrideAndEnable) {
     verifies<req::AOR_OUT_007, req::AOR_RELAY_011, req::AOR_DIAG_006>();
     extra_as_percent(1);
     for (const std::uint16_t index : std::array<std::uint16_t, 2>{0x2360, 0x2290}) {
@@ -166,19 +166,19 @@ TEST_F(Ax130751Diagnostics, ShutdownComesBeforeEverything) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Diagnostics, AfterAShutdownOutputsRampFromOff) {
+TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
     verifies<req::AOR_DIAG_009>();
     set16(0x2330, 1, 1000);
     supply(7.5F);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     supply(24.0F);
     pass(200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V a second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
 
-TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
+TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
     verifies<req::AOR_DIAG_007, req::AOR_T_FAULT_CODES>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
     EXPECT_EQ(read(0x1001, 0), 1U);
@@ -193,7 +193,7 @@ TEST_F(Ax130751Diagnostics, FaultsAreToldAndListed) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Diagnostics, OfTwoFaultsInOneCycleTheSupplyIsToldFirst) {
+TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeTemperatureInOneCycle) {
     verifies<req::AOR_DIAG_007, req::AOR_ERR_003>();
     inputs.supply = 7.5F;
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0031010000000000", "1:0FF#0042010000000000"}));
@@ -203,7 +203,7 @@ TEST_F(Ax130751Diagnostics, OfTwoFaultsInOneCycleTheSupplyIsToldFirst) {
     EXPECT_EQ(temperature(20.0F), (Frames{"1:0FF#0000010000000000", "1:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax130751Diagnostics, AFaultThatPassedWithoutANodeIdIsNotTold) {
+TEST_F(Ax130751Diagnostics, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
     verifies<req::AOR_DIAG_007>();
     send("000#807F");
     send("7E5#0401");
@@ -218,14 +218,14 @@ TEST_F(Ax130751Diagnostics, AFaultThatPassedWithoutANodeIdIsNotTold) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"720#00", "0A0#0042010000000000"})) << "only what is there now";
 }
 
-TEST_F(Ax130751Diagnostics, UnderAndOverVoltageAreOneFault) {
+TEST_F(Ax130751Diagnostics, UnderAndOverVoltageCountAsOneFault) {
     verifies<req::AOR_DIAG_007>();
     EXPECT_EQ(supply(7.5F).size(), 1U);
     EXPECT_EQ(supply(40.0F).size(), 0U) << "still a supply fault";
     EXPECT_EQ(supply(24.0F).size(), 1U);
 }
 
-TEST_F(Ax130751Diagnostics, ErrorFieldCodesOfTable23) {
+TEST_F(Ax130751Diagnostics, ErrorFieldCodesFollowTable23) {
     verifies<req::AOR_DIAG_010, req::AOR_T23>();
     start();
     set16(0x1400, 5, 50);
@@ -248,8 +248,8 @@ TEST_F(Ax130751Diagnostics, ErrorFieldCodesOfTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
-// 3.4.86 with 1.8: such a fault acts on the outputs, not on the state
-TEST_F(Ax130751Diagnostics, AFaultAtPowerOnHoldsOutputsAndNotTheState) {
+// 3.4.86 with 1.8: such a fault affects the outputs, not the state
+TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheNmtState) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);

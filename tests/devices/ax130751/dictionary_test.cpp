@@ -1,5 +1,5 @@
-// Every object of the AX130751 as chapter 3 of its manual has it: type, access, mapping, default and limits of each
-// entry, read by hand from the object's page. The tables are asked directly; what goes over the bus has its own tests.
+// Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
+// taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -16,7 +16,7 @@ class Ax130751Dictionary : public AxiomaticSheet {
     Ax130751Dictionary() : AxiomaticSheet{generated::ax130751::tables, generated::ax130751::image_size} {}
 };
 
-/// 3yz0h of lookup table 1…10 (yz are decimal digits): 3010h … 3090h, 3100h.
+/// Returns the index 3yz0h of lookup table 1…10 (yz are decimal digits): 3010h … 3090h, 3100h.
 std::uint16_t lookup(int table, int object) {
     return static_cast<std::uint16_t>((table < 10 ? 0x3000 + 0x10 * table : 0x3100) + object);
 }
@@ -24,7 +24,7 @@ std::uint16_t lookup(int table, int object) {
 }  // namespace
 
 // 3.2.1 to 3.2.13
-TEST_F(Ax130751Dictionary, CommunicationObjects) {
+TEST_F(Ax130751Dictionary, CommunicationObjectsMatchTheManual) {
     verifies<req::AOR_OD_1000, req::AOR_OD_1001, req::AOR_OD_1002, req::AOR_OD_100C, req::AOR_OD_100D, req::AOR_OD_1010,
              req::AOR_OD_1011, req::AOR_OD_1016, req::AOR_OD_1018, req::AOR_OD_1020, req::AOR_OD_1029>();
     check({
@@ -43,7 +43,7 @@ TEST_F(Ax130751Dictionary, CommunicationObjects) {
 }
 
 // 3.2.4
-TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesNothingButZero) {
+TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
     verifies<req::AOR_OD_1003>();
     check_error_list(4);
     EXPECT_EQ(writing(0x1003, 0, 1), AbortCode::value_range);
@@ -55,8 +55,8 @@ TEST_F(Ax130751Dictionary, ProducerHeartbeatIsOffOrAtLeastTenMilliseconds) {
     check_producer_heartbeat();
 }
 
-// 3.2.14 and 3.2.15: communication parameters. COB-IDs as shipped, node 127 = 7Fh.
-TEST_F(Ax130751Dictionary, PdoCommunicationParameters) {
+// 3.2.14 and 3.2.15: communication parameters with default COB-IDs, node 127 = 7Fh.
+TEST_F(Ax130751Dictionary, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800, req::AOR_OD_1801,
              req::AOR_OD_1802, req::AOR_OD_1803>();
     check_communication({
@@ -72,7 +72,7 @@ TEST_F(Ax130751Dictionary, PdoCommunicationParameters) {
 }
 
 // 3.2.14 and 3.2.15: mappings
-TEST_F(Ax130751Dictionary, PdoMappings) {
+TEST_F(Ax130751Dictionary, PdoMappingsMatchTheManual) {
     verifies<req::AOR_OD_1600, req::AOR_OD_1601, req::AOR_OD_1602, req::AOR_OD_1603, req::AOR_OD_1A00, req::AOR_OD_1A01,
              req::AOR_OD_1A02, req::AOR_OD_1A03>();
     check_mappings({
@@ -88,7 +88,7 @@ TEST_F(Ax130751Dictionary, PdoMappings) {
 }
 
 // 3.3.1 to 3.3.3, 3.4.1 to 3.4.3, 2230h of 3.4
-TEST_F(Ax130751Dictionary, DigitalOutputs) {
+TEST_F(Ax130751Dictionary, DigitalOutputObjectsMatchTheManual) {
     verifies<req::AOR_OD_2223, req::AOR_OD_2230, req::AOR_OD_2240, req::AOR_OD_2241, req::AOR_OD_6220, req::AOR_OD_6250,
              req::AOR_OD_6260>();
     check({
@@ -104,7 +104,7 @@ TEST_F(Ax130751Dictionary, DigitalOutputs) {
 }
 
 // 3.4.4 to 3.4.19
-TEST_F(Ax130751Dictionary, Relay) {
+TEST_F(Ax130751Dictionary, RelayObjectsMatchTheManual) {
     verifies<req::AOR_OD_2242, req::AOR_OD_2250, req::AOR_OD_2260, req::AOR_OD_2261, req::AOR_OD_2270, req::AOR_OD_2271,
              req::AOR_OD_2280, req::AOR_OD_2281, req::AOR_OD_2282, req::AOR_OD_2290, req::AOR_OD_2291, req::AOR_OD_2292,
              req::AOR_OD_2293, req::AOR_OD_22A0, req::AOR_OD_22A1, req::AOR_OD_22A2>();
@@ -129,7 +129,7 @@ TEST_F(Ax130751Dictionary, Relay) {
 }
 
 // 3.3.4 to 3.3.14
-TEST_F(Ax130751Dictionary, AnalogueOutputsOfTheProfile) {
+TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
     verifies<req::AOR_OD_6302, req::AOR_OD_6332, req::AOR_OD_6340, req::AOR_OD_7300, req::AOR_OD_7320, req::AOR_OD_7321,
              req::AOR_OD_7322, req::AOR_OD_7323, req::AOR_OD_7330, req::AOR_OD_7341>();
     check({
@@ -138,7 +138,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputsOfTheProfile) {
         {0x6340, 2, u8, Access::rw, {1}, 0, 1},
         {0x7300, 2, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always smaller than 7322h, 5000
-        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the type's range is the device's to check
+        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the device checks the range of the type
         {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always larger than 7320h, 0
         {0x7323, 2, i16, Access::rw, {5000}, none, none},
         {0x7330, 2, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -147,14 +147,14 @@ TEST_F(Ax130751Dictionary, AnalogueOutputsOfTheProfile) {
     set(0x7322, 2, -10);
     EXPECT_EQ(writing(0x7320, 2, -11), AbortCode::none);
     EXPECT_EQ(writing(0x7320, 2, -10), AbortCode::value_too_high);
-    EXPECT_EQ(writing(0x7320, 1, -10), AbortCode::none);  // the other output's limit has not moved
+    EXPECT_EQ(writing(0x7320, 1, -10), AbortCode::none);  // the limit of the other output has not changed
     set(0x7320, 2, -20);
     EXPECT_EQ(writing(0x7322, 2, -19), AbortCode::none);
     EXPECT_EQ(writing(0x7322, 2, -20), AbortCode::value_too_low);
 }
 
 // 3.3.5
-TEST_F(Ax130751Dictionary, OutputTypeTakesTheValuesOfTable3AndThatOf1_2) {
+TEST_F(Ax130751Dictionary, OutputTypeTakesTheValuesOfTable3AndOfSection1_2) {
     verifies<req::AOR_OD_6310>();
     check_count(0x6310, 2);
     for (int sub = 1; sub <= 2; ++sub) {
@@ -164,7 +164,7 @@ TEST_F(Ax130751Dictionary, OutputTypeTakesTheValuesOfTable3AndThatOf1_2) {
 }
 
 // 3.4.20 to 3.4.33
-TEST_F(Ax130751Dictionary, AnalogueOutputsOfTheManufacturer) {
+TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheManufacturerMatchTheManual) {
     verifies<req::AOR_OD_2300, req::AOR_OD_2330, req::AOR_OD_2331, req::AOR_OD_2340, req::AOR_OD_2341, req::AOR_OD_2342,
              req::AOR_OD_2350, req::AOR_OD_2351, req::AOR_OD_2352, req::AOR_OD_2360, req::AOR_OD_2361, req::AOR_OD_2362,
              req::AOR_OD_2370, req::AOR_OD_2380>();
@@ -187,7 +187,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputsOfTheManufacturer) {
 }
 
 // 3.4.34 to 3.4.37
-TEST_F(Ax130751Dictionary, ExtraReceivedValues) {
+TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     verifies<req::AOR_OD_2500, req::AOR_OD_2502, req::AOR_OD_2520, req::AOR_OD_2522>();
     check({
         {0x2500, 6, i16, Access::rw, {0}, none, none, Map::both, false},
@@ -204,7 +204,7 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValues) {
 }
 
 // 3.4.38 to 3.4.46, all ten tables
-TEST_F(Ax130751Dictionary, LookupTables) {
+TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
     verifies<req::AOR_OD_3010, req::AOR_OD_3011, req::AOR_OD_3012, req::AOR_OD_3013, req::AOR_OD_3014, req::AOR_OD_3015,
              req::AOR_OD_3016, req::AOR_OD_3017, req::AOR_OD_3018, req::AOR_OD_3020, req::AOR_OD_3021, req::AOR_OD_3022,
              req::AOR_OD_3023, req::AOR_OD_3024, req::AOR_OD_3025, req::AOR_OD_3026, req::AOR_OD_3027, req::AOR_OD_3028,
@@ -230,7 +230,7 @@ TEST_F(Ax130751Dictionary, LookupTables) {
             {lookup(table, 2), 0, u8, Access::rw, {0}, 0, 1},
             {lookup(table, 3), 0, u8, Access::rw, {0}, 0, 4},
             {lookup(table, 4), 0, u8, Access::rw, {0}, 0, 4},
-            // -32768 with data response, 24 h with time response: which of them is the device's to check
+            // -32768 with data response, 24 h with time response: the device checks the one that applies
             {lookup(table, 6), 11, i32, Access::rw, steps_of_ten, -32768, 86400000},
             {lookup(table, 7), 11, i16, Access::rw, steps_of_ten, none, none},
             {lookup(table, 8), 0, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -246,7 +246,7 @@ TEST_F(Ax130751Dictionary, LookupTables) {
 }
 
 // 3.4.47 to 3.4.60
-TEST_F(Ax130751Dictionary, LogicBlocks) {
+TEST_F(Ax130751Dictionary, LogicBlockObjectsMatchTheManual) {
     verifies<req::AOR_OD_3300, req::AOR_OD_3310, req::AOR_OD_3320, req::AOR_OD_3401, req::AOR_OD_3402, req::AOR_OD_3411,
              req::AOR_OD_3412, req::AOR_OD_3413, req::AOR_OD_3421, req::AOR_OD_3422, req::AOR_OD_3423, req::AOR_OD_3431,
              req::AOR_OD_3432, req::AOR_OD_3433, req::AOR_OD_3501, req::AOR_OD_3502, req::AOR_OD_3511, req::AOR_OD_3512,
@@ -279,7 +279,7 @@ TEST_F(Ax130751Dictionary, LogicBlocks) {
 }
 
 // 3.4.61 to 3.4.73
-TEST_F(Ax130751Dictionary, MathBlocks) {
+TEST_F(Ax130751Dictionary, MathBlockObjectsMatchTheManual) {
     verifies<req::AOR_OD_4000, req::AOR_OD_4021, req::AOR_OD_4023, req::AOR_OD_4030, req::AOR_OD_4032, req::AOR_OD_4100,
              req::AOR_OD_4101, req::AOR_OD_4102, req::AOR_OD_4103, req::AOR_OD_4120, req::AOR_OD_4122, req::AOR_OD_4140,
              req::AOR_OD_4150, req::AOR_OD_4200, req::AOR_OD_4201, req::AOR_OD_4202, req::AOR_OD_4203, req::AOR_OD_4220,
@@ -310,7 +310,7 @@ TEST_F(Ax130751Dictionary, MathBlocks) {
 }
 
 // 3.4.74 to 3.4.84
-TEST_F(Ax130751Dictionary, Diagnostics) {
+TEST_F(Ax130751Dictionary, DiagnosticObjectsMatchTheManual) {
     verifies<req::AOR_OD_5020, req::AOR_OD_5021, req::AOR_OD_5022, req::AOR_OD_5023, req::AOR_OD_5024, req::AOR_OD_5025,
              req::AOR_OD_5030, req::AOR_OD_5031, req::AOR_OD_5032, req::AOR_OD_5033, req::AOR_OD_5034>();
     check({
@@ -335,7 +335,7 @@ TEST_F(Ax130751Dictionary, Diagnostics) {
 }
 
 // 3.4.85 to 3.4.88
-TEST_F(Ax130751Dictionary, System) {
+TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
     verifies<req::AOR_OD_5550, req::AOR_OD_5555, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     check({
         {0x5550, 0, u8, Access::rw, {1}, 0, 1},
@@ -348,11 +348,11 @@ TEST_F(Ax130751Dictionary, System) {
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }
 
-TEST_F(Ax130751Dictionary, NothingElseExists) {
+TEST_F(Ax130751Dictionary, OnlyTheObjectsOfTheManualExist) {
     verifies<req::AOR_OD_1000>();
-    // 13 of 3.2.1 to 3.2.13, 16 PDO objects; 7 of digital outputs, 16 of the relay, 11 and 14 of analogue outputs, 4 of
-    // extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of diagnostics, 4 of
-    // the system
+    // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects; 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
+    // outputs, 4 of extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of
+    // diagnostics, 4 of the system
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
     // 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0

@@ -1,4 +1,4 @@
-// Constants of the AX130751 at their edges, on both sides and much nearer than 1 % (1.2 to 1.8, chapter 4).
+// Constants of the AX130751 at their edges, on both sides and much closer than 1 % (1.2 to 1.8, chapter 4).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class Ax130751Edges : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// The code of the emergency that a supply sets off in the cycle after; "" when there is none.
+    /// Returns the code of the emergency message that a supply voltage causes in the next cycle; "" when there is none.
     std::string supply(float volts_supplied) {
         inputs.supply = volts_supplied;
         set_inputs();
@@ -54,7 +54,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2342, output, 0);
         pass(1);
     }
-    /// Output 1 at the field value that 2300h has, whatever its control says.
+    /// Overrides output 1 with the field value of 2300h, whatever its control.
     void override_with(int field_value) {
         set16(0x2300, 1, field_value);
         pass(1);
@@ -65,7 +65,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2361, 1, 4);
         set8(0x2362, 1, 1);  // override when OFF
     }
-    /// Math block 1 over 2500h:1 and 2500h:2, fractions of 10000, with one operator.
+    /// Sets up math block 1 with 2500h:1 and 2500h:2, fractions of 10000, and one operator.
     void make_math(int operation) {
         for (int input = 1; input <= 2; ++input) {
             set8(0x2502, input, 0);
@@ -90,7 +90,7 @@ class Ax130751Edges : public Ax130751Blocks {
 
 // --- supply and temperature (1.8, chapter 4) -----------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, UnderVoltageBelow8VoltsUntil13) {
+TEST_F(Ax130751Edges, UnderVoltageLastsFromBelow8VoltsTo13) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_OD_5022, req::AOR_OD_5024>();
     EXPECT_EQ(supply(8.0F), "");
     EXPECT_EQ(supply(next_below(8.0F)), "3100");
@@ -99,7 +99,7 @@ TEST_F(Ax130751Edges, UnderVoltageBelow8VoltsUntil13) {
     EXPECT_EQ(supply(13.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, OverVoltageAbove35VoltsUntil30) {
+TEST_F(Ax130751Edges, OverVoltageLastsFromAbove35VoltsTo30) {
     verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_OD_5023, req::AOR_OD_5024>();
     EXPECT_EQ(supply(35.0F), "");
     EXPECT_EQ(supply(next_above(35.0F)), "3100");
@@ -108,7 +108,7 @@ TEST_F(Ax130751Edges, OverVoltageAbove35VoltsUntil30) {
     EXPECT_EQ(supply(30.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, OverTemperatureAbove85DegreesUntil60) {
+TEST_F(Ax130751Edges, OverTemperatureLastsFromAbove85DegreesTo60) {
     verifies<req::AOR_DIAG_004, req::AOR_DIAG_007, req::AOR_OD_5032, req::AOR_OD_5033>();
     EXPECT_EQ(temperature(85.0F), "");
     EXPECT_EQ(temperature(next_above(85.0F)), "4200");
@@ -117,7 +117,7 @@ TEST_F(Ax130751Edges, OverTemperatureAbove85DegreesUntil60) {
     EXPECT_EQ(temperature(60.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, ThresholdsToOneUnit) {
+TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToOneUnit) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);
@@ -138,7 +138,7 @@ TEST_F(Ax130751Edges, ThresholdsToOneUnit) {
     EXPECT_EQ(temperature(99.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, TheHardwareRunsFrom7To39Volts) {
+TEST_F(Ax130751Edges, HardwareRunsFrom7To39VoltsWithoutHysteresis) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     command(1, 2000);
@@ -183,7 +183,7 @@ TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesInTenths) {
 
 // --- outputs (1.2, 1.3, chapter 4) ---------------------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, FourteenVoltsDriveACurrent) {
+TEST_F(Ax130751Edges, CurrentIsDrivenByFourteenVolts) {
     verifies<req::AOR_OUT_019, req::AOR_K_COMPLIANCE, req::AOR_K_RESISTOR_SCALE>();
     for (int output = 1; output <= 2; ++output) {
         make(output, 20);
@@ -202,7 +202,7 @@ TEST_F(Ax130751Edges, FourteenVoltsDriveACurrent) {
     }
 }
 
-TEST_F(Ax130751Edges, RangesOfTheTypes) {
+TEST_F(Ax130751Edges, EachTypeIsDrivenWithinItsRange) {
     verifies<req::AOR_OUT_016, req::AOR_T03>();
     struct Case {
         int type;
@@ -229,7 +229,7 @@ TEST_F(Ax130751Edges, RangesOfTheTypes) {
     }
 }
 
-TEST_F(Ax130751Edges, AShownValueIsASixteenBitNumber) {
+TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_017>();
     // A frequency of 50 Hz and above with three digits of 6332h: 50 000 at least.
     make(1, 500);
@@ -246,7 +246,7 @@ TEST_F(Ax130751Edges, AShownValueIsASixteenBitNumber) {
     EXPECT_EQ(get16(0x7330, 1), 32766);
 }
 
-TEST_F(Ax130751Edges, ProfilesEndAtTheirScalings) {
+TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_T06>();
     make(2, 10);
     set16(0x7323, 2, 4000);
@@ -268,7 +268,7 @@ TEST_F(Ax130751Edges, ProfilesEndAtTheirScalings) {
     }
 }
 
-TEST_F(Ax130751Edges, AnAnalogueControlSwitchesAtItsScalings) {
+TEST_F(Ax130751Edges, AnalogueControlSwitchesAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
@@ -314,9 +314,9 @@ TEST_F(Ax130751Edges, TimesAreExactToAMillisecond) {
 
 // --- blocks (1.5 to 1.7) -------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, PercentAreTheLimitsOfATableFrom0To100) {
+TEST_F(Ax130751Edges, TableLimitsFrom0To100ArePercent) {
     verifies<req::AOR_LT_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
-    // Table 1 gives 50.00, seen through logic block 1 as a part of its limits.
+    // Table 1 gives 50.00; logic block 1 shows it as a part of its limits.
     extra_as_percent(1);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
@@ -337,9 +337,9 @@ TEST_F(Ax130751Edges, PercentAreTheLimitsOfATableFrom0To100) {
     EXPECT_EQ(tenths(-1, 7500), 667) << "-0.01 to 75: 50.01 of 75.01";
 }
 
-TEST_F(Ax130751Edges, AnIntervalIsAMillisecondAtLeast) {
+TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     verifies<req::AOR_LT_011, req::AOR_K_SHORTEST_INTERVAL>();
-    // Points of a data response at 0 and below become intervals of 1 ms.
+    // Points of a data response at 0 and below become time intervals of 1 ms.
     set32(0x3016, 1, -5);
     for (int point = 2; point <= 4; ++point) {
         set32(0x3016, point, point - 4);  // -2, -1, 0
@@ -360,7 +360,7 @@ TEST_F(Ax130751Edges, AnIntervalIsAMillisecondAtLeast) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, HalfScaleIsTrue) {
+TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_003, req::AOR_K_TRUE_FROM>();
     make_math(8);  // and
     EXPECT_EQ(math_of(5000, 5000), 10000);
@@ -368,7 +368,7 @@ TEST_F(Ax130751Edges, HalfScaleIsTrue) {
     EXPECT_EQ(math_of(5000, 4999), 0);
 }
 
-TEST_F(Ax130751Edges, AGainOfOneIsOneHundred) {
+TEST_F(Ax130751Edges, GainOfOneIsWrittenAs100) {
     verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
     make_math(12);  // plus
     set8(0x4140, 1, 99);
@@ -379,7 +379,7 @@ TEST_F(Ax130751Edges, AGainOfOneIsOneHundred) {
     EXPECT_EQ(math_of(10000, 0), 100);
 }
 
-TEST_F(Ax130751Edges, FractionsEndAtTheirScalings) {
+TEST_F(Ax130751Edges, FractionsAreClampedAtTheirScalings) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_008>();
     make_math(17);  // maximum
     set16(0x4120, 1, 2000);

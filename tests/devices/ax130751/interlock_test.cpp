@@ -1,5 +1,5 @@
-// What stops an output of the AX130751 whatever its control says: enable, override and unlatch as interlocks (1.2 to
-// 1.4).
+// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks (1.2
+// to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,17 +20,17 @@ class Ax130751Interlock : public Ax130751Blocks {
         set8(static_cast<std::uint16_t>(source_index + 1), output, number);
         pass(1);
     }
-    /// 2500h:`number` at an input.
+    /// Connects an input to 2500h:`number`.
     void connect(std::uint16_t source_index, int output, int number) {
         choose(source_index, output, canopen, 3 + number);
     }
-    /// Output 1 as voltage at 4 V.
+    /// Makes output 1 a voltage of 4 V.
     void make_voltage() {
         no_ramps(1);
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
     }
-    /// Output 1 as digital output that is ON, and RPDO4 (6220h:1) lost after 50 ms.
+    /// Makes output 1 a digital output that is ON, with a time-out of 50 ms for RPDO4 (6220h:1).
     void make_digital() {
         set16(0x6310, 1, 1020);
         set16(0x1403, 5, 50);
@@ -44,7 +44,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         pass(1);
         EXPECT_TRUE(relay_on());
     }
-    /// RPDO2, 2500h:1 to 2500h:3, lost after 100 ms.
+    /// Sets a time-out of 100 ms for RPDO2, 2500h:1 to 2500h:3.
     void watch_extra() {
         set32(0x1401, 1, 0x4000037F);
         set16(0x1401, 5, 100);
@@ -54,7 +54,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         int source;
         int number;
     };
-    /// Table 4B has no such number, or the block behind it is off as shipped.
+    /// Sources without a value: Table 4B has no such number, or the block is off by default.
     const std::vector<Choice> without_value{{canopen, 0},       {canopen, 10}, {lookup_source, 1}, {logic_source, 1},
                                             {lookup_source, 0}, {2, 2},        {math_source, 5},   {6, 3}};
 };
@@ -62,7 +62,7 @@ class Ax130751Interlock : public Ax130751Blocks {
 }  // namespace
 
 // 1.3: an enable is a safety interlock
-TEST_F(Ax130751Interlock, AnEnableWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -80,7 +80,7 @@ TEST_F(Ax130751Interlock, AnEnableWithoutAValuePutsTheOutputOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, AnEnableThatLosesItsBlockPutsADigitalOutputOff) {
+TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     verifies<req::AOR_OUT_028>();
     make_digital();
     choose(0x3010, 0, canopen, 4);  // table 1 over 2500h:1
@@ -90,12 +90,12 @@ TEST_F(Ax130751Interlock, AnEnableThatLosesItsBlockPutsADigitalOutputOff) {
     set8(0x3010, 0, not_used);
     pass(1);
     EXPECT_FALSE(is_on(1));
-    set8(0x6250, 1, 0);  // maintain the state in a fault: no fault of an input
+    set8(0x6250, 1, 0);  // maintain the state in a fault: a missing value is not an input fault
     pass(5);
     EXPECT_FALSE(is_on(1));
 }
 
-TEST_F(Ax130751Interlock, AnOverrideWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, OverrideWithoutAValuePutsTheOutputOff) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     set16(0x2300, 1, 3000);
     for (const int response : {0, 1}) {
@@ -112,7 +112,7 @@ TEST_F(Ax130751Interlock, AnOverrideWithoutAValuePutsTheOutputOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, AValidEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
+TEST_F(Ax130751Interlock, ValidEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_007, req::AOR_DO_005>();
     make_digital();
     connect(0x2350, 1, 1);
@@ -125,7 +125,7 @@ TEST_F(Ax130751Interlock, AValidEnableKeepsADigitalOutputOffWhenItsControlIsLost
     EXPECT_TRUE(is_on(1)) << "enabled: the fault state applies";
 }
 
-TEST_F(Ax130751Interlock, AValidEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
+TEST_F(Ax130751Interlock, ValidEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     connect(0x2350, 1, 1);
@@ -139,7 +139,7 @@ TEST_F(Ax130751Interlock, AValidEnableShutsOffAnAnalogueOutputWhoseControlIsLost
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(Ax130751Interlock, AValidOverrideActsOnAnOutputThatAFaultHasFrozen) {
+TEST_F(Ax130751Interlock, ValidOverrideActsOnAnOutputFrozenByAFault) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_010>();
     no_ramps(1);
     connect(0x2360, 1, 1);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Interlock, AValidOverrideActsOnAnOutputThatAFaultHasFrozen) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Interlock, AnOverrideInErrorDecidesNothing) {
+TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Interlock, AnOverrideInErrorDecidesNothing) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "the enable is valid";
 }
 
-TEST_F(Ax130751Interlock, ARelayEnableWithoutAValuePutsItOff) {
+TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -195,7 +195,7 @@ TEST_F(Ax130751Interlock, ARelayEnableWithoutAValuePutsItOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, ARelayOverrideOrUnlatchWithoutAValuePutsItOff) {
+TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
     set8(0x2293, 1, 1);  // override state ON
     for (const Choice& choice : without_value) {
@@ -217,7 +217,7 @@ TEST_F(Ax130751Interlock, ARelayOverrideOrUnlatchWithoutAValuePutsItOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, AnInputInErrorPutsTheRelayOffWhateverItsOverrideSays) {
+TEST_F(Ax130751Interlock, InputInErrorPutsTheRelayOffWhateverItsOverride) {
     verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
     watch_extra();
     set8(0x2293, 1, 1);
@@ -229,8 +229,8 @@ TEST_F(Ax130751Interlock, AnInputInErrorPutsTheRelayOffWhateverItsOverrideSays) 
     EXPECT_FALSE(relay_on());
 }
 
-// 1.4 with the names of the pins in 2.1: state OFF needs current
-TEST_F(Ax130751Interlock, ARelayWithoutCurrentLiesOnNc) {
+// 1.4 with the names of the pins in 2.1: state OFF needs coil current
+TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
     const auto contact = [this](float supplied) {
         inputs.supply = supplied;
@@ -253,7 +253,7 @@ TEST_F(Ax130751Interlock, ARelayWithoutCurrentLiesOnNc) {
     EXPECT_FALSE(contact(24.0F));
 }
 
-// 1.8, 3.4.86: 5555h is what lets a unit without a master drive anything
+// 1.8, 3.4.86: with 5555h a unit without a master drives its outputs
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
     make_voltage();
@@ -289,7 +289,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, BlocksGoOnWithoutOperational) {
+TEST_F(Ax130751Interlock, BlocksRunOutsideOperational) {
     verifies<req::AOR_OUT_026>();
     send("000#807F");
     choose(0x3010, 0, canopen, 4);
@@ -297,7 +297,7 @@ TEST_F(Ax130751Interlock, BlocksGoOnWithoutOperational) {
     EXPECT_EQ(get16(0x3018, 0), 70);
 }
 
-TEST_F(Ax130751Interlock, ARampBeginsAtOffWhenTheNodeIsStartedAgain) {
+TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_012>();
     command(1, 5000);
     pass(1000);
@@ -306,10 +306,10 @@ TEST_F(Ax130751Interlock, ARampBeginsAtOffWhenTheNodeIsStartedAgain) {
     pass(1);
     start();
     pass(1 + 200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V in a second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
 }
 
-TEST_F(Ax130751Interlock, AResetOfTheCommunicationPutsThemOff) {
+TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
     verifies<req::AOR_OUT_026>();
     make_voltage();
     make_relay();
@@ -323,7 +323,7 @@ TEST_F(Ax130751Interlock, AResetOfTheCommunicationPutsThemOff) {
 }
 
 // 3.2.13
-TEST_F(Ax130751Interlock, OutputsGoOffWhereACommunicationFaultTakesTheNodeOutOfOperational) {
+TEST_F(Ax130751Interlock, CommunicationFaultThatEndsOperationalPutsTheOutputsOff) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
     set16(0x7341, 1, 1500);
@@ -343,7 +343,7 @@ TEST_F(Ax130751Interlock, OutputsGoOffWhereACommunicationFaultTakesTheNodeOutOfO
     }
 }
 
-TEST_F(Ax130751Interlock, AfterTheStartByItselfOutputsRun) {
+TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_026, req::AOR_START_001, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);

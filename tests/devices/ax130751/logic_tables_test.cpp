@@ -1,5 +1,4 @@
-// Tables 16 to 19 of the AX130751's manual, written out as the expressions that they print, and that no two rows of a
-// table meet.
+// Tables 16 to 19 of the AX130751 manual as their printed expressions; no two rows of a table match together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ constexpr std::array<Result, 4> results{Result::not_fulfilled, Result::fulfilled
 
 }  // namespace
 
-TEST(Ax130751LogicTables, T16Operators) {
+TEST(Ax130751LogicTables, OperatorsFollowTable16) {
     verifies<req::AOR_T16>();
     namespace t = own::condition_operator;
     for (int argument = -1; argument <= 1; ++argument) {
@@ -38,7 +37,7 @@ TEST(Ax130751LogicTables, T16Operators) {
     EXPECT_EQ(t::rows.size(), 6U * 3U);
 }
 
-TEST(Ax130751LogicTables, T17ResultsOfACondition) {
+TEST(Ax130751LogicTables, ConditionResultsFollowTable17) {
     verifies<req::AOR_T17>();
     namespace t = own::condition_result;
     for (const bool in_error : {false, true}) {
@@ -56,7 +55,7 @@ TEST(Ax130751LogicTables, T17ResultsOfACondition) {
     EXPECT_EQ(t::rows.size(), 8U);
 }
 
-TEST(Ax130751LogicTables, T18LogicalOperators) {
+TEST(Ax130751LogicTables, LogicalOperatorsFollowTable18) {
     verifies<req::AOR_T18>();
     namespace t = own::table_selection;
     for (const bool a : {false, true}) {
@@ -74,9 +73,9 @@ TEST(Ax130751LogicTables, T18LogicalOperators) {
     EXPECT_EQ(t::rows.size(), 5U * 8U);
 }
 
-// Not applicable counts as true where all conditions have to hold, and else as false; an error as false everywhere but
-// in the default table, which asks nothing.
-TEST(Ax130751LogicTables, T19HowAConditionCounts) {
+// Not applicable counts as true where all conditions must be true, otherwise as false; an error counts as false
+// everywhere except in the default table, which has no condition.
+TEST(Ax130751LogicTables, CountingOfConditionsFollowsTable19) {
     verifies<req::AOR_T19>();
     namespace t = own::condition_count;
     for (std::uint8_t logical = 0; logical <= 5; ++logical) {
@@ -96,7 +95,7 @@ TEST(Ax130751LogicTables, T19HowAConditionCounts) {
     }
 }
 
-TEST(Ax130751LogicTables, T4BHasOneRowForEachSourceAndNumber) {
+TEST(Ax130751LogicTables, Table4BHasOneRowForEachSourceAndNumber) {
     verifies<req::AOR_T4B>();
     namespace t = own::control_number;
     for (int source = 0; source <= 9; ++source) {

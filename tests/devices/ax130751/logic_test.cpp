@@ -13,11 +13,11 @@ class Ax130751Logic : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// 3x00h of block 1 to 3.
+    /// Returns the index 3x00h of block 1 to 3, plus an offset.
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
-    /// Condition `condition` of function A (1) to C (3): 2500h:first against 2500h:second.
+    /// Sets condition `number` of function A (1) to C (3): 2500h:first compared with 2500h:second.
     void condition(int block, int function, int number, int first, int comparison, int second) {
         const std::uint16_t at = index(block, (0x10 * function) + number);
         set8(at, 1, canopen);
@@ -26,7 +26,7 @@ class Ax130751Logic : public Ax130751Blocks {
         set8(at, 4, 3 + second);
         set8(at, 5, comparison);
     }
-    /// A lookup table over 2500h:number.
+    /// Connects a lookup table to 2500h:number.
     void connect_table(int table, int number) {
         const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
         set8(at, 0, canopen);
@@ -39,7 +39,7 @@ class Ax130751Logic : public Ax130751Blocks {
     int output(int block) { return get16(0x3320, block); }
 };
 
-TEST_F(Ax130751Logic, DisabledItShowsNothing) {
+TEST_F(Ax130751Logic, DisabledLogicBlockGivesNothing) {
     verifies<req::AOR_LOGIC_009>();
     connect_table(3, 1);
     extra(1, 60);
@@ -56,7 +56,7 @@ TEST_F(Ax130751Logic, DisabledItShowsNothing) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Ax130751Logic, EachBlockSelectsAmongItsTables) {
+TEST_F(Ax130751Logic, EachLogicBlockSelectsAmongItsTables) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_006, req::AOR_T20>();
     set16(0x2500, 2, 50);
     for (int block = 1; block <= 3; ++block) {
@@ -77,7 +77,7 @@ TEST_F(Ax130751Logic, EachBlockSelectsAmongItsTables) {
     }
 }
 
-TEST_F(Ax130751Logic, ComparisonsOfTable16) {
+TEST_F(Ax130751Logic, ComparisonsFollowTable16) {
     verifies<req::AOR_LOGIC_001, req::AOR_T16>();
     set8(0x3300, 1, 1);
     set16(0x2500, 2, 50);
@@ -98,7 +98,7 @@ TEST_F(Ax130751Logic, ComparisonsOfTable16) {
     EXPECT_EQ(holds(5), "##.");
 }
 
-TEST_F(Ax130751Logic, DigitsDoNotMatter) {
+TEST_F(Ax130751Logic, ComparisonIgnoresTheDecimalDigits) {
     verifies<req::AOR_LOGIC_001>();
     set8(0x3300, 1, 1);
     condition(1, 1, 1, 1, 0, 2);
@@ -111,7 +111,7 @@ TEST_F(Ax130751Logic, DigitsDoNotMatter) {
     EXPECT_EQ(selected(1), 2) << "B, whose conditions are not used";
 }
 
-TEST_F(Ax130751Logic, OperatorsOfTable18WithThreeConditions) {
+TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
     verifies<req::AOR_LOGIC_004, req::AOR_T18, req::AOR_T19>();
     set8(0x3300, 1, 1);
     set16(0x2500, 6, 1);
@@ -136,7 +136,7 @@ TEST_F(Ax130751Logic, OperatorsOfTable18WithThreeConditions) {
 TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 0, 1);  // always fulfilled; 2 and 3 are as shipped
+    condition(1, 1, 1, 1, 0, 1);  // always true; 2 and 3 have their defaults
     const auto holds = [this](int operation) {
         set8(0x3402, 1, operation);
         return selected(1) == 1;
@@ -147,7 +147,7 @@ TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
     EXPECT_FALSE(holds(4));
 }
 
-TEST_F(Ax130751Logic, AnErrorNeverSelects) {
+TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
     verifies<req::AOR_LOGIC_002, req::AOR_T17>();
     set8(0x3300, 1, 1);
     set32(0x1401, 1, 0x4000037F);
@@ -165,7 +165,7 @@ TEST_F(Ax130751Logic, AnErrorNeverSelects) {
     EXPECT_EQ(selected(1), 1);
 }
 
-TEST_F(Ax130751Logic, WithoutADefaultItIsTableA) {
+TEST_F(Ax130751Logic, TableAIsSelectedWithoutADefault) {
     verifies<req::AOR_LOGIC_005>();
     set8(0x3300, 2, 1);
     set8(0x3502, 3, 1);
@@ -175,7 +175,7 @@ TEST_F(Ax130751Logic, WithoutADefaultItIsTableA) {
     EXPECT_EQ(selected(2), 4);
 }
 
-TEST_F(Ax130751Logic, ADefaultIsTakenAsSoonAsItIsReached) {
+TEST_F(Ax130751Logic, FunctionWithoutConditionsSelectsAsTheDefault) {
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);
@@ -184,7 +184,7 @@ TEST_F(Ax130751Logic, ADefaultIsTakenAsSoonAsItIsReached) {
     EXPECT_EQ(selected(2), 5);
 }
 
-TEST_F(Ax130751Logic, OutputIsAPercentageOfTheTable) {
+TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
     verifies<req::AOR_LOGIC_007>();
     set8(0x3300, 3, 1);
     set8(0x3602, 1, 0);
@@ -202,7 +202,7 @@ TEST_F(Ax130751Logic, OutputIsAPercentageOfTheTable) {
     EXPECT_EQ(output(3), 0) << "limits coincide";
 }
 
-TEST_F(Ax130751Logic, ATableWithoutASourceIsNoPercentage) {
+TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_008>();
     set8(0x3300, 1, 1);
     connect_table(1, 1);
@@ -215,10 +215,10 @@ TEST_F(Ax130751Logic, ATableWithoutASourceIsNoPercentage) {
     EXPECT_EQ(output(1), 0) << "not the half of its limits";
 }
 
-TEST_F(Ax130751Logic, AChainAgainstTheOrderTakesACycleForEachBlock) {
+TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_001, req::AOR_LOGIC_008>();
-    // Block 3 looks at 2500h:1, block 2 at block 3, block 1 at block 2. Each selects its table A, which gives 0, while
-    // what it looks at is there and 0, else its table B, which has no source: all outputs stay 0.
+    // Block 3 reads 2500h:1, block 2 reads block 3, block 1 reads block 2. Each selects its table A, which gives 0,
+    // while its source is available and 0, otherwise its table B, which has no source: all outputs stay 0.
     condition(3, 1, 1, 1, 0, 2);
     for (const int block : {1, 2}) {
         const std::uint16_t at = index(block, 0x11);
@@ -249,9 +249,9 @@ TEST_F(Ax130751Logic, AChainAgainstTheOrderTakesACycleForEachBlock) {
     }
 }
 
-TEST_F(Ax130751Logic, StateOfItsTableIsItsOwn) {
+TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_009>();
-    // Output 1 follows logic 1: OFF while that is not available, fault value while it is in error.
+    // Output 1 follows logic block 1: OFF while that is not available, fault value while it is in error.
     set8(0x3300, 1, 1);
     set8(0x3402, 1, 0);
     no_ramps(1);
@@ -277,7 +277,7 @@ TEST_F(Ax130751Logic, StateOfItsTableIsItsOwn) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
 
-TEST_F(Ax130751Logic, ThirtySlopesFromThreeTables) {
+TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_007>();
     // One input 0 to 100: table 1 below 30, table 2 below 60, table 3 above, each with its own ten slopes.
     set16(0x2500, 2, 30);
@@ -286,7 +286,8 @@ TEST_F(Ax130751Logic, ThirtySlopesFromThreeTables) {
         connect_table(table, 1);
         const auto x_index = static_cast<std::uint16_t>(0x3006 + (0x10 * table));
         const auto y_index = static_cast<std::uint16_t>(0x3007 + (0x10 * table));
-        // What grows from the top down, what shrinks from the bottom up: so the points stay in order.
+        // Increasing values are written from the top down, decreasing ones from the bottom up: the points stay in
+        // order.
         for (int i = 10; i >= 0; --i) {
             if (x.at(static_cast<std::size_t>(i)) >= 10 * i) {
                 set32(x_index, i + 1, x.at(static_cast<std::size_t>(i)));
@@ -316,7 +317,7 @@ TEST_F(Ax130751Logic, ThirtySlopesFromThreeTables) {
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
     EXPECT_EQ(at(80), 750);  // table 3: 60 + 3 / 4 of 20
-    EXPECT_EQ(at(82), 770);  // 76.5, rounded to the whole percent of Y
+    EXPECT_EQ(at(82), 770);  // 76.5, rounded to an integer percent of Y
     EXPECT_EQ(at(100), 900);
 }
 

@@ -1,4 +1,4 @@
-// X1 of a lookup table of the AX130751 and a source whose minimum lies below zero (1.5.1).
+// X of point 1 of a lookup table of the AX130751 with a source whose minimum is below zero (1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,7 +17,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
         set8(index(table, 0), 0, source);
     }
     int x(int table, int point) { return static_cast<std::int32_t>(read(index(table, 6), point)); }
-    /// 2500h:1 as whole numbers from `low` to `high`.
+    /// Scales 2500h:1 to integers from `low` to `high`.
     void make_extra(int low, int high) {
         set8(0x2502, 1, 0);
         set16(0x2522, 1, high);
@@ -28,7 +28,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
 }  // namespace
 
 // The example of 1.5.1: a temperature of -40 to 210 °C
-TEST_F(Ax130751LookupMinimum, ATemperatureFromMinus40To210) {
+TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     for (int table = 1; table <= 10; ++table) {
@@ -48,7 +48,7 @@ TEST_F(Ax130751LookupMinimum, ATemperatureFromMinus40To210) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
+TEST_F(Ax130751LookupMinimum, Point1FollowsTheScalingOfItsSource) {
     verifies<req::AOR_LT_018>();
     choose(1, canopen, 4);
     EXPECT_EQ(x(1, 1), 0) << "0 to 0 as shipped";
@@ -69,7 +69,7 @@ TEST_F(Ax130751LookupMinimum, ItFollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, TheLastPointOfAnotherTableCounts) {
+TEST_F(Ax130751LookupMinimum, LastPointOfTheSourceTableSetsTheMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);
     set16(0x3107, 11, -90);
@@ -79,7 +79,7 @@ TEST_F(Ax130751LookupMinimum, TheLastPointOfAnotherTableCounts) {
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
+TEST_F(Ax130751LookupMinimum, EverySourceOfTable5SetsTheMinimum) {
     verifies<req::AOR_LT_018>();
     // 7320h in thousandths of a volt
     set8(0x3013, 0, 3);
@@ -94,7 +94,7 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
     set16(0x6310, 1, 20);  // 5550h: 7320h is 0 again
     EXPECT_EQ(x(1, 1), 0) << "6310h";
-    // 7321h and 7323h, the smaller of them
+    // the smaller of 7321h and 7323h
     for (const int source : {6, 7}) {
         choose(2, source, 2);
         set8(0x3023, 0, 3);
@@ -122,14 +122,14 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // 5032h less 5033h
+    // 5032h minus 5033h
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // what is never below 0
+    // a source that is never below 0
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);
@@ -138,7 +138,7 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5) {
     EXPECT_EQ(x(4, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwn) {
+TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     verifies<req::AOR_LT_018, req::AOR_SRC_007>();
     for (int block = 1; block <= 4; ++block) {
         set16(0x4021, block, -1000 * block);  // in hundredths as shipped
@@ -156,7 +156,7 @@ TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwn) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
+TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);  // table 10 has no source itself
     set16(0x3107, 3, -70);
@@ -171,7 +171,7 @@ TEST_F(Ax130751LookupMinimum, AnotherTableGivesItsLeastY) {
     EXPECT_EQ(x(5, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, ADigitalOutputsCommandHasNone) {
+TEST_F(Ax130751LookupMinimum, CommandOfADigitalOutputHasMinimum0) {
     verifies<req::AOR_LT_018>();
     set8(0x5550, 0, 0);
     set8(0x3013, 0, 3);
@@ -182,7 +182,7 @@ TEST_F(Ax130751LookupMinimum, ADigitalOutputsCommandHasNone) {
     EXPECT_EQ(x(1, 1), 0) << "6220h:1 is 0 or 1";
 }
 
-TEST_F(Ax130751LookupMinimum, RoundingKeepsItWithinTheLimits) {
+TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     set16(0x2522, 1, 2100);
     set16(0x2520, 1, -405);  // -40.5
@@ -193,7 +193,7 @@ TEST_F(Ax130751LookupMinimum, RoundingKeepsItWithinTheLimits) {
     EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
 }
 
-TEST_F(Ax130751LookupMinimum, WhatAUserHasMovedStays) {
+TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);
@@ -210,7 +210,7 @@ TEST_F(Ax130751LookupMinimum, WhatAUserHasMovedStays) {
     EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
 }
 
-TEST_F(Ax130751LookupMinimum, ItNeverLiesAbovePoint2) {
+TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -221,7 +221,7 @@ TEST_F(Ax130751LookupMinimum, ItNeverLiesAbovePoint2) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, OverTimeItIs0) {
+TEST_F(Ax130751LookupMinimum, Point1OfATimeProfileIs0) {
     verifies<req::AOR_LT_018, req::AOR_LT_014>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -233,7 +233,7 @@ TEST_F(Ax130751LookupMinimum, OverTimeItIs0) {
     EXPECT_EQ(x(1, 1), -50);
 }
 
-TEST_F(Ax130751LookupMinimum, AStoredTableGoesOnFollowing) {
+TEST_F(Ax130751LookupMinimum, StoredTableContinuesToFollowItsSource) {
     verifies<req::AOR_LT_018, req::AOR_STORE_003>();
     make_extra(-40, 210);
     choose(1, canopen, 4);

@@ -10,7 +10,7 @@ class Ax130751Lookup : public Ax130751Blocks {
     static std::uint16_t index(int table, int offset) {
         return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
     }
-    /// A table over 2500h:n, which is 0 to 100 without digits.
+    /// Connects a table to 2500h:n, which is 0 to 100 without digits.
     void connect(int table, int extra_number) {
         extra_as_percent(extra_number);
         set8(index(table, 0), 0, canopen);
@@ -38,7 +38,7 @@ TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
     }
 }
 
-TEST_F(Ax130751Lookup, JumpsAndIgnoredPoints) {
+TEST_F(Ax130751Lookup, JumpAndIgnoreResponsesAreFollowed) {
     verifies<req::AOR_LT_003, req::AOR_LT_004, req::AOR_T14>();
     connect(1, 1);
     set8(0x3015, 3, 2);  // jump to (20, 20)
@@ -56,7 +56,7 @@ TEST_F(Ax130751Lookup, JumpsAndIgnoredPoints) {
     EXPECT_EQ(write(0x3015, 1, 2, 1), "06090031") << "2 is no type of the X axis";
 }
 
-TEST_F(Ax130751Lookup, PointsOfEqualX) {
+TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
     verifies<req::AOR_LT_005>();
     connect(1, 1);
     set32(0x3016, 3, 30);
@@ -65,10 +65,10 @@ TEST_F(Ax130751Lookup, PointsOfEqualX) {
     extra(1, 30);
     EXPECT_EQ(output(1), 5);
     extra(1, 31);
-    EXPECT_EQ(output(1), 76);  // 80 on the way to 40 at 40
+    EXPECT_EQ(output(1), 76);  // 80 falling to 40 at 40
 }
 
-TEST_F(Ax130751Lookup, DigitsOfBothAxes) {
+TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
     set8(0x2502, 1, 2);  // 2500h:1 is now 0.00…1.00
@@ -84,9 +84,9 @@ TEST_F(Ax130751Lookup, DigitsOfBothAxes) {
     EXPECT_EQ(output(1), 53);
 }
 
-TEST_F(Ax130751Lookup, LimitsForOtherBlocks) {
+TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
-    // Seen through logic block 1, whose output is a percentage of the limits of table 1.
+    // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
     set8(0x3300, 1, 1);
     set8(0x3015, 3, 0);  // only (0, 0) and (10, 10) count
@@ -112,7 +112,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocks) {
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the greatest is 100, for the least is below 0
+    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
 }
 
 TEST_F(Ax130751Lookup, PointsStayInOrder) {
@@ -144,10 +144,10 @@ TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
     }
 }
 
-TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadUpward) {
+TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
-    set8(0x3015, 1, 1);    // as intervals of time, points need no order
+    set8(0x3015, 1, 1);    // as time intervals, points need no order
     set32(0x3016, 2, 20);  // (20, 10)
     set32(0x3016, 3, 5);   // (5, 20)
     set32(0x3016, 4, 30);  // (30, 30)
@@ -179,7 +179,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
     EXPECT_EQ(write_x(2, 3, 9), "06090032") << "within the limits, but below point 2";
-    set8(0x3020, 0, canopen);  // 2500h:1, whose limits are 0 and 0 as shipped
+    set8(0x3020, 0, canopen);  // 2500h:1, whose default limits are 0 and 0
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);
@@ -187,7 +187,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
-TEST_F(Ax130751Lookup, ASourceThatGivesNothingLimitsNoPoint) {
+TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
     set8(0x3021, 0, 1);
@@ -199,7 +199,7 @@ TEST_F(Ax130751Lookup, ASourceThatGivesNothingLimitsNoPoint) {
     EXPECT_EQ(write_x(2, 11, 100), "");
 }
 
-TEST_F(Ax130751Lookup, NewLimitsReachATableBeforeItACycleLater) {
+TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     verifies<req::AOR_OUT_001, req::AOR_LT_007, req::AOR_LT_010>();
     // 2500h:1 → table 2 → table 1, whose profile rises to 50 in 100 ms
     connect(2, 1);
@@ -217,7 +217,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachATableBeforeItACycleLater) {
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
     set16(0x3027, 11, -10);  // table 2 gives 60 of -10 to 60 now
-    pass(2 + 50);            // the next cycle sets its limits, the one after sees them
+    pass(2 + 50);            // the next cycle sets its limits, the following one uses them
     EXPECT_EQ(output(1), 25);
 }
 
@@ -236,7 +236,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     extra(1, 40);
     pass(10);
     EXPECT_EQ(output(3), 0) << "still OFF: between the limits 0 and 100";
-    extra(1, 100);  // starts in the cycle that just ran
+    extra(1, 100);  // starts in the previous cycle
     EXPECT_EQ(output(3), 0);
     pass(50);
     EXPECT_EQ(output(3), 25);
@@ -254,7 +254,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     EXPECT_EQ(output(3), 5) << "from the beginning";
 }
 
-TEST_F(Ax130751Lookup, AutoRepeat) {
+TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
     verifies<req::AOR_LT_013>();
     connect(3, 1);
     set8(0x3035, 1, 1);
@@ -273,7 +273,7 @@ TEST_F(Ax130751Lookup, AutoRepeat) {
     EXPECT_EQ(output(3), 0);
 }
 
-TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
+TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     verifies<req::AOR_LT_014, req::AOR_K_SHORTEST_INTERVAL, req::AOR_K_LONGEST_INTERVAL>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
@@ -292,7 +292,7 @@ TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
     EXPECT_EQ(write_x(10, 2, 1), "");
     EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
     EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
-    // Point 1 counts as (0, 0 ms) also with another Y, and X as milliseconds also with other digits.
+    // Point 1 counts as (0, 0 ms) with another Y too, and X as milliseconds with other digits too.
     connect(10, 1);
     set16(0x3107, 1, 60);
     set8(0x3103, 0, 3);
@@ -306,7 +306,7 @@ TEST_F(Ax130751Lookup, ChoiceOfTimeSetsPointOneAndItsOwnLimits) {
     EXPECT_EQ(output(10), 5);
 }
 
-TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
+TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
     verifies<req::AOR_LT_015>();
     connect(1, 1);
     extra(1, 60);
@@ -326,11 +326,11 @@ TEST_F(Ax130751Lookup, DisabledIsZeroAndNotAvailable) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no control: OFF, not the 1 V of scaling 1";
 }
 
-TEST_F(Ax130751Lookup, AnErrorRunsThroughAChainAgainstTheOrder) {
+TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_001>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
-    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: nothing but the state of each changes
+    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
         set8(index(table, 0), 0, lookup_source);
@@ -351,7 +351,7 @@ TEST_F(Ax130751Lookup, AnErrorRunsThroughAChainAgainstTheOrder) {
     EXPECT_EQ(output(1), 40);
 }
 
-TEST_F(Ax130751Lookup, AnErrorOfItsInputIsHandedOn) {
+TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     verifies<req::AOR_LT_016, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1

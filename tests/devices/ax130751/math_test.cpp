@@ -16,7 +16,7 @@ class Ax130751Math : public Ax130751Blocks {
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x4000 + (0x100 * block) + offset);
     }
-    /// Inputs 1 to `count` of a block are 2500h:1 to count, 0 to 100.
+    /// Connects inputs 1 to `count` of a block to 2500h:1 to count, 0 to 100.
     void make(int block, int count) {
         for (int input = 1; input <= count; ++input) {
             set8(index(block, 0x01), input, 3 + input);
@@ -36,7 +36,7 @@ class Ax130751Math : public Ax130751Blocks {
     int output(int block) { return get16(0x4030, block); }
 };
 
-TEST_F(Ax130751Math, EveryBlockAddsAsShipped) {
+TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_008, req::AOR_SRC_001>();
     for (int block = 1; block <= 4; ++block) {
         SCOPED_TRACE(block);
@@ -51,7 +51,7 @@ TEST_F(Ax130751Math, EveryBlockAddsAsShipped) {
     }
 }
 
-TEST_F(Ax130751Math, OperatorsOfTable21) {
+TEST_F(Ax130751Math, OperatorsFollowTable21) {
     verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005>();
     make(1, 2);
     struct Row {
@@ -71,10 +71,10 @@ TEST_F(Ax130751Math, OperatorsOfTable21) {
         {9, 10000, 0, 10000},
         {10, 10000, 0, 10000},
         {11, 0, 10000, 0},
-        {12, 10000, 10000, 10000},  // 1.0 and more, held at 1
-        {13, 0, 0, 2000},           // 0.4 - 0.6 is held at 0
+        {12, 10000, 10000, 10000},  // 1.0 and more, clamped to 1
+        {13, 0, 0, 2000},           // 0.4 - 0.6 is clamped to 0
         {14, 2400, 3600, 2400},     // 0.4 * 0.6
-        {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is held at 1
+        {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is clamped to 1
         {16, 4000, 6000, 4000},
         {17, 6000, 6000, 6000},
     }};
@@ -92,7 +92,7 @@ TEST_F(Ax130751Math, OperatorsOfTable21) {
     EXPECT_EQ(output(1), 0) << "divided by zero";
 }
 
-TEST_F(Ax130751Math, SeventyFiveAndTwentyFivePercent) {
+TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
     verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 75);
@@ -107,7 +107,7 @@ TEST_F(Ax130751Math, SeventyFiveAndTwentyFivePercent) {
     EXPECT_EQ(write(0x4140, 1, -101, 1), "06090032");
 }
 
-TEST_F(Ax130751Math, ScalingHasItsOwnDigits) {
+TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
@@ -119,7 +119,7 @@ TEST_F(Ax130751Math, ScalingHasItsOwnDigits) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Ax130751Math, ThreeFunctionsInAChain) {
+TEST_F(Ax130751Math, ThreeFunctionsFormAChain) {
     verifies<req::AOR_MATH_002>();
     make(2, 4);
     set8(0x4250, 2, 14);
@@ -128,7 +128,7 @@ TEST_F(Ax130751Math, ThreeFunctionsInAChain) {
     EXPECT_EQ(output(2), 3000);  // (0.2 + 0.6) * 0.5 - 0.1
 }
 
-TEST_F(Ax130751Math, UnusedInputsArePassedOver) {
+TEST_F(Ax130751Math, UnusedInputsAreSkipped) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_011>();
     make(1, 4);
     set8(0x4100, 3, not_used);
@@ -144,7 +144,7 @@ TEST_F(Ax130751Math, UnusedInputsArePassedOver) {
     EXPECT_EQ(output(1), 0) << "no function to do: 0, not scaling 1";
 }
 
-TEST_F(Ax130751Math, DisabledIsZeroWhateverItsScaling) {
+TEST_F(Ax130751Math, DisabledMathBlockIsZeroWhateverItsScaling) {
     verifies<req::AOR_MATH_011, req::AOR_SRC_009>();
     set16(0x4021, 1, 500);
     pass(1);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Math, DisabledIsZeroWhateverItsScaling) {
     EXPECT_EQ(output(1), 500);
 }
 
-TEST_F(Ax130751Math, OutputScalingAndDigits) {
+TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     verifies<req::AOR_MATH_008>();
     make(1, 2);
     set8(0x4032, 1, 1);
@@ -164,7 +164,7 @@ TEST_F(Ax130751Math, OutputScalingAndDigits) {
     EXPECT_EQ(output(1), 100);
     values({100, 100});
     EXPECT_EQ(output(1), 200);
-    // Other blocks see 10.0: math 2 with 0 to 20 as 0 to 1
+    // Other blocks use 10.0: math block 2 scales 0 to 20 to 0 to 1
     values({75, 0});
     set8(0x4200, 1, math_source);
     set8(0x4201, 1, 1);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Math, OutputScalingAndDigits) {
     EXPECT_EQ(output(2), 5000);
 }
 
-TEST_F(Ax130751Math, NegativeDifferences) {
+TEST_F(Ax130751Math, NegativeDifferenceIsClampedUnlessAGainIsNegative) {
     verifies<req::AOR_MATH_005>();
     make(1, 3);
     set8(0x4150, 1, 13);
@@ -187,7 +187,7 @@ TEST_F(Ax130751Math, NegativeDifferences) {
     EXPECT_EQ(output(1), 2000) << "-0.2 - 0.5 + 0.9";
 }
 
-TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
+TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     verifies<req::AOR_MATH_009, req::AOR_MATH_010>();
     make(1, 4);
     set8(0x4150, 2, 14);
@@ -222,10 +222,10 @@ TEST_F(Ax130751Math, FunctionNumbersWithinTheBlock) {
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 
-TEST_F(Ax130751Math, ASumGrowsAlsoWhileTheOutputStandsStill) {
+TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
     verifies<req::AOR_MATH_009, req::AOR_OUT_001>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
@@ -233,19 +233,19 @@ TEST_F(Ax130751Math, ASumGrowsAlsoWhileTheOutputStandsStill) {
     pass(10);
     EXPECT_EQ(output(1), 0);
     pass(10);
-    set16(0x2500, 2, 1);  // 1 % a cycle
+    set16(0x2500, 2, 1);  // 1 % per cycle
     pass(45);
     EXPECT_EQ(device->objects().read(0x4030, 1), 0U);
     pass(10);
     EXPECT_EQ(output(1), 10000);
 }
 
-TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
+TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     verifies<req::AOR_MATH_006>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // 2500h:1 to 3
     make(1, 1);
-    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x4100, 2, canopen);
     set8(0x4103, 2, 0);
     set16(0x4122, 2, 100);
@@ -258,14 +258,14 @@ TEST_F(Ax130751Math, AnInputInErrorCountsAsZero) {
     EXPECT_EQ(output(1), 3000);
 }
 
-TEST_F(Ax130751Math, ADisabledBlockForgetsItsSum) {
+TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_009>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
-    values({0, 1, 50});  // 1 % a cycle
+    values({0, 1, 50});  // 1 % per cycle
     pass(60);
     EXPECT_EQ(output(1), 10000);
     set16(0x2500, 2, 0);
@@ -278,7 +278,7 @@ TEST_F(Ax130751Math, ADisabledBlockForgetsItsSum) {
     EXPECT_EQ(output(1), 0) << "the sum begins at 0";
 }
 
-TEST_F(Ax130751Math, AGainOfZeroCountsAfterAnother) {
+TEST_F(Ax130751Math, GainOfZeroAppliesAfterAnotherGain) {
     verifies<req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 50);

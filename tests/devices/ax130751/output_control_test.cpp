@@ -1,4 +1,4 @@
-// What drives a universal output over SDO: ramps, enable, override, inputs in error (AX130751, 1.2, 1.3).
+// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -7,11 +7,11 @@ namespace canproof::test {
 
 // --- ramps (2330h, 2331h) ------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, RampsPassTheWholeSpanInTheirTime) {
+TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
     set16(0x2331, 1, 500);  // down; up 1000 as shipped
-    command(1, 5000);       // the cycle that just ran began the ramp
+    command(1, 5000);       // the previous cycle began the ramp
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
     pass(250);
@@ -29,14 +29,14 @@ TEST_F(Ax130751Output, RampsPassTheWholeSpanInTheirTime) {
     EXPECT_FLOAT_EQ(volts(1), 4.99F) << "from where it stood";
 }
 
-TEST_F(Ax130751Output, UpIsARisingFieldValueAlsoWithAnInverseSlope) {
+TEST_F(Ax130751Output, RampUpIsARisingFieldValueWithAnInverseSlopeToo) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 5000);
     set16(0x7323, 1, 0);
     set16(0x2330, 1, 1000);
     set16(0x2331, 1, 100);
-    command(1, 5000);  // 0 V: nothing moves
+    command(1, 5000);  // 0 V: no change
     command(1, 0);     // 5 V: up
     pass(100);
     EXPECT_FLOAT_EQ(volts(1), 0.5F);
@@ -47,7 +47,7 @@ TEST_F(Ax130751Output, UpIsARisingFieldValueAlsoWithAnInverseSlope) {
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
 }
 
-TEST_F(Ax130751Output, TheSpanOfARampIsTheDistanceOfTheScalings) {
+TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 2000);
@@ -59,12 +59,12 @@ TEST_F(Ax130751Output, TheSpanOfARampIsTheDistanceOfTheScalings) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
     pass(500);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V a second, also below the 2 V of scaling 1
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V per second, also below the 2 V of scaling 1
     pass(1500);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
 }
 
-TEST_F(Ax130751Output, RespondsWithinTenMilliseconds) {
+TEST_F(Ax130751Output, OutputRespondsWithinTenMilliseconds) {
     verifies<req::AOR_OUT_002, req::AOR_K_CYCLE>();
     start();
     no_ramps(1);
@@ -80,7 +80,7 @@ TEST_F(Ax130751Output, RespondsWithinTenMilliseconds) {
 
 // --- enable, override, fault (Tables 7 to 9, Figure 4) -------------------------------------------------------------
 
-TEST_F(Ax130751Output, EnableResponsesOfTable7) {
+TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
     verifies<req::AOR_OUT_009, req::AOR_T07, req::AOR_OUT_014>();
     for (int response = 0; response < 6; ++response) {
         SCOPED_TRACE(response);
@@ -93,7 +93,7 @@ TEST_F(Ax130751Output, EnableResponsesOfTable7) {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
         extra(1, 100 - running);
-        command(1, 2000);  // has no effect any more
+        command(1, 2000);  // no effect any more
         const int action = response % 3;
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";
@@ -110,7 +110,7 @@ TEST_F(Ax130751Output, EnableResponsesOfTable7) {
     }
 }
 
-TEST_F(Ax130751Output, OverrideTakes2300hAtOnce) {
+TEST_F(Ax130751Output, OverrideSetsTheValueOf2300hAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_T08, req::AOR_OUT_014>();
     make(10);
     set16(0x2330, 1, 1000);
@@ -129,7 +129,7 @@ TEST_F(Ax130751Output, OverrideTakes2300hAtOnce) {
     EXPECT_FLOAT_EQ(volts(1), -5.0F) << "ramps back from where it stood, 5 V a second";
 }
 
-TEST_F(Ax130751Output, OverrideComesBeforeEnable) {
+TEST_F(Ax130751Output, OverridePrecedesEnable) {
     verifies<req::AOR_OUT_007>();
     make(10);
     set16(0x2300, 1, 1000);
@@ -142,7 +142,7 @@ TEST_F(Ax130751Output, OverrideComesBeforeEnable) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Output, WithoutAControlItIsOff) {
+TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
     verifies<req::AOR_OUT_008>();
     make(10);
     set16(0x7321, 1, 2000);
@@ -152,10 +152,10 @@ TEST_F(Ax130751Output, WithoutAControlItIsOff) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, WithoutAControlItRampsToOff) {
+TEST_F(Ax130751Output, OutputThatLosesItsControlRampsToOff) {
     verifies<req::AOR_OUT_008, req::AOR_OUT_012>();
     command(1, 5000);
-    pass(1000);  // 5 V in a second, as shipped
+    pass(1000);  // 5 V per second, the default
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     set8(0x2340, 1, not_used);
     pass(1 + 500);
@@ -164,7 +164,7 @@ TEST_F(Ax130751Output, WithoutAControlItRampsToOff) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, AnOverrideThatIsNotUsedIsNotReadAsOff) {
+TEST_F(Ax130751Output, UnusedOverrideIsNotReadAsOff) {
     verifies<req::AOR_OUT_008, req::AOR_T08>();
     make(10);
     set16(0x2300, 1, -3000);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Output, AnOverrideThatIsNotUsedIsNotReadAsOff) {
     EXPECT_FLOAT_EQ(volts(1), -3.0F);
 }
 
-TEST_F(Ax130751Output, WithoutAControlAnInverseDigitalOutputIsOffToo) {
+TEST_F(Ax130751Output, InverseDigitalOutputWithoutAControlIsOff) {
     verifies<req::AOR_OUT_008>();
     make(1020);
     set8(0x2241, 1, 1);
@@ -192,7 +192,7 @@ TEST_F(Ax130751Output, WithoutAControlAnInverseDigitalOutputIsOffToo) {
     EXPECT_TRUE(is_on(1)) << "an override needs no control";
 }
 
-TEST_F(Ax130751Output, ADisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
+TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     verifies<req::AOR_OUT_007, req::AOR_DO_006, req::AOR_OUT_008>();
     make(1020);
     set8(0x2241, 1, 0);
@@ -209,7 +209,7 @@ TEST_F(Ax130751Output, ADisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     EXPECT_FALSE(is_on(1)) << "enabled, but without a control";
 }
 
-TEST_F(Ax130751Output, AnInputInErrorTakes7341hOrKeeps) {
+TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004>();
     make(10);
     set16(0x7341, 1, 1500);
@@ -228,7 +228,7 @@ TEST_F(Ax130751Output, AnInputInErrorTakes7341hOrKeeps) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
 }
 
-TEST_F(Ax130751Output, AnEnableOrOverrideInErrorCountsToo) {
+TEST_F(Ax130751Output, EnableOrOverrideInErrorIsAFaultToo) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);
@@ -244,7 +244,7 @@ TEST_F(Ax130751Output, AnEnableOrOverrideInErrorCountsToo) {
     EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an error comes before the override";
 }
 
-TEST_F(Ax130751Output, AnEnableInErrorTakes7341h) {
+TEST_F(Ax130751Output, EnableInErrorSetsTheValueOf7341h) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

@@ -1,11 +1,11 @@
-// The cycle of the universal outputs: start, chains of blocks, late calls, rest (AX130751, 1.2, 1.3).
+// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
+TEST_F(Ax130751Output, OutputsAreOffAfterPowerOnAndReset) {
     verifies<req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: the relay is ON
     set16(0x7321, 1, 2000);
@@ -32,7 +32,7 @@ TEST_F(Ax130751Output, PowerOnAndResetBeginOff) {
     EXPECT_FLOAT_EQ(volts(1), 3.5F);
 }
 
-TEST_F(Ax130751Output, AResetPutsBothOutputsOffWithoutARamp) {
+TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     verifies<req::AOR_OUT_026>();
     command(1, 5000);
     command(2, 5000);
@@ -45,7 +45,7 @@ TEST_F(Ax130751Output, AResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
+TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
     extra_as_percent(1);
@@ -65,7 +65,7 @@ TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     pass(1);
     extra(1, 50);  // one cycle
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
-    // Math 2 adds 1 % to its own output: one step a cycle.
+    // Math block 2 adds 1 % to its own output: one step per cycle.
     set16(0x2500, 2, 1);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
         set8(0x4200, sub, source);
@@ -83,7 +83,7 @@ TEST_F(Ax130751Output, AChainRunsThroughInOneCycleAndALoopStepsOnce) {
     EXPECT_EQ(get16(0x4030, 2), 10000) << "bounded by its scaling";
 }
 
-TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
+TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_002>();
     // 2500h:1 → table 10 → table 9 → … → table 1: ten cycles
     extra_as_percent(1);
@@ -99,14 +99,14 @@ TEST_F(Ax130751Output, AChainAgainstTheOrderTakesACycleForEachBlock) {
     EXPECT_EQ(get16(0x3108, 0), 70);
     EXPECT_EQ(get16(0x3098, 0), 0);
     now = now + milliseconds(8);
-    device->advance(now);  // nothing comes that would wake it
+    device->advance(now);  // no event requires a cycle
     EXPECT_EQ(get16(0x3028, 0), 70);
     EXPECT_EQ(get16(0x3018, 0), 0);
     pass(1);
     EXPECT_EQ(get16(0x3018, 0), 70);
 }
 
-TEST_F(Ax130751Output, AnOutputFollowsABlinkingOneACycleLater) {
+TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     verifies<req::AOR_OUT_001, req::AOR_DO_004>();
     make(10);
     set8(0x2340, 1, 7);  // output 1 is 0 or 5 V with the drive state of output 2
@@ -129,9 +129,9 @@ TEST_F(Ax130751Output, AnOutputFollowsABlinkingOneACycleLater) {
     }
 }
 
-TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
+TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     verifies<req::AOR_OUT_001>();
-    // Output 2 repeats what output 1 does, which is a tenth of a volt or of a milliampere more than output 2 did.
+    // Output 2 repeats output 1, which is a tenth of a volt or of a milliampere above the previous output 2.
     const auto close_loop = [this](int type, int source, int full) {
         for (const int output : {1, 2}) {
             set16(0x6310, output, type);
@@ -152,7 +152,7 @@ TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
     pass(10);
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    // Through 1 MOhm 14 V drive 0.014 mA: the feedback stands, the targets grow.
+    // Through 1 MOhm 14 V drive 0.014 mA: the feedback is constant, the targets grow.
     inputs.load = {1.0e6F, 1.0e6F};
     set_inputs();
     close_loop(20, 6, 20000);
@@ -164,7 +164,8 @@ TEST_F(Ax130751Output, ALoopOfOutputsStepsOnceACycle) {
 
 TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
-    // Math 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a cycle.
+    // Math block 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a
+    // cycle.
     send("000#807F");
     extra_as_percent(2);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
@@ -184,36 +185,36 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     EXPECT_EQ(device->objects().read(0x4030, 2), 2000U);
 }
 
-TEST_F(Ax130751Output, ALateCallMakesUpForWhatWasDue) {
+TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
-    start();                 // TPDO1 from here on each 100 ms: 2370h:1 and 2370h:2
+    start();                 // TPDO1 from here on every 100 ms: 2370h:1 and 2370h:2
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(300);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#EF010000", "1FF#E3030000", "1FF#D7050000"}));  // 495, 995 and 1495 mV
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    now = now + milliseconds(300);  // nothing moves any more
+    now = now + milliseconds(300);  // nothing changes any more
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
 }
 
-TEST_F(Ax130751Output, AFullQueueHoldsNoOutputUp) {
+TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     verifies<req::AOR_OUT_027>();
     set16(0x1800, 5, 1);
     start();
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(501);
-    device->advance(now);  // 501 TPDOs, which nobody takes away
+    device->advance(now);  // 501 TPDOs, which nobody takes from the queue
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
 
-TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
+TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     verifies<req::AOR_OUT_012>();
     make(10);
-    set16(0x7323, 1, 100);  // 0.1 V in 10 s: a digit in 100 ms
+    set16(0x7323, 1, 100);  // 0.1 V in 10 s: one digit per 100 ms
     set16(0x2330, 1, 10000);
     set16(0x7300, 1, 5000);
     pass(1);
@@ -224,7 +225,7 @@ TEST_F(Ax130751Output, ASlowRampDoesNotFallAsleep) {
     EXPECT_FLOAT_EQ(volts(1), 0.1F);
 }
 
-TEST_F(Ax130751Output, NothingToDoNeedsNoCycle) {
+TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
     set16(0x1800, 5, 0);  // no TPDO1
     pass(5000);

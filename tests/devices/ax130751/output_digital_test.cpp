@@ -5,7 +5,7 @@
 
 namespace canproof::test {
 
-TEST_F(Ax130751Output, DigitalFollows6220hWithBothValuesOfTheType) {
+TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
     verifies<req::AOR_DO_001, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021>();
     for (const int type : {1000, 1020}) {
         SCOPED_TRACE(type);
@@ -29,7 +29,7 @@ TEST_F(Ax130751Output, DigitalFollows6220hWithBothValuesOfTheType) {
     }
 }
 
-TEST_F(Ax130751Output, DigitalPolarities) {
+TEST_F(Ax130751Output, DigitalOutputFollowsItsPolarity) {
     verifies<req::AOR_DO_003, req::AOR_DO_007, req::AOR_T01>();
     make(1020);
     const auto set = [this](int state) {
@@ -55,7 +55,7 @@ TEST_F(Ax130751Output, DigitalPolarities) {
     EXPECT_FALSE(set(0));
 }
 
-TEST_F(Ax130751Output, DigitalBlinksAtItsRate) {
+TEST_F(Ax130751Output, DigitalOutputBlinksAtItsRate) {
     verifies<req::AOR_DO_004>();
     make(1020);
     set8(0x2241, 1, 3);
@@ -93,10 +93,10 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
     EXPECT_FALSE(at_volts(29.9F));
 }
 
-TEST_F(Ax130751Output, DigitalOverrideDisableAndFault) {
+TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_T02>();
     make(1020);
-    set8(0x2241, 1, 1);  // inverse: ON as long as nothing else decides
+    set8(0x2241, 1, 1);  // inverse: ON unless another drive is active
     connect(0x2350, 1);
     connect(0x2360, 2);
     EXPECT_TRUE(is_on(1));

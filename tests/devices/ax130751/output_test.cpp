@@ -7,7 +7,7 @@ namespace canproof::test {
 
 // --- scaling (Figure 3) --------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, AsShippedItFollows7300hFrom0To5Volts) {
+TEST_F(Ax130751Output, OutputFollows7300hFrom0To5VoltsAsShipped) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005, req::AOR_S_VOLTAGE, req::AOR_T03>();
     no_ramps(1);
     command(1, 2500);  // 2.500 V of 0…5.000 V
@@ -22,7 +22,7 @@ TEST_F(Ax130751Output, AsShippedItFollows7300hFrom0To5Volts) {
     EXPECT_FALSE(is_on(1)) << "no digital output";
 }
 
-TEST_F(Ax130751Output, InverseSlope) {
+TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
     verifies<req::AOR_OUT_004>();
     make(10);
     set16(0x7321, 1, 10000);
@@ -35,7 +35,7 @@ TEST_F(Ax130751Output, InverseSlope) {
     EXPECT_FLOAT_EQ(volts(1), -10.0F);
 }
 
-TEST_F(Ax130751Output, DigitsOfProcessAndFieldValueAreTheirOwn) {
+TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     verifies<req::AOR_OUT_005>();
     make(10);
     set8(0x6302, 1, 1);      // process value in tenths: 7320h…7322h are 0…500.0
@@ -47,7 +47,7 @@ TEST_F(Ax130751Output, DigitsOfProcessAndFieldValueAreTheirOwn) {
     EXPECT_EQ(get16(0x7330, 1), 500);
 }
 
-TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideOfTheProfile) {
+TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_015, req::AOR_T06>();
     make(10);
     set16(0x7322, 1, 4000);
@@ -70,7 +70,7 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideOfTheProfile) {
 
 // --- types (Table 3) -----------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, CurrentIsMeasuredThroughItsLoad) {
+TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE>();
     make(20);
     command(1, 20000);  // 20 mA
@@ -85,7 +85,7 @@ TEST_F(Ax130751Output, CurrentIsMeasuredThroughItsLoad) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, NeitherLoadNorFrequencyOfAVoltageOutputMatter) {
+TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_OUT_020>();
     make(10);
     set16(0x2380, 1, 0);
@@ -150,7 +150,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
     EXPECT_FLOAT_EQ(level(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, NotUsedDrivesNothing) {
+TEST_F(Ax130751Output, TypeNotUsedDrivesNothing) {
     verifies<req::AOR_OUT_025>();
     make(10);
     command(1, 3000);
@@ -161,7 +161,7 @@ TEST_F(Ax130751Output, NotUsedDrivesNothing) {
     EXPECT_EQ(get16(0x2370, 1), 0);
 }
 
-TEST_F(Ax130751Output, StaysInTheRangeOfItsType) {
+TEST_F(Ax130751Output, OutputStaysInTheRangeOfItsType) {
     verifies<req::AOR_OUT_016>();
     make(10);
     set16(0x7323, 1, 10000);
@@ -171,7 +171,7 @@ TEST_F(Ax130751Output, StaysInTheRangeOfItsType) {
     EXPECT_EQ(get16(0x7330, 1), 1000);
 }
 
-TEST_F(Ax130751Output, FieldValuesOutsideOfTheTypeAreRefused) {
+TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     verifies<req::AOR_OUT_024>();
     for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
         set16(0x6310, 1, 10);
@@ -193,7 +193,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideOfTheTypeAreRefused) {
     }
 }
 
-TEST_F(Ax130751Output, AnAutomaticUpdateWritesTheTypesOwnValues) {
+TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
     verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
     struct Row {
         int type, digits, scaling_1, scaling_2;
@@ -213,7 +213,7 @@ TEST_F(Ax130751Output, AnAutomaticUpdateWritesTheTypesOwnValues) {
     EXPECT_EQ(get16(0x7322, 1), 5000) << "the other output is not concerned";
 }
 
-TEST_F(Ax130751Output, WithoutAutomaticUpdatesNothingIsWritten) {
+TEST_F(Ax130751Output, NothingIsWrittenWithoutAutomaticUpdates) {
     verifies<req::AOR_OUT_022>();
     set8(0x5550, 0, 0);
     set16(0x7341, 1, 1000);
@@ -223,7 +223,7 @@ TEST_F(Ax130751Output, WithoutAutomaticUpdatesNothingIsWritten) {
     EXPECT_EQ(get16(0x7341, 1), 1000);
 }
 
-TEST_F(Ax130751Output, NorForTheSameTypeOrForNone) {
+TEST_F(Ax130751Output, SameTypeOrTypeNotUsedWritesNothing) {
     verifies<req::AOR_OUT_022>();
     set16(0x7323, 1, 4000);
     set16(0x6310, 1, 10);
@@ -232,7 +232,7 @@ TEST_F(Ax130751Output, NorForTheSameTypeOrForNone) {
     EXPECT_EQ(get16(0x7323, 1), 4000);
 }
 
-TEST_F(Ax130751Output, ANewTypeBeginsOff) {
+TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_014>();
     set8(0x5550, 0, 0);
     make(10);
@@ -245,6 +245,23 @@ TEST_F(Ax130751Output, ANewTypeBeginsOff) {
     EXPECT_FLOAT_EQ(duty(1), 0.0F);
     pass(500);
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
+}
+
+// The control is source 6, the target of the output itself: what it was under the old type is gone before it is read.
+TEST_F(Ax130751Output, AnOutputThatFollowsItselfStartsFromOffAfterATypeChange) {
+    verifies<req::AOR_OUT_023>();
+    set8(0x5550, 0, 0);
+    make(10);
+    command(1, 5000);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);
+    set8(0x2341, 1, 1);
+    set8(0x2340, 1, 6);
+    pass(1);
+    EXPECT_FLOAT_EQ(volts(1), 5.0F) << "it keeps its own target";
+    set16(0x6310, 1, 20);
+    pass(1);
+    EXPECT_EQ(get16(0x7330, 1), 0) << "5.000 V is no current";
+    EXPECT_FLOAT_EQ(milliamperes(1), 0.0F);
 }
 
 }  // namespace canproof::test

@@ -1,5 +1,5 @@
-// PDOs of the AX130751 as shipped and as they can be changed (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh, 37Fh,
-// 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
+// PDOs of the AX130751 with default parameters and after changes (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh,
+// 37Fh, 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -39,7 +39,7 @@ TEST_F(Ax130751Pdo, Rpdo4SetsTheDigitalOutputs) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, OutsideOperationalRpdosSetNothing) {
+TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
     verifies<req::AOR_PDO_001>();
     send("27F#E80318FC01");
     EXPECT_EQ(read(0x7300, 1), 0U);
@@ -64,7 +64,7 @@ TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
     }
 }
 
-TEST_F(Ax130751Pdo, Tpdo1IsSentEachTenthOfASecond) {
+TEST_F(Ax130751Pdo, Tpdo1IsSentEveryTenthOfASecond) {
     verifies<req::AOR_PDO_004, req::AOR_OD_1800, req::AOR_OD_1A00, req::AOR_OD_2370>();
     EXPECT_EQ(pass(300), Frames{});  // pre-operational
     EXPECT_EQ(start(), (Frames{"1FF#00000000"}));
@@ -82,13 +82,13 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
+TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
     verifies<req::AOR_PDO_005, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803, req::AOR_OD_1A01, req::AOR_OD_1A02,
              req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030>();
     inputs.supply = 24.0F;
     inputs.cpu_temperature = 35.0F;
     set_inputs();
-    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is silent
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is off
     start();
     EXPECT_EQ(pass(200), Frames{});
     send("27F#E803D00700");
@@ -97,7 +97,7 @@ TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
         EXPECT_EQ(write(index, 5, 50, 2), "");
         EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
     }
-    // 1000 and 2000; nothing of TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
+    // 1000 and 2000; no TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
     const Frames frames = pass(60);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");
@@ -107,7 +107,7 @@ TEST_F(Ax130751Pdo, OtherTpdosAreSentOnceTheyAreValidAndHaveATimer) {
     }
 }
 
-TEST_F(Ax130751Pdo, WithoutATimerAChangeOfValueSendsNothing) {
+TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
     verifies<req::AOR_PDO_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // its timer is 0
@@ -118,7 +118,7 @@ TEST_F(Ax130751Pdo, WithoutATimerAChangeOfValueSendsNothing) {
     EXPECT_EQ(read(0x7330, 1), 1000U);  // the mapped value has changed
 }
 
-TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncMakesNoPdo) {
+TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
     verifies<req::AOR_PDO_007, req::AOR_OD_1400, req::AOR_OD_1800>();
     for (const int index : {0x1400, 0x1401, 0x1402, 0x1403}) {
         EXPECT_EQ(read(static_cast<std::uint16_t>(index), 2), 255U);
@@ -164,7 +164,7 @@ TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
     send("27F#2A00");
     EXPECT_EQ(read(0x2500, 1), 42U);
 
-    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is destroyed and has nothing enabled
+    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is not valid and its mapping is disabled
     EXPECT_EQ(write(0x1A02, 0, 1, 1), "");
     EXPECT_EQ(write(0x1802, 5, 20, 2), "");
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
@@ -189,15 +189,15 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
 }
 
-// 3.2.14: a time-out is a network fault; 1029h:1 decides
-TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
+// 3.2.14: a time-out is a network fault; 1029h:1 determines the state
+TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
-    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, whatever 3.2.14 says
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, despite 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
-    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not watched
+    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored
     send("27F#0000000000");
     EXPECT_EQ(pass(199), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0081010000000000"}));
@@ -212,7 +212,7 @@ TEST_F(Ax130751Pdo, AnRpdoThatStaysAwayIsACommunicationFault) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, AnRpdoTooShortChangesNothingAndIsTold) {
+TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
@@ -254,7 +254,7 @@ TEST_F(Ax130751Pdo, AnyWriteStateButZeroIsOn) {
     }
 }
 
-TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
+TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     verifies<req::AOR_OD_2223>();
     EXPECT_EQ(write(0x1401, 1, 0xC000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
@@ -270,7 +270,7 @@ TEST_F(Ax130751Pdo, AValueOutsideItsLimitsMakesTheWholeRpdoChangeNothing) {
     EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
-TEST_F(Ax130751Pdo, AnRpdoWithAValueThatIsRefusedIs8200h) {
+TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
@@ -288,7 +288,7 @@ TEST_F(Ax130751Pdo, AnRpdoWithAValueThatIsRefusedIs8200h) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, AnEmergencyWaitsForRoomInTheQueueAndTheOutputsDoNotWaitForIt) {
+TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
     verifies<req::CO_EMCY_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");

@@ -13,13 +13,13 @@ class Ax130751Relay : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// 2500h:number as an input of the relay.
+    /// Connects an input of the relay to 2500h:number.
     void connect(std::uint16_t source_index, int number) {
         set8(source_index, 1, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
         pass(1);
     }
-    /// The relay after 6220h:3 took a value, and a cycle.
+    /// Sets 6220h:3, runs a cycle and returns the state of the relay.
     bool control(int state) {
         set8(0x6220, 3, state);
         pass(1);
@@ -27,7 +27,7 @@ class Ax130751Relay : public Ax130751Blocks {
     }
 };
 
-TEST_F(Ax130751Relay, OnIsTheContactNcAndOffIsNo) {
+TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesNo) {
     verifies<req::AOR_RELAY_001, req::AOR_T_CONTACT, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
     EXPECT_FALSE(device->outputs().relay_nc) << "OFF as shipped";
     EXPECT_TRUE(device->outputs().relay_no);
@@ -36,7 +36,7 @@ TEST_F(Ax130751Relay, OnIsTheContactNcAndOffIsNo) {
     EXPECT_FALSE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Relay, PolaritiesOfTable10) {
+TEST_F(Ax130751Relay, PolaritiesFollowTable10) {
     verifies<req::AOR_RELAY_002, req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_T10, req::AOR_SRC_003>();
     const auto answers = [this](int polarity) {
         control(0);
@@ -57,7 +57,7 @@ TEST_F(Ax130751Relay, PolaritiesOfTable10) {
     EXPECT_EQ(get8(0x6220, 3), 0) << "the device does not write the command";
 }
 
-TEST_F(Ax130751Relay, TogglesAtItsBlinkRate) {
+TEST_F(Ax130751Relay, RelayTogglesAtItsBlinkRate) {
     verifies<req::AOR_RELAY_008>();
     set8(0x2242, 1, 5);
     EXPECT_TRUE(control(1));
@@ -73,7 +73,7 @@ TEST_F(Ax130751Relay, TogglesAtItsBlinkRate) {
     EXPECT_FALSE(control(0));
 }
 
-TEST_F(Ax130751Relay, UnlatchingAsAStateMachine) {
+TEST_F(Ax130751Relay, UnlatchingFollowsItsStateMachine) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_007>();
     set8(0x2242, 1, 3);
     connect(0x2270, 1);
@@ -94,7 +94,7 @@ TEST_F(Ax130751Relay, UnlatchingAsAStateMachine) {
     EXPECT_TRUE(relay_on()) << "no effect on normal logic";
 }
 
-TEST_F(Ax130751Relay, UnlatchingTheInverseLatch) {
+TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
     verifies<req::AOR_RELAY_006>();
     control(1);
     set8(0x2242, 1, 4);
@@ -109,10 +109,11 @@ TEST_F(Ax130751Relay, UnlatchingTheInverseLatch) {
     EXPECT_FALSE(control(0));
 }
 
-TEST_F(Ax130751Relay, EnableResponsesOfTable11) {
+TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     verifies<req::AOR_RELAY_009, req::AOR_T11>();
     connect(0x2280, 1);
-    // With the control ON: what the relay is while enable is OFF and while it is ON, and whether OFF keeps.
+    // Returns, with the control ON, the state of the relay while enable is OFF and while it is ON, starting from
+    // either.
     const auto answers = [this](int response, bool on_first) {
         set8(0x2280, 1, not_used);
         set8(0x2282, 1, response);
@@ -143,7 +144,7 @@ TEST_F(Ax130751Relay, EnableResponsesOfTable11) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, DisabledIsOffAlsoWithInverseLogic) {
+TEST_F(Ax130751Relay, DisabledRelayIsOffWithInverseLogicToo) {
     verifies<req::AOR_RELAY_009>();
     set8(0x2242, 1, 2);
     connect(0x2280, 1);
@@ -153,7 +154,7 @@ TEST_F(Ax130751Relay, DisabledIsOffAlsoWithInverseLogic) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverrideResponsesOfTable12WithBothStates) {
+TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
     verifies<req::AOR_RELAY_010, req::AOR_T12, req::AOR_T11B>();
     connect(0x2290, 2);
     const auto answer = [this](int response, int state, int signal, int command) {
@@ -172,7 +173,7 @@ TEST_F(Ax130751Relay, OverrideResponsesOfTable12WithBothStates) {
     }
 }
 
-TEST_F(Ax130751Relay, OverrideComesBeforeEnable) {
+TEST_F(Ax130751Relay, OverridePrecedesEnable) {
     verifies<req::AOR_RELAY_010, req::AOR_OUT_007>();
     connect(0x2280, 1);  // response 0, OFF: disabled
     connect(0x2290, 2);
@@ -181,7 +182,7 @@ TEST_F(Ax130751Relay, OverrideComesBeforeEnable) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, AnInputInErrorPutsItOff) {
+TEST_F(Ax130751Relay, InputInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);  // RPDO1 maps 6220h:3
     start();
@@ -195,7 +196,7 @@ TEST_F(Ax130751Relay, AnInputInErrorPutsItOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, AnyInputInErrorPutsItOffButAnUnlatchThatMeansNothing) {
+TEST_F(Ax130751Relay, AnyInputInErrorButAnUnusedUnlatchPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     struct Case {
         std::uint16_t source;
@@ -207,10 +208,10 @@ TEST_F(Ax130751Relay, AnyInputInErrorPutsItOffButAnUnlatchThatMeansNothing) {
     start();
     for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable
                                              {0x2290, 1, true},     // override
-                                             {0x2270, 1, false},    // unlatch of a relay that does not latch
-                                             {0x2270, 3, true}}) {  // and of one that does
+                                             {0x2270, 1, false},    // unlatch of a relay without a latch
+                                             {0x2270, 3, true}}) {  // unlatch of a latched relay
         set8(0x2242, 1, one.polarity);
-        set8(0x2292, 1, 0);  // an override that is ON while it is on: off here
+        set8(0x2292, 1, 0);  // overrides while its input is ON; the input is OFF here
         connect(one.source, 1);
         send("37F#640000000000");
         send("37F#000000000000");
@@ -226,14 +227,14 @@ TEST_F(Ax130751Relay, AnyInputInErrorPutsItOffButAnUnlatchThatMeansNothing) {
     }
 }
 
-TEST_F(Ax130751Relay, DelaysOfOnAndOff) {
+TEST_F(Ax130751Relay, DelaysApplyToOnAndOff) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_013>();
     set32(0x22A1, 1, 30);
     set32(0x22A2, 1, 20);
     EXPECT_TRUE(control(1)) << "delays are off as shipped";
     control(0);
     set8(0x22A0, 1, 1);
-    EXPECT_FALSE(control(1));  // asked for in the cycle that just ran
+    EXPECT_FALSE(control(1));  // commanded in the previous cycle
     pass(29);
     EXPECT_FALSE(relay_on());
     pass(1);
@@ -250,7 +251,7 @@ TEST_F(Ax130751Relay, DelaysOfOnAndOff) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, ADelayOfADay) {
+TEST_F(Ax130751Relay, DelayOfADayIsExact) {
     verifies<req::AOR_RELAY_012>();
     set32(0x22A1, 1, 86'400'000);
     set8(0x22A0, 1, 1);
@@ -282,7 +283,7 @@ TEST_F(Ax130751Relay, OverrideAndErrorsAreNotDelayed) {
     EXPECT_FALSE(relay_on()) << "shutdown";
 }
 
-TEST_F(Ax130751Relay, DelaysPutOffTogglingAsAWhole) {
+TEST_F(Ax130751Relay, DelaysShiftTogglingAsAWhole) {
     verifies<req::AOR_RELAY_015>();
     set8(0x2242, 1, 5);
     set16(0x2250, 1, 10);
@@ -320,7 +321,7 @@ TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
     EXPECT_TRUE(control(1));  // the inverse latch rests ON
 }
 
-TEST_F(Ax130751Relay, ADisabledRelayThatKeepsItsStateNeedsNoControl) {
+TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
     verifies<req::AOR_OUT_007, req::AOR_RELAY_009, req::AOR_RELAY_016>();
     connect(0x2280, 1);
     set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
@@ -333,7 +334,7 @@ TEST_F(Ax130751Relay, ADisabledRelayThatKeepsItsStateNeedsNoControl) {
     EXPECT_FALSE(relay_on()) << "enabled, but without a control";
 }
 
-TEST_F(Ax130751Relay, AnOverrideThatIsNotUsedIsNotReadAsOff) {
+TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     verifies<req::AOR_RELAY_016, req::AOR_T12>();
     set8(0x2290, 1, not_used);
     set8(0x2292, 1, 1);  // override when OFF
@@ -343,7 +344,7 @@ TEST_F(Ax130751Relay, AnOverrideThatIsNotUsedIsNotReadAsOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, ARelayThatIsNotImplementedIsNeverDriven) {
+TEST_F(Ax130751Relay, RelayOfPolarityNotImplementedIsNeverDriven) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

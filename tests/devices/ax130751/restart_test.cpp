@@ -1,4 +1,4 @@
-// What an AX130751 forgets with a reset or a new type, and when a source is taken away: hysteresis, faults, states of
+// State that an AX130751 clears at a reset, at a new type, and when a source is removed: hysteresis, faults, states of
 // blocks (1.2 to 1.8).
 #include <array>
 #include <functional>
@@ -13,7 +13,7 @@ namespace {
 
 class Ax130751Restart : public Ax130751Blocks {
   protected:
-    /// Every input here follows the supply: OFF at 12 V and below, ON at 30 V and above.
+    /// Connects an input to the supply: OFF at 12 V and below, ON at 30 V and above.
     void follow_supply(std::uint16_t source_index, int sub) {
         set8(0x5021, 0, 0);
         set8(0x5023, 0, 30);
@@ -25,7 +25,7 @@ class Ax130751Restart : public Ax130751Blocks {
         set_inputs();
         pass(1);
     }
-    /// With a reset of the node an input is OFF until it was outside; with one of the communication it goes on.
+    /// Checks that reset node sets an input to OFF until it exceeds its limit; reset communication keeps it.
     void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
         SCOPED_TRACE(name);
         store();
@@ -55,7 +55,7 @@ class Ax130751Restart : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Restart, InputsOfOutputsForgetTheirHysteresis) {
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfOutputInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     for (const int output : {1, 2}) {
         set16(0x6310, output, 1020);
@@ -76,7 +76,7 @@ TEST_F(Ax130751Restart, InputsOfOutputsForgetTheirHysteresis) {
     }
 }
 
-TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfRelayInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
@@ -107,7 +107,7 @@ TEST_F(Ax130751Restart, InputsOfTheRelayForgetTheirHysteresis) {
     });
 }
 
-TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
+TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_012, req::AOR_OUT_026>();
     set8(0x2242, 1, 3);  // latched
     store();
@@ -123,7 +123,7 @@ TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
     set32(0x22A2, 1, 1000);
     set8(0x22A0, 1, 1);
     store();
-    for (const int state : {1, 0, 1}) {  // ON, and OFF again, which waits
+    for (const int state : {1, 0, 1}) {  // ON, then OFF and ON again, which is pending
         set8(0x6220, 3, state);
         pass(1);
     }
@@ -134,7 +134,7 @@ TEST_F(Ax130751Restart, ALatchedAndDelayedRelayBeginsOff) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
+TEST_F(Ax130751Restart, NewTypeClearsTheHysteresisOfItsInputs) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {
         SCOPED_TRACE(name);
@@ -166,7 +166,7 @@ TEST_F(Ax130751Restart, ANewTypeForgetsTheHysteresisOfItsInputs) {
     type_changes("override");
 }
 
-TEST_F(Ax130751Restart, FaultsWithinTheirHysteresisEndWithAResetOfTheNode) {
+TEST_F(Ax130751Restart, ResetNodeEndsFaultsWithinTheirHysteresis) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_OUT_026>();
     struct Case {
         const char* name;
@@ -198,8 +198,8 @@ TEST_F(Ax130751Restart, FaultsWithinTheirHysteresisEndWithAResetOfTheNode) {
     }
 }
 
-// Table 1 and logic block 1 are evaluated before what they read here.
-TEST_F(Ax130751Restart, BlocksBeginAsNotAvailable) {
+// Table 1 and logic block 1 are evaluated before the blocks that they read here.
+TEST_F(Ax130751Restart, BlocksAreNotAvailableAfterAReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
     extra_as_percent(1);
     set16(0x3017, 1, 50);  // 50 at X = 0
@@ -231,7 +231,7 @@ TEST_F(Ax130751Restart, BlocksBeginAsNotAvailable) {
     }
 }
 
-TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
+TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
     verifies<req::AOR_LT_010, req::AOR_LT_015>();
     extra_as_percent(1);
     set8(0x3015, 1, 1);
@@ -257,7 +257,7 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewWhenItsSourceWasTakenAway) {
     EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
 }
 
-TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
+TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
     verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
     const std::array<std::uint16_t, 3> tables{0x3010, 0x3070, 0x3100};
     const auto at = [](std::uint16_t table, int offset) { return static_cast<std::uint16_t>(table + offset); };
@@ -286,7 +286,7 @@ TEST_F(Ax130751Restart, AProfileBeginsAnewAndPointsAreAsStored) {
     }
 }
 
-TEST_F(Ax130751Restart, ASumBeginsAt0) {
+TEST_F(Ax130751Restart, SumIs0AfterAReset) {
     verifies<req::AOR_MATH_009, req::AOR_OUT_026>();
     // Function 1 adds 2500h:1 percent to itself.
     extra_as_percent(1);
@@ -309,7 +309,7 @@ TEST_F(Ax130751Restart, ASumBeginsAt0) {
     EXPECT_EQ(get16(0x4030, 1), 0);
 }
 
-TEST_F(Ax130751Restart, ANodeIdThatWaitsForPowerOnShowsAfterAReset) {
+TEST_F(Ax130751Restart, PendingNodeIdAndBitRateAreReadBackAfterAReset) {
     verifies<req::AOR_NODE_003, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");

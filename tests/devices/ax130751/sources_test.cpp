@@ -1,5 +1,5 @@
-// Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), seen through lookup table 1: what it gets as its X, and
-// where it lets points lie.
+// Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X, and the
+// range of its points.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,21 +21,22 @@ class Ax130751Sources : public Ax130751Blocks {
             set32(0x3016, point, 3000);
         }
     }
-    /// The value that a source and number give, in tenths; 0 also when there is none.
+    /// Returns the value of a source and number in tenths; 0 also when there is none.
     int tenths(int source, int number) {
         set8(0x3010, 0, source);
         set8(0x3011, 0, number);
         pass(2);
         return get16(0x3018, 0);
     }
-    /// Whether a pair counts as not used: output 1, which would be at least at its scaling 1 of 1 V, is then OFF.
+    /// Returns whether a pair counts as not used: output 1, otherwise at least at its scaling 1 of 1 V, is then OFF.
     bool is_not_used(int source, int number) {
         set8(0x2340, 1, source);
         set8(0x2341, 1, number);
         pass(2);
         return volts(1) < 0.5F;
     }
-    /// Output 1 follows 7300h:1 of RPDO1 as shipped, output 2 2500h:4 of RPDO3; without ramps, and 3 V in a fault.
+    /// Connects output 1 to 7300h:1 of RPDO1 by default and output 2 to 2500h:4 of RPDO3; without ramps, and 3 V in a
+    /// fault.
     void control_by_two_rpdos() {
         for (const int output : {1, 2}) {
             no_ramps(output);
@@ -47,7 +48,7 @@ class Ax130751Sources : public Ax130751Blocks {
         set8(0x6302, 2, 0);
         set16(0x7322, 2, 100);
     }
-    /// The lowest and highest X that a source lets a point have, in hundredths.
+    /// Returns the lowest and highest X that a source allows for a point, in hundredths.
     std::pair<int, int> limits(int source, int number) {
         set8(0x3020, 0, source);
         set8(0x3021, 0, number);
@@ -81,7 +82,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     EXPECT_EQ(tenths(1, 3), 10);
     EXPECT_EQ(tenths(2, 1), 10);
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2500, number, 100 + number);  // one digit as shipped
+        set16(0x2500, number, 100 + number);  // one digit by default
         EXPECT_EQ(tenths(1, 3 + number), 100 + number);
     }
     for (int table = 2; table <= 10; ++table) {
@@ -154,7 +155,7 @@ TEST_F(Ax130751Sources, OtherPairsCountAsNotUsed) {
     EXPECT_FALSE(is_not_used(9, 0));
 }
 
-TEST_F(Ax130751Sources, ADigitalOutputGivesItsStates) {
+TEST_F(Ax130751Sources, DigitalOutputAsASourceGivesItsStates) {
     verifies<req::AOR_SRC_002, req::AOR_T05>();
     set16(0x6310, 2, 1020);
     set8(0x2241, 2, 1);
@@ -170,7 +171,7 @@ TEST_F(Ax130751Sources, ADigitalOutputGivesItsStates) {
     EXPECT_EQ(tenths(7, 2), 10);
 }
 
-TEST_F(Ax130751Sources, LimitsOfTable5) {
+TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     verifies<req::AOR_SRC_007, req::AOR_T05, req::AOR_SRC_008>();
     for (int point = 11; point >= 3; --point) {
         set32(0x3026, point, 32000);
@@ -194,7 +195,7 @@ TEST_F(Ax130751Sources, LimitsOfTable5) {
     set16(0x4023, 2, -3000);
     EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
     EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // 5022h, 5023h
-    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h less 5033h
+    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h minus 5033h
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
     EXPECT_EQ(limits(6, 1), (Pair{100, 400}));
@@ -205,7 +206,7 @@ TEST_F(Ax130751Sources, LimitsOfTable5) {
     set8(0x3011, 0, 4);
     pass(2);
     EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // 0 to 100 %
-    set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, cut at the end of what is tried
+    set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, limited by the tested range
     pass(2);
     EXPECT_EQ(limits(3, 1).first, -15000);
     set16(0x3017, 1, 0);
@@ -216,7 +217,7 @@ TEST_F(Ax130751Sources, LimitsOfTable5) {
     EXPECT_EQ(limits(3, 1), (Pair{0, 10000})) << "0 to 90 lies within 0 to 100";
 }
 
-TEST_F(Ax130751Sources, WhatWasNeverReceivedIsValid) {
+TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
     verifies<req::AOR_SRC_006>();
     no_ramps(1);
     set8(0x2342, 1, 0);
@@ -228,7 +229,7 @@ TEST_F(Ax130751Sources, WhatWasNeverReceivedIsValid) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "0 of 7300h, not the fault value";
 }
 
-TEST_F(Ax130751Sources, OnlyWhatTheOverdueRpdoMapsIsInError) {
+TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set16(0x2500, 4, 50);
@@ -261,16 +262,16 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    pass(41);  // 101 ms: nothing comes that would wake it
+    pass(41);  // 101 ms: no event requires a cycle
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 
-TEST_F(Ax130751Sources, ALostHeartbeatCountsAlsoWhileAnRpdoIsOverdue) {
+TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     verifies<req::AOR_SRC_005>();
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);
@@ -287,7 +288,7 @@ TEST_F(Ax130751Sources, ALostHeartbeatCountsAlsoWhileAnRpdoIsOverdue) {
     EXPECT_FLOAT_EQ(volts(2), 3.0F) << "101 ms after the heartbeat";
 }
 
-TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {
+TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -298,7 +299,7 @@ TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
     pass(20);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
-    set8(0x2340, 1, math_source);  // a source that is no message
+    set8(0x2340, 1, math_source);  // a source that is no received message
     pass(2);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     set8(0x2340, 1, canopen);
@@ -308,7 +309,7 @@ TEST_F(Ax130751Sources, ALostHeartbeatPutsAllMessagesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, SoDoesLostLifeGuarding) {
+TEST_F(Ax130751Sources, LostLifeGuardingPutsAllReceivedValuesInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

@@ -1,5 +1,5 @@
-// What the AX130751 keeps: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7, 3.2.8, 3.2.11,
-// 3.2.12, 3.4.86 to 3.4.88).
+// Parameters that the AX130751 stores: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7,
+// 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 class Ax130751Storage : public Ax130751Test {
   protected:
-    /// LSS as in 3.1.2: configuration, node-ID, store, waiting.
+    /// Sets the node-ID by LSS as in 3.1.2: configuration, node-ID, store, waiting.
     Frames give_node_id(unsigned wanted) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#11{:02X}", wanted)), (Frames{"7E4#110000"}));
@@ -25,7 +25,7 @@ class Ax130751Storage : public Ax130751Test {
 }  // namespace
 
 // 3.1
-TEST_F(Ax130751Storage, ShipsAsNode127At125Kilobit) {
+TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     verifies<req::AOR_NODE_001, req::AOR_K_NODE_ID, req::AOR_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->node_id(), 127);
@@ -33,7 +33,7 @@ TEST_F(Ax130751Storage, ShipsAsNode127At125Kilobit) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax130751Storage, OtherObjectsOfTheDeviceChangeNoNodeId) {
+TEST_F(Ax130751Storage, WritesToOtherObjectsChangeNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
     EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // a type of output
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -41,7 +41,7 @@ TEST_F(Ax130751Storage, OtherObjectsOfTheDeviceChangeNoNodeId) {
 }
 
 // 3.1.2
-TEST_F(Ax130751Storage, LssGivesANodeIdThatHolds) {
+TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
     start();
     send("000#807F");
@@ -53,7 +53,7 @@ TEST_F(Ax130751Storage, LssGivesANodeIdThatHolds) {
     EXPECT_EQ(read(0x1400, 1), 0x40000220U);
 }
 
-TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysBootsUp) {
+TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysSendsBootUp) {
     verifies<req::AOR_LSS_001>();
     send("7E5#0401");
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
@@ -61,7 +61,7 @@ TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysBootsUp) {
 }
 
 // Table 22, by the index of configure bit timing
-TEST_F(Ax130751Storage, LssKnowsTheBitRatesOfTable22) {
+TEST_F(Ax130751Storage, LssTakesTheBitRatesOfTable22) {
     verifies<req::AOR_T22, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B50>();
     const std::vector<std::pair<int, std::uint32_t>> rates{{0, 1000000}, {1, 666667}, {2, 500000}, {3, 250000},
                                                            {4, 125000},  {6, 50000},  {7, 20000},  {8, 10000}};
@@ -85,7 +85,7 @@ TEST_F(Ax130751Storage, LssKnowsTheBitRatesOfTable22) {
 }
 
 // The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
-TEST_F(Ax130751Storage, TheCapturedSessionRuns) {
+TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     give_node_id(80);
     EXPECT_EQ(send("7E5#0401"), Frames{});
@@ -104,7 +104,7 @@ TEST_F(Ax130751Storage, TheCapturedSessionRuns) {
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     verifies<req::AOR_LSS_002, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800,
              req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
-    // RPDO2 gets an identifier of its own, all is stored, then the node-ID changes
+    // RPDO2 gets its own identifier, everything is stored, then the node-ID changes
     EXPECT_EQ(write(0x1401, 1, 0x80000345, 4), "");
     store();
     give_node_id(0x20);
@@ -114,7 +114,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     for (const auto& [index, cob_id] : expected) {
         EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
     }
-    // another group is stored by the new node: what was kept still follows, and again after the next change
+    // another group is stored by the new node: the stored identifiers still follow, also after the next change
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store(4);
     power_on();
@@ -129,7 +129,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
 }
 
 // 3.4.87, 3.4.88, and the bold sentence of 3.2.7
-TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoAreLostUntil1010hStoresThem) {
+TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     const auto set = [this] {
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
@@ -171,7 +171,7 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateBySdoAreLostUntil1010hStoresThem) {
     EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
 }
 
-TEST_F(Ax130751Storage, LssKeepsWhat1010hHasStoredAndItHasNotSet) {
+TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
@@ -206,7 +206,7 @@ TEST_F(Ax130751Storage, LssKeepsWhat1010hHasStoredAndItHasNotSet) {
     EXPECT_EQ(read(0x5B51, 0), 0x31U) << "set by LSS, though the power-on found it";
 }
 
-TEST_F(Ax130751Storage, LssStoresNothingThat1010hHasNotStored) {
+TEST_F(Ax130751Storage, LssStoreDoesNotStoreABitRateWrittenBySdo) {
     verifies<req::AOR_NODE_005, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s, not stored
     give_node_id(0x31);
@@ -221,7 +221,7 @@ TEST_F(Ax130751Storage, LssStoresNothingThat1010hHasNotStored) {
     EXPECT_EQ(power_on(), (Frames{"733#00"}));
 }
 
-TEST_F(Ax130751Storage, RestoringTouchesNeitherNodeIdNorBitRate) {
+TEST_F(Ax130751Storage, RestoreKeepsNodeIdAndBitRate) {
     verifies<req::AOR_NODE_004, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     give_node_id(0x20);
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");
@@ -234,14 +234,14 @@ TEST_F(Ax130751Storage, RestoringTouchesNeitherNodeIdNorBitRate) {
 }
 
 // 3.2.7
-TEST_F(Ax130751Storage, SavesOnCommandInEveryStateThatAnswersSdo) {
+TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011>();
     silence_tpdo1();
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1010, sub), 1U);
         EXPECT_EQ(read(0x1011, sub), 1U);
         EXPECT_EQ(write(0x1010, sub, 0x65766174, 4), "08000020");
-        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other word
+        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other signature
     }
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     power_on();
@@ -258,7 +258,7 @@ TEST_F(Ax130751Storage, SavesOnCommandInEveryStateThatAnswersSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, GroupsAreStoredApart) {
+TEST_F(Ax130751Storage, ParameterGroupsAreStoredSeparately) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // communication
     EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // application
@@ -270,7 +270,7 @@ TEST_F(Ax130751Storage, GroupsAreStoredApart) {
     EXPECT_EQ(read(0x5033, 0), 25U);
 }
 
-TEST_F(Ax130751Storage, CommandsThatCameThroughCanAreNotKept) {
+TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
     for (int sub = 1; sub <= 3; ++sub) {
         EXPECT_EQ(write(0x6220, sub, 1, 1), "");
@@ -289,7 +289,7 @@ TEST_F(Ax130751Storage, CommandsThatCameThroughCanAreNotKept) {
 }
 
 // 3.2.8
-TEST_F(Ax130751Storage, DefaultsHoldFromTheNextReset) {
+TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     EXPECT_EQ(write(0x6340, 2, 0, 1), "");
@@ -302,7 +302,7 @@ TEST_F(Ax130751Storage, DefaultsHoldFromTheNextReset) {
 }
 
 // 3.4.86
-TEST_F(Ax130751Storage, StartsByItselfWhenThatIsStored) {
+TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
@@ -313,7 +313,7 @@ TEST_F(Ax130751Storage, StartsByItselfWhenThatIsStored) {
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
     send("000#807F");
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // a master is obeyed
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // an NMT command is obeyed
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     EXPECT_EQ(write(0x5555, 0, 0, 1), "");
@@ -324,7 +324,7 @@ TEST_F(Ax130751Storage, StartsByItselfWhenThatIsStored) {
 }
 
 // 3.2.11, 3.2.12
-TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
+TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
@@ -355,7 +355,7 @@ TEST_F(Ax130751Storage, IdentityAndDateOfTheSoftware) {
     }
 }
 
-TEST_F(Ax130751Storage, AMemoryThatFailsAtNodeIdAndBitRateRefuses1010h) {
+TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     const std::size_t before = memory.written();
@@ -376,7 +376,7 @@ TEST_F(Ax130751Storage, AMemoryThatFailsAtNodeIdAndBitRateRefuses1010h) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
 }
 
-TEST_F(Ax130751Storage, AMemoryThatFailsRefusesWhatLssStores) {
+TEST_F(Ax130751Storage, FailedMemoryRefusesTheLssStore) {
     verifies<req::AOR_NODE_003, req::AOR_LSS_003, req::AOR_OD_5B51>();
     memory.cut_power_after(0);
     EXPECT_EQ(write(0x1010, 4, 0x65766173, 4), "06060000");

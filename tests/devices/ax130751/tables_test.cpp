@@ -1,4 +1,4 @@
-// The decision tables of the AX130751's manual, cell by cell, and the constants of its blocks.
+// The decision tables of the AX130751 manual, cell by cell, and the constants of its blocks.
 #include "generated/ax130751/tables.hpp"
 
 #include <map>
@@ -17,7 +17,7 @@ using Quantity = own::Quantity;
 
 }  // namespace
 
-TEST(Ax130751Tables, T01DigitalOutputPolarity) {
+TEST(Ax130751Tables, Table1DigitalOutputPolarityFollowsTheManual) {
     verifies<req::AOR_T01>();
     namespace t = own::digital_polarity;
     const auto drive = [](std::uint8_t value, bool before, bool state) { return t::find(value, before, state)->drive; };
@@ -35,7 +35,7 @@ TEST(Ax130751Tables, T01DigitalOutputPolarity) {
     EXPECT_EQ(t::find(4, false, false), nullptr);
 }
 
-TEST(Ax130751Tables, T02AndT09FaultModes) {
+TEST(Ax130751Tables, Tables2And9FaultModesFollowTheManual) {
     verifies<req::AOR_T02, req::AOR_T09, req::AOR_E_FAULT_ACTION>();
     EXPECT_EQ(own::digital_error_response::find(0)->action, own::FaultAction::keep);
     EXPECT_EQ(own::digital_error_response::find(1)->action, own::FaultAction::fault_value);
@@ -45,7 +45,7 @@ TEST(Ax130751Tables, T02AndT09FaultModes) {
     EXPECT_EQ(own::analogue_error_response::rows.size(), 2U);
 }
 
-TEST(Ax130751Tables, T03OutputTypesAndTheirRanges) {
+TEST(Ax130751Tables, Table3OutputTypesAndRangesFollowTheManual) {
     verifies<req::AOR_T03, req::AOR_E_OUTPUT_TYPE>();
     namespace t = own::output_type;
     const auto expect = [](int number, t::Kind kind, float minimum, float maximum) {
@@ -65,7 +65,7 @@ TEST(Ax130751Tables, T03OutputTypesAndTheirRanges) {
     EXPECT_EQ(t::rows.size(), 7U);
 }
 
-TEST(Ax130751Tables, WhatAnAutomaticUpdateWrites) {
+TEST(Ax130751Tables, ValuesOfAutomaticUpdatesFollowTheManual) {
     verifies<req::AOR_T_TYPE_DEFAULTS>();
     const auto expect = [](int number, int scaling_1, int scaling_2, int digits) {
         const auto* row = own::type_defaults::find(static_cast<Type>(number));
@@ -83,7 +83,7 @@ TEST(Ax130751Tables, WhatAnAutomaticUpdateWrites) {
     expect(1020, 0, 1, 0);
 }
 
-TEST(Ax130751Tables, T4AControlSources) {
+TEST(Ax130751Tables, Table4AControlSourcesFollowTheManual) {
     verifies<req::AOR_T4A>();
     using M = own::control_source::Meaning;
     const std::array<M, 10> expected{M::not_used, M::canopen_message, M::relay_command,   M::lookup_table,
@@ -95,9 +95,9 @@ TEST(Ax130751Tables, T4AControlSources) {
     EXPECT_EQ(own::control_source::find(10), nullptr);
 }
 
-TEST(Ax130751Tables, T4BControlNumbers) {
+TEST(Ax130751Tables, Table4BControlNumbersFollowTheManual) {
     verifies<req::AOR_T4B, req::AOR_E_QUANTITY>();
-    // The pairs that the manual prints; everything else is none.
+    // The pairs that the manual prints; all others are invalid.
     std::map<std::pair<int, int>, std::pair<Quantity, int>> printed;
     printed[{1, 1}] = {Quantity::output_command, 1};
     printed[{1, 2}] = {Quantity::output_command, 2};
@@ -137,7 +137,7 @@ TEST(Ax130751Tables, T4BControlNumbers) {
     }
 }
 
-TEST(Ax130751Tables, T05LimitsAndDigits) {
+TEST(Ax130751Tables, Table5LimitsAndDigitsFollowTheManual) {
     verifies<req::AOR_T05, req::AOR_E_QUANTITY>();
     namespace t = own::value_limits;
     const auto expect = [](Quantity quantity, t::Lower lower, t::Upper upper, t::Digits digits) {
@@ -161,7 +161,7 @@ TEST(Ax130751Tables, T05LimitsAndDigits) {
     expect(Quantity::temperature, t::Lower::o5032_less_o5033, t::Upper::o5032, t::Digits::tenths);
 }
 
-TEST(Ax130751Tables, T06ControlResponse) {
+TEST(Ax130751Tables, Table6ControlResponseFollowsTheManual) {
     verifies<req::AOR_T06>();
     namespace t = own::control_response;
     const auto drive = [](std::uint8_t response, t::Position position) { return t::find(response, position)->drive; };
@@ -176,7 +176,7 @@ TEST(Ax130751Tables, T06ControlResponse) {
     EXPECT_EQ(drive(2, t::Position::above), t::Drive::off);
 }
 
-TEST(Ax130751Tables, T07EnableResponse) {
+TEST(Ax130751Tables, Table7EnableResponseFollowsTheManual) {
     verifies<req::AOR_T07, req::AOR_E_ENABLE_ACTION>();
     using A = own::EnableAction;
     struct Row {
@@ -196,7 +196,7 @@ TEST(Ax130751Tables, T07EnableResponse) {
     EXPECT_EQ(own::enable_response::find(6, true), nullptr);
 }
 
-TEST(Ax130751Tables, T08AndT12OverrideResponses) {
+TEST(Ax130751Tables, Tables8And12OverrideResponsesFollowTheManual) {
     verifies<req::AOR_T08, req::AOR_T12>();
     EXPECT_TRUE(own::override_response::find(0, true)->overridden);
     EXPECT_FALSE(own::override_response::find(0, false)->overridden);
@@ -208,7 +208,7 @@ TEST(Ax130751Tables, T08AndT12OverrideResponses) {
     EXPECT_TRUE(own::relay_override_response::find(1, false)->overridden);
 }
 
-TEST(Ax130751Tables, T10RelayPolarity) {
+TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     verifies<req::AOR_T10>();
     namespace t = own::relay_polarity;
     using D = t::Drive;
@@ -230,7 +230,7 @@ TEST(Ax130751Tables, T10RelayPolarity) {
     }
 }
 
-TEST(Ax130751Tables, T11RelayEnableResponse) {
+TEST(Ax130751Tables, Table11RelayEnableResponseFollowsTheManual) {
     verifies<req::AOR_T11, req::AOR_E_ENABLE_ACTION>();
     using A = own::EnableAction;
     const std::array<std::pair<A, A>, 6> on_and_off{{{A::run, A::shut_off},
@@ -247,7 +247,7 @@ TEST(Ax130751Tables, T11RelayEnableResponse) {
     }
 }
 
-TEST(Ax130751Tables, RelayOverrideStateAndContacts) {
+TEST(Ax130751Tables, RelayOverrideStateAndContactsFollowTheManual) {
     verifies<req::AOR_T11B, req::AOR_T_CONTACT>();
     EXPECT_FALSE(own::relay_override_state::find(0)->on);
     EXPECT_TRUE(own::relay_override_state::find(1)->on);
@@ -257,7 +257,7 @@ TEST(Ax130751Tables, RelayOverrideStateAndContacts) {
     EXPECT_TRUE(own::relay_contact::find(false)->normally_open);
 }
 
-TEST(Ax130751Tables, T14PointResponses) {
+TEST(Ax130751Tables, Table14PointResponsesFollowTheManual) {
     verifies<req::AOR_T14>();
     namespace t = own::point_response;
     EXPECT_EQ(t::find(0, t::Point::first)->meaning, t::Meaning::data);
@@ -268,7 +268,7 @@ TEST(Ax130751Tables, T14PointResponses) {
     EXPECT_EQ(t::find(2, t::Point::other)->meaning, t::Meaning::jump);
 }
 
-TEST(Ax130751Tables, T20LookupTablesOfTheLogicBlocks) {
+TEST(Ax130751Tables, Table20LookupTablesOfLogicBlocksFollowTheManual) {
     verifies<req::AOR_T20>();
     for (std::uint8_t block = 1; block <= 3; ++block) {
         const auto* row = own::shipped_tables::find(block);
@@ -278,7 +278,7 @@ TEST(Ax130751Tables, T20LookupTablesOfTheLogicBlocks) {
     }
 }
 
-TEST(Ax130751Tables, T21Operators) {
+TEST(Ax130751Tables, Table21OperatorsFollowTheManual) {
     verifies<req::AOR_T21>();
     using O = own::math_operator::Operation;
     const std::array<O, 18> expected{
@@ -291,7 +291,7 @@ TEST(Ax130751Tables, T21Operators) {
     EXPECT_EQ(own::math_operator::find(18), nullptr);
 }
 
-TEST(Ax130751Tables, T23AndTheCodesOfDiagnosticFaults) {
+TEST(Ax130751Tables, Table23AndDiagnosticFaultCodesFollowTheManual) {
     verifies<req::AOR_T23, req::AOR_T_FAULT_CODES>();
     namespace t = own::error_field_codes;
     const auto expect = [](ErrorId error, int description, int channel, int code, int bits) {
@@ -311,14 +311,14 @@ TEST(Ax130751Tables, T23AndTheCodesOfDiagnosticFaults) {
     EXPECT_EQ(own::fault_codes::find(own::error::temperature)->register_bits, 1);
 }
 
-TEST(Ax130751Tables, LevelsOf2240h) {
+TEST(Ax130751Tables, OutputLevelsOf2240hFollowTheManual) {
     verifies<req::AOR_T_DIGITAL_RANGE>();
     EXPECT_EQ(own::digital_range::find(0)->level_v, 5.0F);
     EXPECT_EQ(own::digital_range::find(1)->level_v, 12.0F);
     EXPECT_EQ(own::digital_range::rows.size(), 2U);
 }
 
-TEST(Ax130751Constants, OfTheBlocks) {
+TEST(Ax130751Constants, BlockConstantsFollowTheManual) {
     verifies<req::AOR_K_CYCLE, req::AOR_K_FREQUENCY_DUTY, req::AOR_K_COMPLIANCE, req::AOR_K_RESISTOR_SCALE,
              req::AOR_K_SHORTEST_INTERVAL, req::AOR_K_LONGEST_INTERVAL, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH,
              req::AOR_K_TRUE_FROM, req::AOR_K_GAIN_ONE, req::AOR_K_SUPPLY_SHUTDOWN_LOW,

@@ -1,4 +1,4 @@
-// What a block of the AX130751 keeps, and does not keep, while something else decides about it.
+// State that a block of the AX130751 keeps, or drops, while another input determines its output.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class Ax130751Takeover : public Ax130751Test {
   protected:
-    /// 2500h:number from 0 to 100, as what an input reads.
+    /// Connects an input to 2500h:number from 0 to 100.
     void connect(std::uint16_t source_index, int sub, int number) {
         write(0x2502, number, 0, 1);
         write(0x2522, number, 100, 2);
@@ -22,7 +22,7 @@ class Ax130751Takeover : public Ax130751Test {
 }  // namespace
 
 // 1.2 Table 1: blinking begins with ON
-TEST_F(Ax130751Takeover, BlinkingBeginsAnewAfterAnOverride) {
+TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
     write(0x2241, 1, 3, 1);   // blinks while ON
@@ -36,7 +36,7 @@ TEST_F(Ax130751Takeover, BlinkingBeginsAnewAfterAnOverride) {
     EXPECT_TRUE(device->outputs().out_on[0]);
     pass(10);
     write(0x6220, 3, 1, 1);
-    pass(50);  // the old rhythm would be OFF from 40 ms to 80 ms
+    pass(50);  // the previous phase would be OFF from 40 ms to 80 ms
     EXPECT_FALSE(device->outputs().out_on[0]);
     write(0x6220, 3, 0, 1);
     pass(1);
@@ -47,8 +47,8 @@ TEST_F(Ax130751Takeover, BlinkingBeginsAnewAfterAnOverride) {
     EXPECT_FALSE(device->outputs().out_on[0]) << "40 ms after the override";
 }
 
-// 1.5.4, 1.2: within the hysteresis as before, OFF before it was ever outside
-TEST_F(Ax130751Takeover, ATableThatBecomesOneOverTimeTakesNoOldOn) {
+// 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
+TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_010>();
     write(0x2522, 1, 100, 2);  // EC1: 0 to 100
     write(0x3011, 0, 4, 1);
@@ -70,8 +70,8 @@ TEST_F(Ax130751Takeover, ATableThatBecomesOneOverTimeTakesNoOldOn) {
     EXPECT_NE(read(0x3018, 0), 0U);
 }
 
-// 1.5: only the input starts a profile, and a new point takes effect where it is
-TEST_F(Ax130751Takeover, AProfileRunsOnWhileItsPointsAreWritten) {
+// 1.5: only the input starts a profile, and a new point takes effect at once
+TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
     write(0x3015, 1, 1, 1);
@@ -117,7 +117,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
     }
 }
 
-TEST_F(Ax130751Takeover, OverTimeYOfPoint1IsNoMinimum) {
+TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileIsNoMinimum) {
     verifies<req::AOR_LT_018, req::AOR_LT_014>();
     write(0x3021, 0, 1, 1);
     write(0x3020, 0, 3, 1);  // table 2 over table 1
@@ -128,8 +128,8 @@ TEST_F(Ax130751Takeover, OverTimeYOfPoint1IsNoMinimum) {
     EXPECT_EQ(static_cast<std::int32_t>(read(0x3026, 1)), -20);
 }
 
-// 1.6: a block that is off gives no value
-TEST_F(Ax130751Takeover, AnOutputGoesOffWithTheLogicBlockThatControlsIt) {
+// 1.6: a disabled block gives no value
+TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_008>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);
@@ -150,8 +150,8 @@ TEST_F(Ax130751Takeover, AnOutputGoesOffWithTheLogicBlockThatControlsIt) {
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
 }
 
-// 1.2: a valid override acts whatever has happened to the control
-TEST_F(Ax130751Takeover, ADigitalOutputIsOverriddenWhileItsControlIsInError) {
+// 1.2: a valid override acts whatever the state of the control
+TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
     write(0x6310, 2, 1020, 2);
     write(0x6260, 2, 1, 1);
@@ -178,10 +178,10 @@ TEST_F(Ax130751Takeover, ADigitalOutputIsOverriddenWhileItsControlIsInError) {
     EXPECT_FALSE(device->outputs().out_on[1]) << "6220h:2 is 0";
 }
 
-TEST_F(Ax130751Takeover, ALostHeartbeatPutsTheRelayOff) {
+TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
     write(0x1016, 3, 0x00050064, 4);
-    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both 6220h:3
+    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both are 6220h:3
         SCOPED_TRACE(source);
         write(0x2260, 1, source, 1);
         write(0x2261, 1, source == 1 ? 3 : 1, 1);
@@ -199,8 +199,8 @@ TEST_F(Ax130751Takeover, ALostHeartbeatPutsTheRelayOff) {
     }
 }
 
-// 1.4: the unlatch input is read whatever the polarity, so that its hysteresis holds when a latch is chosen
-TEST_F(Ax130751Takeover, AnUnlatchThatCameBeforeTheLatchCounts) {
+// 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
+TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
     start();
@@ -221,8 +221,8 @@ TEST_F(Ax130751Takeover, AnUnlatchThatCameBeforeTheLatchCounts) {
     EXPECT_TRUE(device->outputs().relay_nc);
 }
 
-// 1.8: detection has nothing to do with measuring
-TEST_F(Ax130751Takeover, MeasuresWithoutDetection) {
+// 1.8: measuring does not depend on detection
+TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005>();
     write(0x5021, 0, 0, 1);
     write(0x5031, 0, 0, 1);

@@ -1,4 +1,4 @@
-// The dictionary of 3.2, 3.3 and 3.4, read entry by entry as a client sees it.
+// The dictionary of 3.2, 3.3 and 3.4, read entry by entry as by a client.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,7 +11,7 @@ using Ax188001Dictionary = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001Dictionary, HoldsTheObjectsOfTheThreeTablesAndNoOthers) {
+TEST_F(Ax188001Dictionary, DictionaryHasTheObjectsOfTheThreeTablesAndNoOthers) {
     verifies<req::TCS_OD_001>();
     const std::vector<int> objects{0x1000, 0x1001, 0x1002, 0x1003, 0x100C, 0x100D, 0x1010, 0x1011, 0x1016, 0x1017,
                                    0x1018, 0x1020, 0x1029, 0x1400, 0x1401, 0x1402, 0x1403, 0x1600, 0x1601, 0x1602,
@@ -112,7 +112,7 @@ TEST_F(Ax188001Dictionary, EachEntryHasTheLengthOfItsType) {
     }
 }
 
-TEST_F(Ax188001Dictionary, SaysWhatItIs) {
+TEST_F(Ax188001Dictionary, DeviceTypeAndIdentityMatchTheManual) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1002, req::TCS_OD_1018, req::TCS_OD_1020>();
     EXPECT_EQ(read(0x1000).value, 0x00020194U);
     EXPECT_EQ(read(0x1002).value, 0U);
@@ -135,7 +135,7 @@ TEST_F(Ax188001Dictionary, SaysWhatItIs) {
     EXPECT_EQ(write(0x1020, 2, 4, 0), read_only);
 }
 
-TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreTheUnits) {
+TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreThoseOfTheUnit) {
     verifies<req::TCS_OD_1018>();
     factory.serial_number = 0x12345678;
     factory.revision = 0x00010002;
@@ -144,7 +144,7 @@ TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreTheUnits) {
     EXPECT_EQ(read(0x1018, 3).value, 0x00010002U);
 }
 
-TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValue) {
+TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValueMatchTheManual) {
     verifies<req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1016, req::TCS_OD_1017>();
     EXPECT_EQ(read(0x100C).value, 0U);
     EXPECT_EQ(read(0x100C).size, 2);
@@ -157,7 +157,7 @@ TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValue) {
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1016, sub).value, 0U);
         EXPECT_EQ(write(0x1016, sub, 4, 0x01000000), too_high);
-        EXPECT_EQ(write(0x1016, sub, 4, 0x00FFFFFF), 0U);  // node-ID 255 is nobody: watches nothing
+        EXPECT_EQ(write(0x1016, sub, 4, 0x00FFFFFF), 0U);  // node-ID 255 is unused: it monitors nothing
         EXPECT_EQ(write(0x1016, sub, 4, 0x00300005U + static_cast<std::uint32_t>(sub << 16)), 0U);
     }
     EXPECT_EQ(read(0x1016, 5).abort, no_subindex);
@@ -216,7 +216,7 @@ TEST(Ax188001Defaults, MeasuredValuesAreZeroBeforeTheFirstReading) {
         EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 0), 0U) << index;
     }
     for (int sub = 0; sub <= 9; ++sub) {
-        // The list is no parameter: it is empty after power-on, whatever its memory held.
+        // The list is not a parameter: it is empty after power-on, whatever the memory contained.
         const EntryRef entry = objects.lookup(0x1003, static_cast<std::uint8_t>(sub));
         ASSERT_TRUE(entry.exists()) << sub;
         EXPECT_EQ(objects.default_bits(*entry.row), 0U) << sub;
@@ -231,7 +231,7 @@ TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     struct Parameter {
         int index;
         int size;
-        std::vector<std::uint32_t> elements;  // of a VAR its one value
+        std::vector<std::uint32_t> elements;  // of a VAR its only value
         bool is_array;
     };
     const std::uint32_t sixteen = 0x41800000;    // 16.0F

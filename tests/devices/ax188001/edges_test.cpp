@@ -1,4 +1,4 @@
-// Constants of the AX188001 at their edges, on both sides and much nearer than 1 % (1.1, 3.3, 3.4, appendix A).
+// Constants of the AX188001 at their edges, on both sides and much closer than 1 % (1.1, 3.3, 3.4, appendix A).
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -11,13 +11,13 @@ namespace {
 
 constexpr double finest_step_uv = 19531.25 / 32768.0;  // 2.5 V / 128 on 15 bits
 
-/// A reading of the converter at gain 128, and the whole tenth of a degree that it lies beside.
+/// A reading of the converter at gain 128, and the nearest tenth of a degree.
 struct Reading {
     double uv;
     int tenths;
 };
 
-/// Temperature of a type J voltage against 0 degC.
+/// Returns the temperature of a type J voltage against 0 degC.
 double celsius_of(double uv) {
     const Its90Type& type = its90_types().front();
     double low = 0.0;
@@ -29,7 +29,7 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Of all readings between 60 and 200 degC the one that lies closest to a whole tenth, above it or below it.
+/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below it.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -47,7 +47,7 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 as type J without compensation and without a delay, with wide limits.
+/// Channel 1 as type J without compensation and delay, with wide limits.
 class Edges : public TcsTest {
   protected:
     void SetUp() override {
@@ -66,7 +66,7 @@ class Edges : public TcsTest {
 
 }  // namespace
 
-TEST_F(Edges, ALimitIsPassedJustAboveIt) {
+TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
     verifies<req::TCS_LIM_001, req::TCS_K_LIMIT_RESOLUTION>();
     const Reading above = closest(true);
     const Reading below = closest(false);
@@ -82,11 +82,11 @@ TEST_F(Edges, ALimitIsPassedJustAboveIt) {
     EXPECT_EQ(status(1), 2);
 }
 
-TEST_F(Edges, TheHysteresisIsOneDegree) {
+TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
-        show(finest_step_uv * 25000.0);  // 268 degC: beyond any of the limits
+        show(finest_step_uv * 25000.0);  // 268 degC: beyond all limits
         show_high_limit(reading.tenths + 10);
         EXPECT_EQ(status(1), 2);
         show(reading.uv);
@@ -95,7 +95,7 @@ TEST_F(Edges, TheHysteresisIsOneDegree) {
     }
 }
 
-TEST_F(Edges, TheHysteresisOfALowLimitIsOneDegree) {
+TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     show_high_limit(5000);
     for (const bool above : {true, false}) {
@@ -124,7 +124,7 @@ TEST_F(Edges, EachGainEndsAtItsFullScale) {
     EXPECT_EQ(process_value(1), -512);
 }
 
-TEST_F(Edges, TheGainIsRaisedAt90PercentOfFullScale) {
+TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     verifies<req::TCS_IN_004, req::TCS_K_GAIN_BACK>();
     // 0.9 of 19531.25 uV is 17578.1 uV, of 39062.5 uV 35156.2 uV
     const std::vector<std::pair<double, int>> cases{{17578.0, 128}, {17579.0, 64}, {35156.0, 64}, {35157.0, 32}};
@@ -136,7 +136,7 @@ TEST_F(Edges, TheGainIsRaisedAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, ARangeEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
     verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -154,7 +154,7 @@ TEST_F(Edges, ARangeEndsTenMicrovoltsBeyondItsFigure) {
 }
 
 /// The cold junction adds any voltage to a reading: 0.05 uV on either side of the margin.
-TEST_F(Edges, TheMarginOfARangeToHalfAPercent) {
+TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -175,7 +175,7 @@ TEST_F(Edges, TheMarginOfARangeToHalfAPercent) {
     }
 }
 
-TEST_F(Edges, TheColdJunctionIsReadFromMinus40To110Degrees) {
+TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{
         {-39.9F, -39.9F}, {-40.1F, -40.0F}, {109.9F, 109.9F}, {110.1F, 110.0F}};
@@ -187,7 +187,7 @@ TEST_F(Edges, TheColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Edges, WhatIsLeftOfHum) {
+TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION>();
     // 1 V of hum: 110 dB leave 3.16 uV, the wrong frequency 1330 uV (60 Hz selected) or 590 uV (50 Hz selected).
     struct Case {
@@ -203,11 +203,11 @@ TEST_F(Edges, WhatIsLeftOfHum) {
         const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
-        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv, 2.0);  // one to each side, in steps of 0.6 uV
+        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv, 2.0);  // one on each side, in steps of 0.6 uV
     }
 }
 
-TEST_F(Edges, TenthsOfTheUnitsOwnValuesAreRounded) {
+TEST_F(Edges, SupplyAndProcessorTemperatureAreRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC
@@ -227,7 +227,7 @@ TEST_F(Edges, TenthsOfTheUnitsOwnValuesAreRounded) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Edges, LastAcceptedAndFirstRefusedValues) {
+TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
     verifies<req::TCS_VAL_008, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

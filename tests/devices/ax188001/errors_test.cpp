@@ -29,7 +29,7 @@ class Ax188001Errors : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Errors, EachHasItsCodeDescriptionAndChannel) {
+TEST_F(Ax188001Errors, EachErrorHasItsCodeDescriptionAndChannel) {
     verifies<req::TCS_ERR_001, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION, req::CO_EMCY_009,
              req::CO_K_EMCY_ID>();
     heat(1, 130.0);
@@ -51,7 +51,7 @@ TEST_F(Ax188001Errors, EachHasItsCodeDescriptionAndChannel) {
     EXPECT_EQ(run(111.0F, 8.0F), (Frames{"165:0FF#0000010000000000", "165:0FF#0031010320000000"}));
 }
 
-TEST_F(Ax188001Errors, AreAnnouncedOnce) {
+TEST_F(Ax188001Errors, ErrorsAreReportedOnce) {
     verifies<req::TCS_ERR_002>();
     heat(1, 130.0);
     EXPECT_EQ(read_once().size(), 1U);
@@ -62,7 +62,7 @@ TEST_F(Ax188001Errors, AreAnnouncedOnce) {
     EXPECT_EQ(pass(5000), Frames{});
 }
 
-TEST_F(Ax188001Errors, ListShowsThoseThatLastTheLatestFirst) {
+TEST_F(Ax188001Errors, ErrorListShowsActiveErrorsLatestFirst) {
     verifies<req::TCS_ERR_003, req::TCS_OD_1003, req::TCS_ERR_006, req::TCS_OD_1001, req::CO_EMCY_007>();
     EXPECT_EQ(read(0x1003, 0).value, 0U);
     EXPECT_EQ(read(0x1001).value, 0U);
@@ -87,11 +87,11 @@ TEST_F(Ax188001Errors, ListShowsThoseThatLastTheLatestFirst) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Ax188001Errors, TheTenthPushesOutTheOldest) {
+TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     verifies<req::TCS_ERR_004, req::TCS_OD_1003>();
     EXPECT_EQ(read(0x1003, 9).abort, 0U);
     EXPECT_EQ(read(0x1003, 10).abort, no_subindex);
-    // Two limit faults and the open circuit on each channel, FD1, FD2, overrun, and a silent producer: ten.
+    // Two limit faults and the open circuit on each channel, FD1, FD2, overrun, and a lost heartbeat: ten errors.
     for (const int channel : {1, 2}) {
         heat(channel, 260.0);
         read_once();
@@ -115,11 +115,11 @@ TEST_F(Ax188001Errors, TheTenthPushesOutTheOldest) {
     EXPECT_EQ(after.back(), 0x4001F011U);
     inputs.can_overrun = false;
     set_inputs();
-    EXPECT_EQ(listed().size(), 8U);  // the lost one does not come back
+    EXPECT_EQ(listed().size(), 8U);  // the removed error does not return to the list
     EXPECT_EQ(listed().back(), 0x4001F011U);
 }
 
-TEST_F(Ax188001Errors, ClearingTheListIsAllThatWritingZeroDoes) {
+TEST_F(Ax188001Errors, WritingZeroClearsTheErrorListOnly) {
     verifies<req::TCS_ERR_005, req::TCS_OD_1003>();
     heat(1, 130.0);
     read_once();
@@ -135,7 +135,7 @@ TEST_F(Ax188001Errors, ClearingTheListIsAllThatWritingZeroDoes) {
     EXPECT_EQ(read_once(), (Frames{"165:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax188001Errors, ASilentProducerIsNamed) {
+TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5>();
     EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // node 49, 100 ms
     EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // node 50, 200 ms
@@ -147,7 +147,7 @@ TEST_F(Ax188001Errors, ASilentProducerIsNamed) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80328130}));
 }
 
-TEST_F(Ax188001Errors, LifeGuardingHasItsOwnField) {
+TEST_F(Ax188001Errors, LifeGuardingErrorHasItsOwnField) {
     verifies<req::TCS_ERR_007, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);
@@ -181,14 +181,14 @@ TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
     EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
 }
 
-TEST_F(Ax188001Errors, AnRpdoThatStaysAwayIsACommunicationError) {
+TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     verifies<req::TCS_ERR_008, req::TCS_OD_1400, req::TCS_OD_1029, req::TCS_ERR_010>();
     EXPECT_EQ(write(0x1400, 5, 2, 500), 0U);
     EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // not before the first
+    EXPECT_TRUE(listed().empty());  // no reception yet
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());
@@ -197,7 +197,7 @@ TEST_F(Ax188001Errors, AnRpdoThatStaysAwayIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Ax188001Errors, OverrunAndBusOff) {
+TEST_F(Ax188001Errors, OverrunAndBusOffAreReported) {
     verifies<req::TCS_ERR_009, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN, req::TCS_T5>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
@@ -209,12 +209,12 @@ TEST_F(Ax188001Errors, OverrunAndBusOff) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // nothing lasts: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: 1001h reads 0
     EXPECT_TRUE(listed().empty());
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Ax188001Errors, EachClassHasItsReaction) {
+TEST_F(Ax188001Errors, EachErrorClassHasItsReaction) {
     verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T_REACTION>();
     struct Case {
         int sub;
@@ -254,7 +254,7 @@ TEST_F(Ax188001Errors, EachClassHasItsReaction) {
     }
 }
 
-TEST_F(Ax188001Errors, ClassesAreTheSubIndicesOf1029h) {
+TEST_F(Ax188001Errors, ErrorClassesAreTheSubIndicesOf1029h) {
     verifies<req::TCS_T_REACTION>();
     namespace table = generated::ax188001::error_reaction;
     EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
@@ -262,7 +262,7 @@ TEST_F(Ax188001Errors, ClassesAreTheSubIndicesOf1029h) {
     EXPECT_EQ(table::find(table::Errors::fault_detection)->subindex, 3);
 }
 
-TEST_F(Ax188001Errors, ReactionsAsShipped) {
+TEST_F(Ax188001Errors, ErrorReactionsAsShippedFollowTheManual) {
     verifies<req::TCS_ERR_012, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR>();
     EXPECT_EQ(read(0x1029, 0).value, 3U);
     EXPECT_EQ(read(0x1029, 1).value, 0U);
@@ -274,7 +274,7 @@ TEST_F(Ax188001Errors, ReactionsAsShipped) {
     }
 }
 
-TEST_F(Ax188001Errors, TheMessageGoesOutBeforeTheNodeStops) {
+TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 2);
     send("000#017F");
@@ -285,10 +285,10 @@ TEST_F(Ax188001Errors, TheMessageGoesOutBeforeTheNodeStops) {
     expect_state(NmtState::stopped);
     heat(1, 20.0);
     read_once();
-    expect_state(NmtState::stopped);  // it does not go back by itself
+    expect_state(NmtState::stopped);  // it does not return by itself
 }
 
-TEST_F(Ax188001Errors, TheMasterMayStartANodeWhoseErrorLasts) {
+TEST_F(Ax188001Errors, MasterMayStartANodeWhoseErrorLasts) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#017F");
@@ -300,7 +300,7 @@ TEST_F(Ax188001Errors, TheMasterMayStartANodeWhoseErrorLasts) {
     expect_state(NmtState::operational);
 }
 
-TEST_F(Ax188001Errors, AStoppedNodeIsNotWoken) {
+TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtAnError) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#027F");
@@ -309,7 +309,7 @@ TEST_F(Ax188001Errors, AStoppedNodeIsNotWoken) {
     expect_state(NmtState::stopped);
 }
 
-TEST_F(Ax188001Errors, ADamagedSetIsToldAndDefaultsHold) {
+TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
     verifies<req::TCS_ERR_011, req::TCS_T5>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
@@ -320,7 +320,7 @@ TEST_F(Ax188001Errors, ADamagedSetIsToldAndDefaultsHold) {
     EXPECT_EQ(read(0x1001).value, 1U);
 }
 
-TEST_F(Ax188001Errors, ThatLastAtBootAreToldAfterTheBootUpMessage) {
+TEST_F(Ax188001Errors, ErrorsActiveAtBootUpAreReportedAfterTheBootUpMessage) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
     write(0x1010, 1, 4, 0x65766173);  // with the delays of 0
     heat(1, 130.0);
@@ -328,19 +328,19 @@ TEST_F(Ax188001Errors, ThatLastAtBootAreToldAfterTheBootUpMessage) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
 }
 
-TEST_F(Ax188001Errors, AreToldWhenTheirDelayEndsBetweenTwoReadingsOfALateCall) {
+TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
     write(0x4030, 1, 2, 50);
     heat(1, 130.0);
-    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first begins the delay
+    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first starts the delay
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }
 
-TEST_F(Ax188001Errors, AreToldBeforeTheReadingOfALateCallThatEndsThem) {
+TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // seen at 165, to be told at 265
+    run(20.0F, 55.0F);  // detected at 165, reported at 265
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);
@@ -348,8 +348,8 @@ TEST_F(Ax188001Errors, AreToldBeforeTheReadingOfALateCallThatEndsThem) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
-/// The boot-up message is lost, what the boot reported of errors is not: 60 V is beyond the 50 V of 5041h:2.
-TEST(TcsStartup, AFaultFoundAtPowerOnInBusOffIsToldAfterIt) {
+/// The boot-up message is lost, the errors found at boot-up are not: 60 V exceeds the 50 V of 5041h:2.
+TEST(TcsStartup, FaultFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;
     bench.power_on();

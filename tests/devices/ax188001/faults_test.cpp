@@ -30,7 +30,7 @@ TEST_F(Faults, FieldValuesAreInTenths) {
     EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
 }
 
-TEST_F(Faults, BeginBeyondAndClearAtTheirThresholds) {
+TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
     verifies<req::TCS_FD_002, req::TCS_FD_003, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);
@@ -54,7 +54,7 @@ TEST_F(Faults, BeginBeyondAndClearAtTheirThresholds) {
     EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
 }
 
-TEST_F(Faults, AnUnderVoltageOfTwelveVoltsAsShipped) {
+TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;
     set_inputs();
@@ -70,7 +70,7 @@ TEST_F(Faults, AnUnderVoltageOfTwelveVoltsAsShipped) {
     EXPECT_EQ(pass(1000).size(), 1U);
 }
 
-TEST_F(Faults, HaveTwoDelays) {
+TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     verifies<req::TCS_FD_004, req::TCS_OD_5051>();
     EXPECT_EQ(read(0x5051, 1).value, 5000U);
     EXPECT_EQ(read(0x5051, 2).value, 5000U);
@@ -83,17 +83,17 @@ TEST_F(Faults, HaveTwoDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Faults, AreDroppedWhenTheyEndInTime) {
+TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     verifies<req::TCS_FD_004>();
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // below 110, though not below 85
+    inputs.cpu_temperature = 100.0F;  // below 110, but not below 85
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }
 
-TEST_F(Faults, CanBeSwitchedOff) {
+TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
     verifies<req::TCS_FD_005, req::TCS_OD_5050>();
     EXPECT_EQ(read(0x5050, 1).value, 1U);
     EXPECT_EQ(write(0x5050, 1, 1, 2), too_high);
@@ -113,7 +113,7 @@ TEST_F(Faults, CanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Faults, ThresholdsBoundEachOther) {
+TEST_F(Faults, SetAndClearThresholdsLimitEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

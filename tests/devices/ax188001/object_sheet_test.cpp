@@ -1,5 +1,5 @@
-// Every object of the AX188001 as chapters 3.2 to 3.4 of its manual have it: type, access, mapping, default at node 127
-// and limits of each entry, read by hand from the object's page.
+// Every object of the AX188001 by chapters 3.2 to 3.4 of its manual: type, access, mapping, default at node 127 and
+// limits of each entry, taken by hand from the object page.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -19,7 +19,7 @@ class Ax188001ObjectSheet : public AxiomaticSheet {
 }  // namespace
 
 // 3.2.1 to 3.2.13
-TEST_F(Ax188001ObjectSheet, CommunicationObjects) {
+TEST_F(Ax188001ObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1001, req::TCS_OD_1002, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1010,
              req::TCS_OD_1011, req::TCS_OD_1016, req::TCS_OD_1018, req::TCS_OD_1020, req::TCS_OD_1029>();
     check({
@@ -37,20 +37,20 @@ TEST_F(Ax188001ObjectSheet, CommunicationObjects) {
     });
 }
 
-// 3.2.4: nine entries; the count takes nothing but 0
-TEST_F(Ax188001ObjectSheet, ErrorList) {
+// 3.2.4: nine entries; only 0 can be written to the count
+TEST_F(Ax188001ObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::TCS_OD_1003>();
     check_error_list(9);
 }
 
 // 3.2.10: off, or 10 to 65535 ms
-TEST_F(Ax188001ObjectSheet, ProducerHeartbeat) {
+TEST_F(Ax188001ObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::TCS_OD_1017>();
     check_producer_heartbeat();
 }
 
 // 3.2.14 and 3.2.15: identifiers at node 127 = 7Fh
-TEST_F(Ax188001ObjectSheet, PdoCommunicationParameters) {
+TEST_F(Ax188001ObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801,
              req::TCS_OD_1802, req::TCS_OD_1803>();
     check_communication({
@@ -66,7 +66,7 @@ TEST_F(Ax188001ObjectSheet, PdoCommunicationParameters) {
 }
 
 // 3.2.14: no RPDO can be mapped
-TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyForever) {
+TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyAndReadOnly) {
     verifies<req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (const int index : {0x1600, 0x1601, 0x1602, 0x1603}) {
         const auto at = static_cast<std::uint16_t>(index);
@@ -79,7 +79,7 @@ TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyForever) {
 }
 
 // 3.2.15
-TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdos) {
+TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdosMatchTheManual) {
     verifies<req::TCS_OD_1A00, req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
     check_mappings({{0x1A00, 2, {0x71300110, 0x71300210, 0, 0}},
                     {0x1A01, 2, {0x21300010, 0x31300010, 0, 0}},
@@ -88,7 +88,7 @@ TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdos) {
 }
 
 // 3.3.1 to 3.3.7
-TEST_F(Ax188001ObjectSheet, ApplicationObjects) {
+TEST_F(Ax188001ObjectSheet, ApplicationObjectsMatchTheManual) {
     verifies<req::TCS_OD_6100, req::TCS_OD_6112, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_6150,
              req::TCS_OD_7130>();
     check({
@@ -102,7 +102,7 @@ TEST_F(Ax188001ObjectSheet, ApplicationObjects) {
 }
 
 // 3.3.2, 3.4.3
-TEST_F(Ax188001ObjectSheet, TypesOfThermocouplesAndFilters) {
+TEST_F(Ax188001ObjectSheet, ThermocoupleTypesAndFiltersMatchTheManual) {
     verifies<req::TCS_OD_6110, req::TCS_OD_2020>();
     check_count(0x6110, 2);
     for (int sub = 1; sub <= 2; ++sub) {
@@ -114,7 +114,7 @@ TEST_F(Ax188001ObjectSheet, TypesOfThermocouplesAndFilters) {
 }
 
 // 3.4.1 to 3.4.12
-TEST_F(Ax188001ObjectSheet, AverageAndColdJunction) {
+TEST_F(Ax188001ObjectSheet, AverageAndColdJunctionObjectsMatchTheManual) {
     verifies<req::TCS_OD_2000, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127,
              req::TCS_OD_2130, req::TCS_OD_3100, req::TCS_OD_3126, req::TCS_OD_3127, req::TCS_OD_3130>();
     check({
@@ -132,8 +132,8 @@ TEST_F(Ax188001ObjectSheet, AverageAndColdJunction) {
     });
 }
 
-// 3.4.13 to 3.4.16: thresholds keep 10 degrees, 100 tenths, between them
-TEST_F(Ax188001ObjectSheet, Thresholds) {
+// 3.4.13 to 3.4.16: thresholds are at least 10 degrees, 100 tenths, apart
+TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     verifies<req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030>();
     check({
         {0x4000, 2, i16, Access::rw, {-200}, -2730, 1250 - 100},
@@ -144,7 +144,7 @@ TEST_F(Ax188001ObjectSheet, Thresholds) {
     set(0x4010, 2, 300);
     EXPECT_EQ(writing(0x4000, 2, 200), AbortCode::none);
     EXPECT_EQ(writing(0x4000, 2, 201), AbortCode::value_too_high);
-    EXPECT_EQ(writing(0x4000, 1, 201), AbortCode::none);  // the other channel's limit has not moved
+    EXPECT_EQ(writing(0x4000, 1, 201), AbortCode::none);  // the limit of the other channel has not changed
     EXPECT_EQ(writing(0x4020, 2, 400), AbortCode::none);
     EXPECT_EQ(writing(0x4020, 2, 399), AbortCode::value_too_low);
     set(0x4000, 2, 100);
@@ -156,7 +156,7 @@ TEST_F(Ax188001ObjectSheet, Thresholds) {
 }
 
 // 3.4.17 to 3.4.23
-TEST_F(Ax188001ObjectSheet, FaultDetectionAndStart) {
+TEST_F(Ax188001ObjectSheet, FaultDetectionAndStartObjectsMatchTheManual) {
     verifies<req::TCS_OD_5040, req::TCS_OD_5050, req::TCS_OD_5051, req::TCS_OD_5555, req::TCS_OD_5556>();
     check({
         {0x5040, 2, real, Access::ro, {0}, none, none, Map::tpdo},
@@ -168,7 +168,7 @@ TEST_F(Ax188001ObjectSheet, FaultDetectionAndStart) {
 }
 
 // 3.4.18 and 3.4.19: 5041h sets, 5042h clears; temperature, voltage high, voltage low
-TEST_F(Ax188001ObjectSheet, ThresholdsOfFaultDetection) {
+TEST_F(Ax188001ObjectSheet, FaultDetectionThresholdsMatchTheManual) {
     verifies<req::TCS_OD_5041, req::TCS_OD_5042>();
     check_count(0x5041, 3);
     check_count(0x5042, 3);

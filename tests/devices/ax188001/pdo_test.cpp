@@ -11,7 +11,7 @@ using Pdos = TcsTest;
 
 }  // namespace
 
-TEST_F(Pdos, Tpdo1EachSecond) {
+TEST_F(Pdos, Tpdo1IsSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_OD_1800, req::TCS_OD_1A00>();
     EXPECT_EQ(read(0x1800, 1).value, 0x400001FFU);
     const std::vector<std::uint32_t> mapped{2, 0x71300110, 0x71300210, 0, 0};
@@ -28,7 +28,7 @@ TEST_F(Pdos, Tpdo1EachSecond) {
     EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30: no RTR
 }
 
-TEST_F(Pdos, SentinelsOnTheWire) {
+TEST_F(Pdos, ReservedValuesAreSentInTpdo1) {
     verifies<req::TCS_PDO_001, req::TCS_VAL_005, req::TCS_VAL_006>();
     write(0x6112, 2, 1, 0);
     cut(1);
@@ -69,7 +69,7 @@ TEST_F(Pdos, Tpdo3And4AreEmpty) {
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012"}));
 }
 
-TEST_F(Pdos, AreRemappedInFiveSteps) {
+TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     verifies<req::TCS_PDO_004, req::TCS_OD_1A02, req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_5040>();
     EXPECT_EQ(write(0x1802, 1, 4, 0xC00003FF), 0U);
     EXPECT_EQ(write(0x1A02, 0, 1, 0), 0U);
@@ -80,7 +80,7 @@ TEST_F(Pdos, AreRemappedInFiveSteps) {
     EXPECT_EQ(write(0x1A02, 0, 1, 4), 0U);
     EXPECT_EQ(write(0x1802, 5, 2, 100), 0U);
     EXPECT_EQ(write(0x1802, 1, 4, 0x400003FF), 0U);
-    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);                                 // it exists now
+    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);                                 // it is valid now
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012", "3FF#000070430000A012"}));  // 240.0F is 43700000h
 }
 
@@ -95,7 +95,7 @@ TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
     EXPECT_EQ(write(0x1A03, 1, 4, 0x71300310), no_subindex);
 }
 
-TEST_F(Pdos, RpdosAreThereForFormsSake) {
+TEST_F(Pdos, RpdosExistAndMapNothing) {
     verifies<req::TCS_PDO_005, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1600,
              req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (int n = 0; n < 4; ++n) {
@@ -117,7 +117,7 @@ TEST_F(Pdos, RpdosAreThereForFormsSake) {
     EXPECT_EQ(send("27F#0102030405060708"), Frames{});
 }
 
-TEST_F(Pdos, TransmissionTypesAreFixed) {
+TEST_F(Pdos, TransmissionTypesAreReadOnly) {
     verifies<req::TCS_PDO_006, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01>();
     for (int n = 0; n < 4; ++n) {

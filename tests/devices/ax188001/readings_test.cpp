@@ -1,4 +1,4 @@
-// How the terminals are read: when, at which gain, with which steps, with hum of the mains (AX188001, 1.1, 3.3).
+// Readings of the terminals: times, gain, steps, mains hum (AX188001, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -12,14 +12,14 @@ using Values = TcsTest;
 
 }  // namespace
 
-TEST_F(Values, ALargeVoltageIsThereWithTheBootUpMessage) {
+TEST_F(Values, LargeVoltageIsReadAtTheBootUpMessage) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // J: 1.277 mV at 25 degC
 }
 
-TEST_F(Values, AreReadEvery165Milliseconds) {
+TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
     heat(1, 100.0);
     pass(164);
@@ -33,7 +33,7 @@ TEST_F(Values, AreReadEvery165Milliseconds) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(Values, TypeJIsReadToAHundredthAtItsHighestGain) {
+TEST_F(Values, TypeJIsReadToAHundredthOfADegreeAtItsHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
     // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
@@ -43,7 +43,7 @@ TEST_F(Values, TypeJIsReadToAHundredthAtItsHighestGain) {
     }
 }
 
-TEST_F(Values, TheConverterHas32768StepsOnEitherSide) {
+TEST_F(Values, ConverterHas32768StepsOnEitherSide) {
     verifies<req::TCS_K_CODES, req::TCS_IN_002>();
     write(0x2000, 1, 1, 0);
     // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
@@ -79,7 +79,7 @@ TEST_F(Values, AnyVoltageIsReadWithin1500Milliseconds) {
     EXPECT_EQ(device->outputs().tc_gain[1], 128);
 }
 
-TEST_F(Values, FullScalesOfTheThreeGains) {
+TEST_F(Values, GainsHaveTheirThreeFullScales) {
     verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
     write(0x2000, 1, 1, 0);
     const auto gain_at = [&](double uv) {
@@ -136,7 +136,7 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Values, HumFallsOnEitherSideInTurn) {
+TEST_F(Values, HumAddsAndSubtractsInTurn) {
     verifies<req::TCS_IN_007, req::TCS_IN_001>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
@@ -148,7 +148,7 @@ TEST_F(Values, HumFallsOnEitherSideInTurn) {
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
 }
 
-TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
+TEST_F(Values, FilterTakesFiftyAndSixtyHertzOnly) {
     verifies<req::TCS_IN_008, req::TCS_OD_2020>();
     EXPECT_EQ(read(0x2020).value, 60U);
     for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
@@ -162,10 +162,10 @@ TEST_F(Values, OnlyFiftyAndSixtyHertzAreTaken) {
     EXPECT_NE(process_value(1), 4768);
 }
 
-TEST_F(Values, ALateCallMakesUpForEightReadings) {
+TEST_F(Values, LateCallPerformsEightMissedReadings) {
     verifies<req::TCS_IN_001>();
     write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gains to go down: the ninth reading shows it
+    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows it
     now = now + milliseconds(9 * period_ms);
     device->advance(now);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);
@@ -174,7 +174,7 @@ TEST_F(Values, ALateCallMakesUpForEightReadings) {
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
-TEST_F(Values, ALateCallReadsWhatWasMissedButNotWithoutEnd) {
+TEST_F(Values, LateCallPerformsABoundedNumberOfMissedReadings) {
     verifies<req::TCS_IN_001>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);

@@ -26,7 +26,7 @@ class LssSession : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Startup, WaitsForTheMasterAsShipped) {
+TEST_F(Ax188001Startup, NodeWaitsForTheMasterAsShipped) {
     verifies<req::TCS_START_001, req::TCS_OD_5555, req::TCS_T3>();
     EXPECT_EQ(read(0x5555).value, 0U);
     EXPECT_EQ(read(0x5555).size, 1);
@@ -35,7 +35,7 @@ TEST_F(Ax188001Startup, WaitsForTheMasterAsShipped) {
     EXPECT_EQ(write(0x5555, 0, 1, 3), too_high);
 }
 
-TEST_F(Ax188001Startup, OperationalAtOnce) {
+TEST_F(Ax188001Startup, Mode1EntersOperationalAtOnce) {
     verifies<req::TCS_START_002, req::TCS_T3>();
     start_with(1);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -51,7 +51,7 @@ TEST_F(Ax188001Startup, OperationalAtOnce) {
     }
 }
 
-TEST_F(Ax188001Startup, StartsTheOthersAfterTheDelay) {
+TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
     verifies<req::TCS_START_003, req::TCS_T3, req::TCS_OD_5556>();
     EXPECT_EQ(read(0x5556).value, 1000U);
     EXPECT_EQ(write(0x5556, 0, 2, 1500), 0U);
@@ -62,7 +62,7 @@ TEST_F(Ax188001Startup, StartsTheOthersAfterTheDelay) {
     EXPECT_EQ(pass(60000), (Frames{"1500:000#0100"}));
 }
 
-TEST_F(Ax188001Startup, AMasterCancelsTheCommand) {
+TEST_F(Ax188001Startup, CommandOfAMasterCancelsTheStartOfTheOthers) {
     verifies<req::TCS_START_003>();
     start_with(2);
     power_on();
@@ -75,11 +75,11 @@ TEST_F(Ax188001Startup, AMasterCancelsTheCommand) {
     EXPECT_EQ(pass(5000), Frames{});
     power_on();
     pass(500);
-    send("000#0205");  // for another node: there is a master all the same
+    send("000#0205");  // for another node: a master is present
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));
-    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only looks like one
+    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only resembles one
         power_on();
         pass(500);
         send(other);
@@ -88,7 +88,7 @@ TEST_F(Ax188001Startup, AMasterCancelsTheCommand) {
     }
 }
 
-TEST_F(Ax188001Startup, AFaultHoldsTheNodeAndItsCommandBack) {
+TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndItsCommand) {
     verifies<req::TCS_START_005>();
     write(0x5051, 1, 2, 0);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
@@ -107,7 +107,7 @@ TEST_F(Ax188001Startup, AFaultHoldsTheNodeAndItsCommandBack) {
     EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"}));
 }
 
-TEST_F(Ax188001Startup, AFaultOfAChannelHoldsTheNodeBackToo) {
+TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005>();
     for (const int channel : {1, 2}) {
         write(0x4030, channel, 2, 0);
@@ -124,7 +124,7 @@ TEST_F(Ax188001Startup, AFaultOfAChannelHoldsTheNodeBackToo) {
     }
 }
 
-TEST_F(Ax188001Startup, AFaultOfTheBootIsToldBeforeItStopsTheNode) {
+TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     write(0x5051, 1, 2, 0);
     EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // stopped, where no emergency message is sent
@@ -134,7 +134,7 @@ TEST_F(Ax188001Startup, AFaultOfTheBootIsToldBeforeItStopsTheNode) {
     EXPECT_EQ(device->state(), NmtState::stopped);
 }
 
-TEST_F(Ax188001Startup, AResetByLssLetsTheDelayOfTheCommandBeginAnew) {
+TEST_F(Ax188001Startup, ResetByLssRestartsTheDelayOfTheStartCommand) {
     verifies<req::TCS_START_003, req::CO_LSS_018>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
     start_with(2);
@@ -148,7 +148,7 @@ TEST_F(Ax188001Startup, AResetByLssLetsTheDelayOfTheCommandBeginAnew) {
     }
 }
 
-TEST_F(Ax188001Startup, DelayOfTheCommand) {
+TEST_F(Ax188001Startup, DelayOfTheStartCommandIsConfigurable) {
     verifies<req::TCS_START_004, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
     EXPECT_EQ(write(0x5556, 0, 2, 65000), 0U);
@@ -159,14 +159,14 @@ TEST_F(Ax188001Startup, DelayOfTheCommand) {
     EXPECT_EQ(frames, (Frames{"77F#00", "000#0100"}));
 }
 
-TEST_F(LssSession, ShippedAsNode127At125Kilobits) {
+TEST_F(LssSession, DeviceShipsAsNode127At125kbit) {
     verifies<req::TCS_LSS_001, req::TCS_K_NODE_ID, req::TCS_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     EXPECT_EQ(device->node_id(), 127);
 }
 
-TEST_F(LssSession, SetsTheNodeIdAsIn3_1_1_1) {
+TEST_F(LssSession, SessionOfSection3_1_1_1SetsTheNodeId) {
     verifies<req::TCS_LSS_002, req::TCS_LSS_005>();
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
@@ -179,7 +179,7 @@ TEST_F(LssSession, SetsTheNodeIdAsIn3_1_1_1) {
     EXPECT_EQ(read_once(), (Frames{"165:0D0#11F0010110000000"}));
 }
 
-TEST_F(LssSession, StoredCobIdsFollowUnlessTheyWereChosen) {
+TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
     verifies<req::TCS_LSS_005>();
     EXPECT_EQ(write(0x1801, 1, 4, 0xC0000333), 0U);
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
@@ -193,7 +193,7 @@ TEST_F(LssSession, StoredCobIdsFollowUnlessTheyWereChosen) {
     }
 }
 
-TEST_F(LssSession, ChangesTheBitRateAsInTheCapture) {
+TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4>();
     // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
@@ -203,14 +203,14 @@ TEST_F(LssSession, ChangesTheBitRateAsInTheCapture) {
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
     EXPECT_EQ(device->bit_rate(), 250000U);
-    EXPECT_EQ(send("7E5#17"), Frames{});  // silent for a second delay
+    EXPECT_EQ(send("7E5#17"), Frames{});  // no answer during the second delay
     pass(5000);
     talk({{"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     power_on();
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, BitRatesOfTable4) {
+TEST_F(LssSession, LssTakesTheBitRatesOfTable4) {
     verifies<req::TCS_LSS_003, req::TCS_T4>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000};
     for (std::size_t index = 0; index < 12; ++index) {
@@ -226,7 +226,7 @@ TEST_F(LssSession, BitRatesOfTable4) {
     }
 }
 
-TEST_F(LssSession, AStoredBitRateWaitsForTheNextPowerOn) {
+TEST_F(LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::TCS_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
     talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#17", {"7E4#170000"}}});  // 250 kbit/s
     EXPECT_EQ(device->bit_rate(), 125000U);
@@ -236,7 +236,7 @@ TEST_F(LssSession, AStoredBitRateWaitsForTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, WithoutANodeIdItMeasuresAndStaysSilent) {
+TEST_F(LssSession, WithoutANodeIdTheDeviceMeasuresAndSendsNothing) {
     verifies<req::TCS_LSS_002>();
     talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
     write(0x4030, 1, 2, 0);
@@ -244,11 +244,11 @@ TEST_F(LssSession, WithoutANodeIdItMeasuresAndStaysSilent) {
     heat(1, 130.0);
     EXPECT_EQ(pass(20000), Frames{});
     talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}});
-    // The fault that lasted is told once there is a node-ID to tell it with.
+    // The active fault is reported once the node has a node-ID.
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00", "085#11F0010110000000"}));
 }
 
-TEST_F(LssSession, AFaultThatCameAndWentWithoutANodeIdIsNotTold) {
+TEST_F(LssSession, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
     verifies<req::TCS_LSS_002, req::TCS_ERR_002>();
     talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
     EXPECT_EQ(power_on(), Frames{});

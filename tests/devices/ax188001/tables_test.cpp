@@ -1,4 +1,4 @@
-// Decision tables of the AX188001's manual, cell by cell.
+// Decision tables of the AX188001 manual, cell by cell.
 #include "generated/ax188001/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace own = generated::ax188001;
 
 }  // namespace
 
-// 3.3.6 Table 7: open circuit outweighs a shutdown, that one a high warning, that one a low warning
-TEST(Ax188001Tables, StatusOfAChannel) {
+// 3.3.6 Table 7: open circuit precedes shutdown, shutdown a high warning, a high warning a low warning
+TEST(Ax188001Tables, ChannelStatusTableFollowsTheManual) {
     verifies<req::TCS_T7>();
     namespace t = own::channel_status;
     for (int told = 0; told < 16; ++told) {
@@ -36,7 +36,7 @@ TEST(Ax188001Tables, StatusOfAChannel) {
 }
 
 // 1.4 Table 3
-TEST(Ax188001Tables, StartInOperational) {
+TEST(Ax188001Tables, StartModeTableFollowsTheManual) {
     verifies<req::TCS_T3>();
     namespace t = own::start_mode;
     for (std::uint32_t option = 0; option < 3; ++option) {
@@ -48,7 +48,7 @@ TEST(Ax188001Tables, StartInOperational) {
 }
 
 // 3.2.13
-TEST(Ax188001Tables, ErrorBehaviour) {
+TEST(Ax188001Tables, ErrorBehaviourTableFollowsTheManual) {
     verifies<req::TCS_T_BEHAVIOUR>();
     namespace t = own::error_behaviour;
     const std::array<t::Action, 3> actions{t::Action::pre_operational, t::Action::no_change, t::Action::stopped};
@@ -59,8 +59,8 @@ TEST(Ax188001Tables, ErrorBehaviour) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.2.4 Tables 5 and 6: 8100h, communication, of no channel and without a description
-TEST(Ax188001Tables, SilentReceivePdo) {
+// 3.2.4 Tables 5 and 6: 8100h, communication, without channel and description
+TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     verifies<req::TCS_T5>();
     const auto* row = own::error_codes::find(ErrorId::rpdo_timeout);
     ASSERT_NE(row, nullptr);
@@ -69,9 +69,9 @@ TEST(Ax188001Tables, SilentReceivePdo) {
     EXPECT_EQ(row->channel, 0);
 }
 
-// Appendix A: the filter's own frequency is damped by 110 dB, 10 to the power of -110/20. The other one's figures are
-// the converter's.
-TEST(Ax188001Tables, RejectionOfMainsHum) {
+// Appendix A: the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the other
+// frequency are those of the converter.
+TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto left = [](t::FilterHz filter, t::MainsHz mains) {
@@ -86,9 +86,9 @@ TEST(Ax188001Tables, RejectionOfMainsHum) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
 }
 
-// 1.1: harmonics are rejected as well. Of a frequency that is x times its own, a sinc filter of fourth order lets
-// (sin(pi x) / (pi x))^4 pass.
-TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsTheirFundamental) {
+// 1.1: harmonics are also rejected. Of x times its own frequency a sinc filter of fourth order passes (sin(pi x) / (pi
+// x))^4.
+TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto passes = [](double x) {

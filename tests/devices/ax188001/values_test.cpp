@@ -1,4 +1,5 @@
-// From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
+// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3,
+// 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -16,7 +17,7 @@ int round_to_int(double value) {
 
 }  // namespace
 
-TEST_F(Values, AtBootBothChannelsShowTheTemperatureOfTheirTerminals) {
+TEST_F(Values, AtPowerOnBothChannelsShowTheTemperatureOfTheirTerminals) {
     verifies<req::TCS_IN_001, req::TCS_VAL_002, req::TCS_OD_6100, req::TCS_OD_7130, req::TCS_S_COLD_JUNCTION>();
     EXPECT_NEAR(field_value(1).real(), 25.0F, 0.02F);
     EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
@@ -24,7 +25,7 @@ TEST_F(Values, AtBootBothChannelsShowTheTemperatureOfTheirTerminals) {
     EXPECT_EQ(process_value(2), 25 * 16 + 4368);
 }
 
-TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
+TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
     verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
     for (const auto& type : its90_types()) {
         ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
@@ -40,7 +41,7 @@ TEST_F(Values, EachTypeOverItsRangeWithinOneDegree) {
     }
 }
 
-TEST_F(Values, TypeEBeyondTheConverterIsTakenForOpen) {
+TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // E: -2.255 mV
@@ -61,15 +62,15 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
     EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
-    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now 1060 degC or so
+    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now about 1060 degC
     set_inputs();
     settle();
     EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
-/// The processor has the temperature that the cold junction had before.
-TEST_F(Values, ANewColdJunctionCountsWhateverElseIsAsWarm) {
+/// The processor temperature equals the previous cold junction temperature.
+TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
     inputs.supply = 25.0F;
@@ -81,7 +82,7 @@ TEST_F(Values, ANewColdJunctionCountsWhateverElseIsAsWarm) {
     }
 }
 
-TEST_F(Values, WithoutCompensationTheTerminalVoltageAloneIsConverted) {
+TEST_F(Values, WithoutCompensationOnlyTheTerminalVoltageIsConverted) {
     verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
     EXPECT_EQ(read(0x2000, 1).value, 1U);
     EXPECT_EQ(write(0x2000, 1, 1, 0), 0U);
@@ -104,7 +105,7 @@ TEST_F(Values, TypeBHasANegativeColdJunction) {
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
 }
 
-TEST_F(Values, MicrovoltsAreWholeAndSigned) {
+TEST_F(Values, MicrovoltsAreSignedIntegers) {
     verifies<req::TCS_IN_009, req::TCS_OD_2010>();
     write(0x2000, 2, 1, 0);
     microvolts(2, -1235.2);
@@ -113,13 +114,13 @@ TEST_F(Values, MicrovoltsAreWholeAndSigned) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
-TEST_F(Values, FahrenheitByFactorAndOffset) {
+TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
     read_once();
     EXPECT_EQ(write_real(0x6126, 2, 18.0F), 0U);
     EXPECT_EQ(write_real(0x6127, 2, 320.0F), 0U);
-    EXPECT_EQ(process_value(2), 2120);  // at once, on the last reading
+    EXPECT_EQ(process_value(2), 2120);  // at once, from the last reading
     EXPECT_EQ(process_value(1), 4768);
 }
 
@@ -166,7 +167,7 @@ TEST_F(Values, ProcessValuesStayWithinSixteenBits) {
     EXPECT_EQ(read(0x3130).word(), -32768);
 }
 
-TEST_F(Values, ADisabledChannelShowsSo) {
+TEST_F(Values, DisabledChannelReadsNan) {
     verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
     EXPECT_EQ(read(0x6112, 1).value, 1U);
     EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);
@@ -181,12 +182,12 @@ TEST_F(Values, ADisabledChannelShowsSo) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
+TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // two gains to go down, four readings each
+    EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
     pass(165);                          // 1485 ms
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
@@ -194,24 +195,24 @@ TEST_F(Values, AnOpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     inputs.cold_junction = 60.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(read(0x2010, 1).value, before);  // not the old reading with another compensation
+    EXPECT_EQ(read(0x2010, 1).value, before);  // not the previous reading with another compensation
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(status(1), 0);  // 4030h has not passed
+    EXPECT_EQ(status(1), 0);  // the delay of 4030h has not passed
     EXPECT_EQ(process_value(2), 4768);
     cut(1, false);
     read_once();
     EXPECT_EQ(process_value(1), 4768);
 }
 
-TEST_F(Values, OnlyTheTypesOfTable1AreTakenAndAtOnce) {
+TEST_F(Values, ThermocoupleTypesOfTable1ApplyAtOnceAndNoOthers) {
     verifies<req::TCS_IN_014, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
     EXPECT_EQ(read(0x6110, 1).value, 1U);
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
         EXPECT_EQ(write(0x6110, 1, 2, type), out_of_range) << type;
     }
-    microvolts(1, 4096.0);  // with K's 1.000 mV of the cold junction about 124 degC
+    microvolts(1, 4096.0);  // about 124 degC with 1.000 mV of type K for the cold junction
     read_once();
     EXPECT_EQ(write(0x6110, 1, 2, 2), 0U);
     EXPECT_NEAR(field_value(1).real(), 124.3F, 0.5F);
@@ -221,7 +222,7 @@ TEST_F(Values, OnlyTheTypesOfTable1AreTakenAndAtOnce) {
     }
 }
 
-TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
+TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
     verifies<req::TCS_VAL_007, req::TCS_VAL_001>();
     heat(1, 100.0);
     read_once();
@@ -240,7 +241,7 @@ TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
     EXPECT_EQ(read(0x3130).word(), -1);
 }
 
-TEST_F(Values, AverageTakesTheValidChannels) {
+TEST_F(Values, AverageUsesTheValidChannels) {
     verifies<req::TCS_AVG_001, req::TCS_AVG_002, req::TCS_OD_2100, req::TCS_OD_2130>();
     heat(1, 100.0);
     heat(2, 200.0);
@@ -276,7 +277,7 @@ TEST_F(Values, AverageCanBeSwitchedOff) {
     EXPECT_EQ(read(0x2130).word(), 4768);
 }
 
-TEST_F(Values, AverageWithoutAValidChannelSaysWhy) {
+TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     verifies<req::TCS_AVG_004>();
     write(0x6112, 1, 1, 0);
     write(0x6112, 2, 1, 0);
@@ -293,7 +294,7 @@ TEST_F(Values, AverageWithoutAValidChannelSaysWhy) {
     settle();
     write(0x6112, 1, 1, 1);
     write(0x6112, 2, 1, 0);
-    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the first channel's as well
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // that of the first channel too
 }
 
 TEST_F(Values, ColdJunctionHasItsOwnValues) {
@@ -326,7 +327,7 @@ TEST_F(Values, ColdJunctionHasItsOwnValues) {
     EXPECT_EQ(read(0x3130).word(), 1095);
 }
 
-TEST_F(Values, OneChannelLeavesTheOtherAlone) {
+TEST_F(Values, SettingsOfOneChannelDoNotAffectTheOther) {
     verifies<req::TCS_IN_011>();
     write(0x6110, 1, 2, 2);
     write(0x2000, 1, 1, 0);

@@ -11,9 +11,9 @@ class Leds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
-        pass(4000);  // any moment but the first
+        pass(4000);  // not at the first moment
     }
-    /// One character each 100 ms for so long: # lit, . dark. Sampled 50 ms into each.
+    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Sampled after 50 ms of each.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
         std::string seen;
         pass(50);
@@ -24,7 +24,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Whether the pattern repeats the given round, whatever its phase.
+    /// Returns whether the pattern repeats the given round, whatever its phase.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -38,17 +38,17 @@ class Leds : public CbxTest {
     static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
 };
 
-// Rounds of 3.2.1, a character each 100 ms
+// Rounds of 3.2.1, one character per 100 ms
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 on, 1400 off
 const std::string two_flashes = "##..##..........";        // 200 on, 200 off, 200 on, 1000 off
-const std::string three_flashes = "##..##..##..........";  // the same with three
+const std::string three_flashes = "##..##..##..........";  // three flashes, same times
 const std::string lit(40, '#');
 const std::string dark(40, '.');
 
 }  // namespace
 
-TEST_F(Leds, StatusFollowsTheNmtState) {
+TEST_F(Leds, StatusLedFollowsTheNmtState) {
     verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_S_LED_S>();
     EXPECT_TRUE(repeats(watch(s, 40), blinking));
     send("000#0103");
@@ -58,7 +58,7 @@ TEST_F(Leds, StatusFollowsTheNmtState) {
 }
 
 /// LED S is dark from 200 to 400 ms while it blinks.
-TEST_F(Leds, ASelfStartShowsAtOnce) {
+TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
     write("603#2B911F012C010000");  // 300 ms
@@ -71,7 +71,7 @@ TEST_F(Leds, ASelfStartShowsAtOnce) {
     EXPECT_TRUE(device->outputs().led_s);
 }
 
-TEST_F(Leds, CanErrorShowsTheGravestCondition) {
+TEST_F(Leds, CanErrorLedShowsTheWorstCondition) {
     verifies<req::AO4_LED_002, req::AO4_LED_005, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 1;
@@ -95,7 +95,7 @@ TEST_F(Leds, CanErrorShowsTheGravestCondition) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, ErrorShowsOverrunAndSoftwareFault) {
+TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
     verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
     EXPECT_EQ(watch(m, 40), dark);
     inputs.can_overrun = true;
@@ -112,13 +112,13 @@ TEST_F(Leds, ErrorShowsOverrunAndSoftwareFault) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, AFailureOfTheHardwareShowsUntilTheReset) {
+TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
     send("000#8103");
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it lasts
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it is still active
     inputs.hardware_fault = false;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
@@ -126,7 +126,7 @@ TEST_F(Leds, AFailureOfTheHardwareShowsUntilTheReset) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, ACorruptStoredSetShows) {
+TEST_F(Leds, ErrorLedShowsACorruptStoredSet) {
     verifies<req::AO4_LED_003>();
     write("603#2310100173617665");
     memory.bytes()[40] ^= 0x01;
@@ -134,7 +134,7 @@ TEST_F(Leds, ACorruptStoredSetShows) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, PowerIsOnWhileTheApplicationRuns) {
+TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
     verifies<req::AO4_LED_004, req::AO4_T9, req::AO4_S_LED_P>();
     EXPECT_EQ(watch(p, 40), lit);
     inputs.switch_high = 8;
@@ -142,7 +142,7 @@ TEST_F(Leds, PowerIsOnWhileTheApplicationRuns) {
     EXPECT_EQ(watch(p, 40), dark);
 }
 
-TEST_F(Leds, AnInvalidNodeIdShowsOnStatusAndCanError) {
+TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_SW_002, req::AO4_T6, req::AO4_T7>();
     inputs.switch_high = 8;  // 83h
     power_on();
@@ -150,7 +150,7 @@ TEST_F(Leds, AnInvalidNodeIdShowsOnStatusAndCanError) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, AnInternalFailureShowsWithAnInvalidNodeIdToo) {
+TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     verifies<req::AO4_LED_003, req::AO4_SW_002>();
     inputs.switch_high = 8;  // 83h
     power_on();
@@ -161,13 +161,13 @@ TEST_F(Leds, AnInternalFailureShowsWithAnInvalidNodeIdToo) {
     for (int output = 1; output <= 4; ++output) {
         EXPECT_EQ(volts(output), 0.0F);
     }
-    EXPECT_EQ(power_on(), Frames{});  // one that was there before
+    EXPECT_EQ(power_on(), Frames{});  // a failure that existed before
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, RedAndGreenFlashInTurn) {
+TEST_F(Leds, RedAndGreenLedsFlashInTurn) {
     verifies<req::AO4_LED_006>();
-    // stopped: green flashes once each 1.6 s; warning limit: red does so too
+    // stopped: green flashes once per 1.6 s; warning limit: red does so too
     send("000#0203");
     inputs.can_state = 1;
     set_inputs();

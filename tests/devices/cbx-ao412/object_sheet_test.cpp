@@ -1,5 +1,5 @@
-// Every object of the CAN-CBX-AO412 as chapter 7 of its manual has it: type, access, whether it is kept by 1010h,
-// whether a PDO may bring it, default at node 3, limits. Read by hand from the object's page.
+// Every object of the CAN-CBX-AO412 by chapter 7 of its manual: type, access, storing by 1010h, mapping, default at
+// node 3, limits. Taken by hand from the object page.
 #include "tests/support/object_sheet.hpp"
 
 #include "generated/cbx_ao412/objects.hpp"
@@ -21,7 +21,7 @@ class CbxObjectSheet : public ObjectSheet {
 }  // namespace
 
 // 7.9.2 to 7.9.23
-TEST_F(CbxObjectSheet, CommunicationObjects) {
+TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1005, req::AO4_OD_1006, req::AO4_OD_100C,
              req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014, req::AO4_OD_1015,
              req::AO4_OD_1016, req::AO4_OD_1017, req::AO4_OD_1018, req::AO4_OD_1019, req::AO4_OD_1020, req::AO4_OD_1029,
@@ -30,7 +30,7 @@ TEST_F(CbxObjectSheet, CommunicationObjects) {
         {0x1000, 0, u32, Access::ro, {0x00080191}, none, none},
         {0x1001, 0, u8, Access::ro, {0}, none, none},
         {0x1002, 0, u32, Access::ro, {0}, none, none},
-        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // which identifiers: the SYNC service's to check
+        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // the SYNC service checks the identifier
         {0x1006, 0, u32, Access::rw, {0}, 0, 0xFFFFFFFF},
         {0x100C, 0, u16, Access::rw, {0}, none, none},
         {0x100D, 0, u8, Access::rw, {0}, none, none},
@@ -42,15 +42,15 @@ TEST_F(CbxObjectSheet, CommunicationObjects) {
         {0x1016, 1, u32, Access::rw, {0}, 0, 0x007FFFFF},
         {0x1017, 0, u16, Access::rw, {0}, 0, 0xFFFF},
         {0x1018, 4, u32, Access::ro, {0x17, 0x23040002, 0x00020004, 0xC1C20105}, none, none},
-        {0x1019, 0, u8, Access::rw, {0}, 0, 240},  // 1 is reserved: the SYNC service's to refuse
+        {0x1019, 0, u8, Access::rw, {0}, 0, 240},  // 1 is reserved: the SYNC service refuses it
         {0x1020, 2, u32, Access::rw, {0}, 0, 0xFFFFFFFF},
         {0x1029, 1, u8, Access::rw, {0}, 0, 2},
         {0x1F91, 1, u16, Access::rw, {100}, 0, 0xFFFF},
     });
 }
 
-// 7.9.4: ten entries; the count takes nothing but 0
-TEST_F(CbxObjectSheet, ErrorList) {
+// 7.9.4: ten entries; only 0 can be written to the count
+TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::AO4_OD_1003>();
     check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
     for (int sub = 1; sub <= 10; ++sub) {
@@ -60,7 +60,7 @@ TEST_F(CbxObjectSheet, ErrorList) {
 }
 
 // 7.9.7 to 7.9.9; the versions of a unit may have eight characters
-TEST_F(CbxObjectSheet, Texts) {
+TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     verifies<req::AO4_OD_1008, req::AO4_OD_1009, req::AO4_OD_100A>();
     check_text(0x1008, 13, "CAN-CBX-AO412");
     check_text(0x1009, 8, "1.00");
@@ -75,7 +75,7 @@ TEST_F(CbxObjectSheet, NmtStartupIsTwoOrEight) {
 }
 
 // 7.9.24
-TEST_F(CbxObjectSheet, PdoCommunicationParameters) {
+TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AO4_OD_1401, req::AO4_OD_1402>();
     check_count(0x1401, 2);
     check_entry({0x1401, 2, u32, Access::rw, {}, none, none}, 1, 0x303);
@@ -85,8 +85,8 @@ TEST_F(CbxObjectSheet, PdoCommunicationParameters) {
     check_entry({0x1402, 2, u8, Access::rw, {}, 0, 0xFF}, 2, 0xFF);
 }
 
-// 7.9.25; RPDO3 holds four dummies of INTEGER16
-TEST_F(CbxObjectSheet, PdoMappings) {
+// 7.9.25; RPDO3 has four dummies of INTEGER16
+TEST_F(CbxObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::AO4_OD_1601, req::AO4_OD_1602>();
     const std::vector<std::int64_t> outputs{0x64110110, 0x64110210, 0x64110310, 0x64110410};
     for (const int index : {0x1601, 0x1602}) {
@@ -101,7 +101,7 @@ TEST_F(CbxObjectSheet, PdoMappings) {
 }
 
 // 7.10.2 to 7.11.3: only 6411h may be mapped
-TEST_F(CbxObjectSheet, OutputsAndCalibration) {
+TEST_F(CbxObjectSheet, OutputAndCalibrationObjectsMatchTheManual) {
     verifies<req::AO4_OD_6411, req::AO4_OD_6443, req::AO4_OD_6444, req::AO4_OD_2404, req::AO4_OD_2405,
              req::AO4_STORE_003>();
     check({
@@ -114,7 +114,7 @@ TEST_F(CbxObjectSheet, OutputsAndCalibration) {
 }
 
 // 7.12
-TEST_F(CbxObjectSheet, FirmwareUpdate) {
+TEST_F(CbxObjectSheet, FirmwareUpdateObjectsMatchTheManual) {
     verifies<req::AO4_OD_1F50, req::AO4_OD_1F51, req::AO4_OD_1F52>();
     const EntryRef program = entry(0x1F50, 0);
     EXPECT_EQ(program.row->type, DataType::domain);

@@ -19,7 +19,7 @@ class Output : public CbxTest {
 
 }  // namespace
 
-TEST_F(Output, FiveVoltsOfTheManualsExamples) {
+TEST_F(Output, ManualExamplesOfFiveVoltsAreMet) {
     verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
              req::AO4_OD_6411>();
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
@@ -30,7 +30,7 @@ TEST_F(Output, FiveVoltsOfTheManualsExamples) {
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
 
-TEST_F(Output, RoundsToStepsAsTheTableOf7_10_2_2) {
+TEST_F(Output, OutputRoundsToStepsAsInTheTableOf7_10_2_2) {
     verifies<req::AO4_AOUT_002, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0},
                                                         {"0000", 0},  {"0300", 0}, {"0400", 1},
@@ -42,7 +42,7 @@ TEST_F(Output, RoundsToStepsAsTheTableOf7_10_2_2) {
     EXPECT_NEAR(step_v, 2.492e-3F, 1e-6F);
 }
 
-TEST_F(Output, EndsAreClampedTo4095Steps) {
+TEST_F(Output, OutputIsClampedTo4095Steps) {
     verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS>();
     set(1, "FF7F");
     expect_steps(1, 4095);
@@ -54,7 +54,7 @@ TEST_F(Output, EndsAreClampedTo4095Steps) {
     expect_steps(1, 4095);
 }
 
-TEST_F(Output, CalibrationScalesAndShifts) {
+TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2404, req::AO4_OD_2405>();
     set(1, "0040");  // 16384: 2048 steps
     expect_steps(1, 2048);
@@ -66,7 +66,7 @@ TEST_F(Output, CalibrationScalesAndShifts) {
     expect_steps(1, 1808);
 }
 
-TEST_F(Output, IsSetInPreOperationalToo) {
+TEST_F(Output, OutputIsSetInPreOperationalToo) {
     verifies<req::AO4_AOUT_005>();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     set(4, "0800");
@@ -96,7 +96,7 @@ class OutputInError : public Output {
 
 }  // namespace
 
-TEST_F(OutputInError, InternalFailureFollowsTheErrorMode) {
+TEST_F(OutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444,
              req::AO4_S_INTERNAL_FAULT>();
     inputs.internal_fault = true;
@@ -104,16 +104,16 @@ TEST_F(OutputInError, InternalFailureFollowsTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, AFailureOfTheHardwareFollowsTheErrorMode) {
+TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_010, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
     expect_error_outputs();
-    inputs.internal_fault = true;  // one more on top of it
+    inputs.internal_fault = true;  // an additional failure
     set_inputs();
     inputs.internal_fault = false;
     set_inputs();
-    send("303#0010001000100010");  // the hardware has still failed
+    send("303#0010001000100010");  // the hardware failure is still active
     expect_error_outputs();
     send("000#8103");
     for (int output = 1; output <= 4; ++output) {
@@ -121,7 +121,7 @@ TEST_F(OutputInError, AFailureOfTheHardwareFollowsTheErrorMode) {
     }
 }
 
-TEST_F(OutputInError, HeartbeatLossFollowsTheErrorMode) {
+TEST_F(OutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     send("731#05");
@@ -129,14 +129,14 @@ TEST_F(OutputInError, HeartbeatLossFollowsTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, BusOffFollowsTheErrorMode) {
+TEST_F(OutputInError, BusOffSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_S_CAN_STATE>();
     inputs.can_state = 3;
     set_inputs();
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, WhatIsNoSuchErrorMovesNoOutput) {
+TEST_F(OutputInError, OverrunAndErrorPassiveChangeNoOutput) {
     verifies<req::AO4_AOUT_006>();
     inputs.can_overrun = true;
     set_inputs();
@@ -147,7 +147,7 @@ TEST_F(OutputInError, WhatIsNoSuchErrorMovesNoOutput) {
     }
 }
 
-TEST_F(OutputInError, AnotherErrorOnTopOfTheFirstMovesNone) {
+TEST_F(OutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
     verifies<req::AO4_AOUT_006>();
     inputs.internal_fault = true;
     set_inputs();
@@ -164,7 +164,7 @@ TEST_F(OutputInError, AnotherErrorOnTopOfTheFirstMovesNone) {
     expect_steps(2, 3072);  // 6000h = 24576
 }
 
-TEST_F(OutputInError, NoVoltageIsNoneWhateverTheCalibration) {
+TEST_F(OutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
     verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
     write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
     expect_steps(1, 1040);
@@ -173,11 +173,11 @@ TEST_F(OutputInError, NoVoltageIsNoneWhateverTheCalibration) {
     EXPECT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(OutputInError, StaysUntilTheNextWriteAfterTheErrorHasEnded) {
+TEST_F(OutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
     verifies<req::AO4_AOUT_008>();
     inputs.internal_fault = true;
     set_inputs();
-    send("303#0010001000100010");  // not while the error lasts
+    send("303#0010001000100010");  // no effect while the error is active
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
@@ -189,7 +189,7 @@ TEST_F(OutputInError, StaysUntilTheNextWriteAfterTheErrorHasEnded) {
     }
 }
 
-TEST_F(Output, FactoryCalibrationComesBackWithLoad) {
+TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
     verifies<req::AO4_AOUT_009>();
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
@@ -209,14 +209,14 @@ TEST_F(Output, FactoryCalibrationComesBackWithLoad) {
     }
 }
 
-TEST_F(Output, ResetCommunicationLeavesTheCalibrationAlone) {
+TEST_F(Output, ResetCommunicationKeepsTheCalibration) {
     verifies<req::CO_NMT_006>();
     write("603#2B04240263000000");
     send("000#8203");
     EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
 }
 
-TEST_F(OutputInError, CalibrationMovesTheValueThatTheOutputHolds) {
+TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     verifies<req::AO4_AOUT_005, req::AO4_AOUT_008>();
     // 2404h = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
@@ -229,7 +229,7 @@ TEST_F(OutputInError, CalibrationMovesTheValueThatTheOutputHolds) {
     write("603#2B04240100000000");
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still what the error put out, at most a step moved
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still the error value, changed by at most a step
     write("603#2B04240108000000");
     EXPECT_NEAR(volts(1), error_value, 0.0026F);
 }
@@ -246,7 +246,7 @@ TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
     }
 }
 
-TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
+TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
     verifies<req::AO4_AOUT_010>();
     write("603#2B11640100200000");
     write("603#2B11640200200000");
@@ -254,7 +254,7 @@ TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
     write("603#2F43640100000000");  // 0 V
     write("603#2F43640201000000");  // 6444h
     write("603#2344640200000004");  // 0400h = 1024: 128 steps
-    write("603#2F43640302000000");  // as it is
+    write("603#2F43640302000000");  // unchanged
     write("603#2310100173617665");
     inputs.internal_fault = true;
     set_inputs();
@@ -265,14 +265,14 @@ TEST_F(Output, AResetDuringAnInternalFailureKeepsTheErrorMode) {
     power_on();
     expect_steps(1, 0);
     expect_steps(2, 128);
-    expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
+    expect_steps(3, 0);  // 0 V since power-on, never changed
 }
 
-/// The supply is cut and comes back: the same device begins anew.
-TEST_F(Output, APowerOnBeginsWithNoVoltage) {
+/// The supply is cut and returns: the same device restarts.
+TEST_F(Output, PowerOnStartsWithNoVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
-        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
     }
     write("603#2310100173617665");
     for (const bool has_node_id : {true, false}) {
@@ -282,7 +282,7 @@ TEST_F(Output, APowerOnBeginsWithNoVoltage) {
             set(output, "0020");  // 2000h = 8192: 1024 steps
             expect_steps(output, 1024);
         }
-        inputs.hardware_fault = has_node_id;  // holds what is stored back
+        inputs.hardware_fault = has_node_id;  // prevents the stored values
         inputs.switch_high = has_node_id ? 0 : 8;
         device->power_on(inputs, now);
         sent();
@@ -292,11 +292,11 @@ TEST_F(Output, APowerOnBeginsWithNoVoltage) {
     }
 }
 
-TEST_F(Output, AResetDuringAFailurePutsTheStoredCalibrationInForce) {
+TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
-        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
     }
     write("603#2310100173617665");  // with an offset of 0
     for (int output = 1; output <= 4; ++output) {
@@ -314,7 +314,7 @@ TEST_F(Output, AResetDuringAFailurePutsTheStoredCalibrationInForce) {
     }
 }
 
-TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
+TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     verifies<req::AO4_AOUT_010>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
     write("603#2310100173617665");  // with 6443h = 1 and 6444h = 0
@@ -324,8 +324,8 @@ TEST_F(Output, AResetDuringAFailureOfTheHardwareDoesNotPutOutStoredValues) {
     expect_steps(2, 0);
 }
 
-/// Whatever happens at the terminals afterwards: the producer was forgotten with the reset.
-TEST_F(OutputInError, AResetOfTheNodeEndsACommunicationError) {
+/// Whatever happens at the terminals afterwards: the reset has cleared the producer.
+TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
     write("603#23161001C8003100");
     send("731#05");
@@ -333,7 +333,7 @@ TEST_F(OutputInError, AResetOfTheNodeEndsACommunicationError) {
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
-    set(1, "0010");  // the producer is still silent
+    set(1, "0010");  // the heartbeat is still missing
     expect_error_outputs();
     send("000#8103");
     set(1, "0010");  // 1000h = 4096: 512 steps
@@ -345,13 +345,13 @@ TEST_F(OutputInError, AResetOfTheNodeEndsACommunicationError) {
     expect_steps(1, 1024);
 }
 
-TEST_F(OutputInError, AnInternalFailureOutlastsACommunicationError) {
+TEST_F(OutputInError, InternalFailureOutlastsACommunicationError) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     inputs.internal_fault = true;
     set_inputs();
     send("731#05");
-    pass(300);  // the producer is silent
+    pass(300);  // the heartbeat is missing
     send("731#05");
     write("603#2B11640100100000");
     write("603#2B11640300100000");

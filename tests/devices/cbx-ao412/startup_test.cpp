@@ -25,7 +25,7 @@ TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
     EXPECT_EQ(power_on(), (Frames{"701#00"}));
 }
 
-TEST_F(Startup, AnInvalidNodeIdKeepsTheModuleSilent) {
+TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
     verifies<req::AO4_SW_002>();
     for (const int node_id : {0x00, 0x80, 0xFF}) {
         inputs.switch_high = static_cast<std::uint8_t>(node_id / 16);
@@ -38,7 +38,7 @@ TEST_F(Startup, AnInvalidNodeIdKeepsTheModuleSilent) {
     }
 }
 
-// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is set beside it, and the digits are BCD
+// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
 TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
     verifies<req::AO4_ID_001, req::AO4_OD_1018>();
     EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // AB 0105
@@ -49,7 +49,7 @@ TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
 
 TEST_F(Startup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
-    // kbit/s as printed, thirds and sixths rounded to whole bits
+    // kbit/s as printed, thirds and sixths rounded to integer bit/s
     const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                            66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
     for (std::size_t setting = 0; setting < rates.size(); ++setting) {
@@ -59,7 +59,7 @@ TEST_F(Startup, BitRateFollowsTable11) {
     }
 }
 
-TEST_F(Startup, StartsItselfAfterTheDelay) {
+TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
     verifies<req::AO4_START_001, req::AO4_OD_1F80, req::AO4_OD_1F91>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -78,13 +78,13 @@ TEST_F(Startup, StartsItselfAfterTheDelay) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Startup, WaitsForTheMasterByDefault) {
+TEST_F(Startup, ModuleWaitsForTheMasterByDefault) {
     verifies<req::AO4_START_001>();
     pass(10000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, TakesTwoAndEightOnly) {
+TEST_F(Startup, NmtStartupTakesTwoAndEightOnly) {
     verifies<req::AO4_START_002, req::AO4_OD_1F80>();
     for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
         EXPECT_EQ(send(std::string{"603#23801F00"} + value), (Frames{"583#80801F0030000906"})) << value;
@@ -93,7 +93,7 @@ TEST_F(Startup, TakesTwoAndEightOnly) {
     write("603#23801F0002000000");
 }
 
-TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
+TEST_F(Startup, NmtCommandCancelsTheSelfStart) {
     verifies<req::CO_NMT_008, req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -104,7 +104,7 @@ TEST_F(Startup, AnNmtCommandCancelsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, ProgramDataIsForTheBootLoader) {
+TEST_F(Startup, ProgramDataIsRefusedOutsideTheBootLoader) {
     verifies<req::AO4_PROG_001, req::AO4_OD_1F50>();
     EXPECT_EQ(send("603#40501F0000000000"), (Frames{"583#80501F0022000008"}));
     EXPECT_EQ(send("603#21501F0000010000"), (Frames{"583#80501F0022000008"}));
@@ -127,7 +127,7 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     EXPECT_EQ(send("603#23521F0100000000"), (Frames{"583#80521F0102000106"}));
 }
 
-TEST_F(Startup, AResetLetsTheDelayBeginAnew) {
+TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -144,7 +144,8 @@ TEST_F(Startup, AResetLetsTheDelayBeginAnew) {
 
 namespace {
 
-/// The state after the delay of the self-start when the controller went bus-off on the way, with this value of 1029h:1.
+/// Returns the state after the delay of the self-start when the controller went bus-off before, with this value of
+/// 1029h:1.
 NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
     CbxBench bench;
     bench.power_on();
@@ -171,8 +172,9 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
     }
 }
 
-/// The boot-up message is lost, what the boot reported of errors is not: passive, failed software, then the recovery.
-TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
+/// The boot-up message is lost, the errors found at boot-up are not: error passive, software failure, then the
+/// recovery.
+TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;
     bench.inputs.can_state = 3;
@@ -184,8 +186,8 @@ TEST(CbxStartup, AFailureFoundAtPowerOnInBusOffIsToldAfterIt) {
               (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
 }
 
-/// The bus goes off with the failure: nothing can be sent, and nothing is lost.
-TEST(CbxStartup, AFailureThatComesWithBusOffIsToldAfterIt) {
+/// Bus-off begins with the failure: nothing can be sent, and no message is lost.
+TEST(CbxStartup, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;
     bench.power_on();

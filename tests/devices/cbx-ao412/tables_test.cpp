@@ -1,4 +1,4 @@
-// The decision tables of the CAN-CBX-AO412's manual, cell by cell, and the constants of its outputs.
+// The decision tables of the CAN-CBX-AO412 manual, cell by cell, and the constants of its outputs.
 #include "generated/cbx_ao412/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@ using State = own::IndicatorState;
 
 }  // namespace
 
-// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0; 8140h is over
-// when it is reported
-TEST(CbxTables, ErrorsAreToldAndListed) {
+// 7.9.4; every error except those of software and hardware sets bit 4, communication, in addition to bit 0; 8140h is
+// over when it is reported
+TEST(CbxTables, ErrorTableFollowsTheManual) {
     verifies<req::AO4_T_ERRORS>();
     namespace t = own::error_codes;
     struct Error {
@@ -47,9 +47,8 @@ TEST(CbxTables, ErrorsAreToldAndListed) {
     EXPECT_EQ(t::rows.size(), 8U);
 }
 
-// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. After the last flash of n comes the
-// pause.
-TEST(CbxTables, IndicatorStates) {
+// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. The pause follows the last of n flashes.
+TEST(CbxTables, IndicatorStatesFollowTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
     namespace t = own::indicator_flashes;
     struct Indicator {
@@ -74,8 +73,9 @@ TEST(CbxTables, IndicatorStates) {
     }
 }
 
-// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off outweighs a guarding error, that one the controller's warnings
-TEST(CbxTables, LedE) {
+// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off precedes a guarding error, a guarding error the warnings of
+// the controller
+TEST(CbxTables, LedEFollowsTheManual) {
     verifies<req::AO4_T6>();
     namespace t = own::can_error_led;
     const auto led = [](bool invalid, t::Can can, bool guard) {
@@ -99,7 +99,7 @@ TEST(CbxTables, LedE) {
 }
 
 // 3.2.3 Table 7 and 3.2.6
-TEST(CbxTables, LedS) {
+TEST(CbxTables, LedSFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
     for (const auto& [mode, led] :
@@ -115,7 +115,7 @@ TEST(CbxTables, LedS) {
 }
 
 // 3.2.4 Table 8 and 3.2.5 Table 9
-TEST(CbxTables, LedsMAndP) {
+TEST(CbxTables, LedsMAndPFollowTheManual) {
     verifies<req::AO4_T8, req::AO4_T9>();
     namespace m = own::error_led;
     for (const bool overrun : {false, true}) {
@@ -132,7 +132,7 @@ TEST(CbxTables, LedsMAndP) {
 }
 
 // 7.10.3
-TEST(CbxTables, ErrorModes) {
+TEST(CbxTables, ErrorModesFollowTheManual) {
     verifies<req::AO4_T_ERROR_MODE>();
     namespace t = own::error_mode;
     const std::array<t::Action, 3> actions{t::Action::zero, t::Action::error_value, t::Action::keep};
@@ -144,7 +144,7 @@ TEST(CbxTables, ErrorModes) {
 }
 
 // 2.4: 12 bits; 7.11.2: 8000h is 10.24 V; 7.11.3: 2 to the 18th
-TEST(CbxTables, Constants) {
+TEST(CbxTables, ConstantsFollowTheManual) {
     verifies<req::AO4_K_DAC_STEPS, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR>();
     EXPECT_EQ(own::dac_steps, 1 << 12);
     EXPECT_EQ(own::calibration_offset_full_scale, 10.24F);

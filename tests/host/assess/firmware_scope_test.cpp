@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(FirmwareScope, HostsBusesAndReplayAreJudgedBesideIt) {
+TEST(FirmwareScope, BusesAndReplayOfTheHostAreASeparateScope) {
     EXPECT_EQ(judged_host_path("src/host/sim/bus/candump.cpp"), "src/host/sim/bus/candump.cpp");
     EXPECT_EQ(judged_host_path("/w/build/../src/host/sim/replay/replay.hpp"), "src/host/sim/replay/replay.hpp");
     for (const char* other :
@@ -23,20 +23,20 @@ TEST(FirmwareScope, HostsBusesAndReplayAreJudgedBesideIt) {
     EXPECT_EQ(firmware_path("src/host/sim/bus/candump.cpp"), "");
 }
 
-TEST(FirmwareScope, HoldsTheSharedCodeAndThatOfEachDevice) {
+TEST(FirmwareScope, ScopeHasTheSharedFirmwareAndThatOfEachDevice) {
     EXPECT_EQ(firmware_path("src/firmware/base/crc.cpp"), "src/firmware/base/crc.cpp");
     EXPECT_EQ(firmware_path("src/devices/ax130751/firmware/ramp.cpp"), "src/devices/ax130751/firmware/ramp.cpp");
     EXPECT_EQ(firmware_path("src/devices/new-one/firmware/deep/x.hpp"), "src/devices/new-one/firmware/deep/x.hpp");
 }
 
-TEST(FirmwareScope, HoldsTheDriversOfTheMicrocontroller) {
+TEST(FirmwareScope, ScopeHasTheDriversOfTheMicrocontroller) {
     EXPECT_EQ(firmware_path("src/target/stm32f405/flash.cpp"), "src/target/stm32f405/flash.cpp");
     EXPECT_EQ(firmware_path("src/target/startup.cpp"), "");
     EXPECT_EQ(firmware_path("src/target/stm32f405/"), "");
     EXPECT_TRUE(tests_the_firmware("tests/target/flash_test.cpp"));
 }
 
-TEST(FirmwareScope, HoldsNothingElse) {
+TEST(FirmwareScope, ScopeHasNoOtherFiles) {
     for (const char* other :
          {"src/host/base/reading.cpp", "src/devices/ax130751/simulation/model.cpp",
           "src/devices/ax130751/target/main.cpp", "src/devices/catalogue.hpp", "src/devices/firmware/x.cpp",
@@ -47,14 +47,14 @@ TEST(FirmwareScope, HoldsNothingElse) {
     }
 }
 
-TEST(FirmwareScope, NamesAFileFromTheProjectsFolderHoweverTheBuildNamesIt) {
+TEST(FirmwareScope, FilePathsAreRelativeToTheProjectFolder) {
     EXPECT_EQ(firmware_path("/w/build/../src/firmware/a.hpp"), "src/firmware/a.hpp");
     EXPECT_EQ(firmware_path("../../src/devices/d/firmware/a.hpp"), "src/devices/d/firmware/a.hpp");
     EXPECT_EQ(firmware_path("/home/src/canproof/src/devices/d/firmware/a.hpp"), "src/devices/d/firmware/a.hpp");
     EXPECT_EQ(firmware_path("/src/firmware/project/src/firmware/a.hpp"), "src/firmware/a.hpp");
 }
 
-TEST(FirmwareScope, TestsOfTheFirmwareAreThoseThatMustClaimSomething) {
+TEST(FirmwareScope, FirmwareTestsAreRecognisedByTheirPath) {
     for (const char* one :
          {"tests/conformance/sdo_test.cpp", "tests/firmware/bytes_test.cpp",
           "tests/devices/ax130751/blocks/ramp_test.cpp", "tests/devices/shared_test.cpp",
@@ -68,7 +68,7 @@ TEST(FirmwareScope, TestsOfTheFirmwareAreThoseThatMustClaimSomething) {
     }
 }
 
-TEST(FirmwareScope, ListsTheFoldersThatExist) {
+TEST(FirmwareScope, ExistingFirmwareFoldersAreListed) {
     const fs::path root = fs::path{testing::TempDir()} / "firmware_scope";
     fs::remove_all(root);
     EXPECT_THAT(firmware_folders(root), IsEmpty());

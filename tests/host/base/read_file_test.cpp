@@ -41,7 +41,7 @@ class WholeFile : public testing::Test {
 
 }  // namespace
 
-TEST_F(WholeFile, IsReadByteByByte) {
+TEST_F(WholeFile, FileIsReadByteByByte) {
     const std::string bytes("a\0\r\n\xFF", 5);
     EXPECT_EQ(read_file(file(bytes), 5), bytes);
     EXPECT_EQ(read_file(file(""), 5), "");
@@ -49,11 +49,11 @@ TEST_F(WholeFile, IsReadByteByByte) {
     EXPECT_EQ(read_file(file(large), large.size()), large);
 }
 
-TEST_F(WholeFile, LongerThanItsLimitIsRefusedByItsSize) {
+TEST_F(WholeFile, FileLongerThanItsLimitIsRefusedByItsSize) {
     EXPECT_THAT(refusal(file("123456"), 5), HasSubstr("file: it has 6 bytes, more than 5; name a shorter file"));
 }
 
-TEST_F(WholeFile, DeviceWithoutEndIsRefusedAtItsLimit) {
+TEST_F(WholeFile, EndlessDeviceFileIsRefusedAtItsLimit) {
     EXPECT_EQ(refusal("/dev/zero", 100000),
               "cannot read /dev/zero: it has more than 100000 bytes; name a shorter file");
     EXPECT_EQ(read_file("/dev/null", 5), "");

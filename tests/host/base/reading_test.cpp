@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-TEST(Lines, EndsMarksAndTheLastLineWithoutEnd) {
+TEST(Lines, LineEndsByteOrderMarkAndAnUnterminatedLastLineAreHandled) {
     std::istringstream in{"\xEF\xBB\xBFone\r\n\ntwo"};
     LineReader lines{in, "file"};
     ASSERT_TRUE(lines.next());
@@ -25,7 +25,7 @@ TEST(Lines, EndsMarksAndTheLastLineWithoutEnd) {
     EXPECT_FALSE(lines.next());
 }
 
-TEST(Lines, LongestLineIsReadAndALongerOneRefused) {
+TEST(Lines, LongestLineIsReadAndALongerLineIsRefused) {
     const std::string longest(LineReader::longest_line, 'x');
     for (const char* end : {"", "\n"}) {
         std::istringstream in{longest + end};
@@ -39,7 +39,7 @@ TEST(Lines, LongestLineIsReadAndALongerOneRefused) {
     EXPECT_THROW(lines.next(), InputError);
 }
 
-TEST(Lines, ReadErrorIsNoEnd) {
+TEST(Lines, ReadErrorIsNotTakenAsTheEnd) {
     std::ifstream folder{"/", std::ios::binary};
     LineReader lines{folder, "/"};
     EXPECT_THROW(lines.next(), InputError);

@@ -15,7 +15,7 @@ namespace canproof::host::test {
 using canproof::test::ScratchFolder;
 using Names = std::set<std::string>;
 
-TEST(ReplaceFile, GivesANewFileAndAnExistingOneTheirWholeContent) {
+TEST(ReplaceFile, NewAndExistingFilesGetTheWholeContent) {
     const ScratchFolder folder;
     replace_file(folder / "a", "long content");
     EXPECT_EQ(ScratchFolder::content(folder / "a"), "long content");
@@ -24,7 +24,7 @@ TEST(ReplaceFile, GivesANewFileAndAnExistingOneTheirWholeContent) {
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-TEST(ReplaceFile, OldContentStandsUntilTheNewOneIsWhole) {
+TEST(ReplaceFile, OldContentStaysUntilTheNewContentIsComplete) {
     const ScratchFolder folder;
     ScratchFolder::fill(folder / "a", "old");
     {
@@ -36,7 +36,7 @@ TEST(ReplaceFile, OldContentStandsUntilTheNewOneIsWhole) {
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-TEST(ReplaceFile, FollowsALinkAndKeepsPermissions) {
+TEST(ReplaceFile, LinkIsFollowedAndPermissionsAreKept) {
     const ScratchFolder folder;
     ScratchFolder::fill(folder / "a", "old");
     chmod((folder / "a").c_str(), 0640);
@@ -49,7 +49,7 @@ TEST(ReplaceFile, FollowsALinkAndKeepsPermissions) {
     EXPECT_EQ(found.st_mode & 0777U, 0640U);
 }
 
-TEST(ReplaceFile, RefusesWhatCannotBeWritten) {
+TEST(ReplaceFile, UnwritableTargetIsRefused) {
     const ScratchFolder folder;
     EXPECT_THROW(replace_file(folder / "none" / "a", "x"), std::system_error);
     EXPECT_THROW(replace_file(folder / "", "x"), std::system_error);  // a folder
@@ -59,12 +59,12 @@ TEST(ReplaceFile, RefusesWhatCannotBeWritten) {
     EXPECT_EQ(folder.names(), Names{"link"});
 }
 
-TEST(ReplaceFile, WritesIntoADevice) {
+TEST(ReplaceFile, DeviceFileIsWrittenDirectly) {
     replace_file("/dev/null", "x");
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(FileBeside, TakesAFreePlaceOnlyAndIsLockedThere) {
+TEST(FileBeside, TemporaryFileTakesAFreeNameAndIsLocked) {
     const ScratchFolder folder;
     FileBeside first{folder / "a"};
     FileBeside second{folder / "a"};
@@ -79,7 +79,7 @@ TEST(FileBeside, TakesAFreePlaceOnlyAndIsLockedThere) {
     EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), 0);
 }
 
-TEST(FileBeside, LeftoversOfItsTargetAreRemovedAndNothingElse) {
+TEST(FileBeside, LeftoversOfTheTargetAreRemovedAndNothingElse) {
     const ScratchFolder folder;
     for (const char* name : {"a", ".a.12-0.new", ".a.new", ".a.mine.new", ".b.12-0.new", ".a.12-0.old"}) {
         ScratchFolder::fill(folder / name, "x");

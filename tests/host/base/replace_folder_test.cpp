@@ -12,7 +12,7 @@ namespace canproof::host::test {
 using canproof::test::ScratchFolder;
 using Names = std::set<std::string>;
 
-TEST(ReplaceFolder, HoldsTheNewFilesAndNothingElse) {
+TEST(ReplaceFolder, ReplacedFolderHasTheNewFilesOnly) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}, {"b/c", "2"}});
     EXPECT_EQ(ScratchFolder::content(folder / "pack/b/c"), "2");
@@ -22,7 +22,7 @@ TEST(ReplaceFolder, HoldsTheNewFilesAndNothingElse) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, StaysAsItIsWhenOneFileCannotBeWritten) {
+TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
@@ -30,7 +30,7 @@ TEST(ReplaceFolder, StaysAsItIsWhenOneFileCannotBeWritten) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, RemovesWhatAKilledProgramLeft) {
+TEST(ReplaceFolder, LeftoversOfAKilledProgramAreRemoved) {
     const ScratchFolder folder;
     std::filesystem::create_directories(folder / ".pack.new");
     ScratchFolder::fill(folder / ".pack.new/stale", "x");

@@ -4,17 +4,17 @@
 
 namespace canproof::host::test {
 
-TEST(Trimmed, KeepsBlanksWithinTheText) {
+TEST(Trimmed, TrimmedTextKeepsInnerBlanks) {
     EXPECT_EQ(trimmed(" \ta b\tc \t"), "a b\tc");
     EXPECT_EQ(trimmed("abc"), "abc");
 }
 
-TEST(Trimmed, IsEmptyForBlanksAlone) {
+TEST(Trimmed, TrimmedBlanksAreEmpty) {
     EXPECT_EQ(trimmed(""), "");
     EXPECT_EQ(trimmed("\t  \t"), "");
 }
 
-TEST(Trimmed, RemovesTheCharactersThatItIsGivenOnly) {
+TEST(Trimmed, OnlyTheGivenCharactersAreTrimmed) {
     EXPECT_EQ(trimmed("\r\na\r\n", "\r"), "\na\r\n");
     EXPECT_EQ(trimmed("\v a \f", "\v\f"), " a ");
 }

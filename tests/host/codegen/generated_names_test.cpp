@@ -45,7 +45,7 @@ TEST(GeneratedNames, EachObjectHasItsIndexAsAConstant) {
                                 "inline constexpr std::uint32_t n4_values = 0x6411U;\n"));
 }
 
-TEST(GeneratedNames, ObjectsOfOneNameAreToldApartByTheirIndex) {
+TEST(GeneratedNames, ObjectsOfOneNameAreDistinguishedByTheirIndex) {
     const std::string text = write_indices(box_with(object("0x2000", "Gain") + object("0x2A01", "gain")));
     EXPECT_THAT(text, HasSubstr(" gain_2000 = 0x2000U;\n"));
     EXPECT_THAT(text, HasSubstr(" gain_2a01 = 0x2A01U;\n"));
@@ -66,7 +66,7 @@ TEST(GeneratedNames, SharedPartNamesObjectsOfTheStandard) {
                 HasSubstr("standard object name \"1\" makes no C++ name"));
 }
 
-TEST(GeneratedNames, ProfileSaysWhatDeviceTomlSays) {
+TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
     SpecFiles files = with(items_file,
                            "[[table]]\nid = \"AO4-T1\"\ntitle = \"Rates\"\nsource = [\"M1:Table 3\"]\n"
                            "inputs = [ { name = \"index\", min = 0, max = 1 } ]\n"
@@ -100,7 +100,7 @@ TEST(GeneratedNames, ProfileWithoutServicesIsThatOfAPlainNode) {
                 HasSubstr("canproof::lss_bit_rates(canopen::lss_bit_rates::rows);"));
 }
 
-TEST(GeneratedNames, ServicesThatNameNothingAreFaults) {
+TEST(GeneratedNames, UnknownServicesAreFaults) {
     SpecFiles files = small_register();
     files[device_file] += "lss_bit_rates = \"AO4-T9\"\nrpdos_answering_remote = [0, 9]\n";
     const std::string faults = all_faults(load_register(files));
@@ -109,7 +109,7 @@ TEST(GeneratedNames, ServicesThatNameNothingAreFaults) {
     EXPECT_THAT(faults, HasSubstr("rpdos_answering_remote names RPDO 9"));
 }
 
-TEST(GeneratedNames, TableIsNamedByItsNameOrTheBeginningOfItsTitle) {
+TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
     const std::string rows = "[\"a\", 1]";
     const std::string one = table("id = \"AO4-T1\"\ntitle = \"Enable response: what an output does\"\n", rows);
     const std::string other =
@@ -124,7 +124,7 @@ TEST(GeneratedNames, TableIsNamedByItsNameOrTheBeginningOfItsTitle) {
                 HasSubstr("AO4-T1 name field is taken by the compiler"));
 }
 
-TEST(GeneratedNames, ErrorsOfEveryNodeKeepTheirNameAndThoseOfTheDeviceComeBehind) {
+TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndDeviceErrorsFollow) {
     const std::string items = table("id = \"AO4-T1\"\nname = \"codes\"\nerrors = \"error\"\ntitle = \"Codes\"\n",
                                     "[\"can_overrun\", 0x8110], [\"hardware\", 0x5000], [\"hot\", 16896]");
     const LoadResult loaded = load_register(with(items_file, items));
@@ -144,7 +144,7 @@ TEST(GeneratedNames, ErrorsOfEveryNodeKeepTheirNameAndThoseOfTheDeviceComeBehind
                 HasSubstr("AO4-T1 errors fault is no input of words"));
 }
 
-TEST(GeneratedNames, WritesAreToldByObjectWithMembersOfAFamilyAsOne) {
+TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectWithFamiliesAsOne) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +

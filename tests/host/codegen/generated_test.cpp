@@ -43,7 +43,7 @@ class Generated : public testing::Test {
 
 }  // namespace
 
-TEST_F(Generated, ObjectRowsGiveFirstEntryAndCount) {
+TEST_F(Generated, ObjectRowsHaveFirstEntryAndCount) {
     const std::string text = write_objects(box());
     // 1018h: sub 0, 1 and 4 make three rows; the arrays have sub 0 and two elements.
     EXPECT_THAT(text, HasSubstr("inline constexpr std::array<ObjectRow, 11U> object_rows{{\n"
@@ -61,7 +61,7 @@ TEST_F(Generated, ObjectRowsGiveFirstEntryAndCount) {
                                 "}};\n"));
 }
 
-TEST_F(Generated, EntryRowsGivePlaceLimitTypeRightsAndService) {
+TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
     const std::string text = write_objects(box());
     const std::string rw = "rights::read | rights::write";
     // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (emcy keeps
@@ -91,7 +91,7 @@ TEST_F(Generated, EntryRowsGivePlaceLimitTypeRightsAndService) {
     }
 }
 
-TEST_F(Generated, LimitRowsSpellBitsOfTheEntrysType) {
+TEST_F(Generated, LimitRowsHaveTheBitsOfTheEntryType) {
     const std::string text = write_objects(box());
     // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the table's settings 0…3 have no hole.
     EXPECT_THAT(text, HasSubstr("    {{LimitKind::value, 0x00000001U, 0}, {LimitKind::none, 0U, 0}},\n"
@@ -102,7 +102,7 @@ TEST_F(Generated, LimitRowsSpellBitsOfTheEntrysType) {
     EXPECT_THAT(text, HasSubstr("allowed_values{{\n    0x00000002U,\n    0x00000008U,\n}};"));
 }
 
-TEST_F(Generated, PoolsHoldLittleEndianValuesOneEntryALine) {
+TEST_F(Generated, PoolsHaveLittleEndianValuesOneEntryPerLine) {
     const std::string text = write_objects(box());
     EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 11U> constant_pool{{\n"
                                 "    0x91U, 0x01U, 0x02U, 0x00U,  // 0: AO4-OD-1000 Device Type\n"
@@ -129,7 +129,7 @@ TEST_F(Generated, PoolsHoldLittleEndianValuesOneEntryALine) {
     EXPECT_THAT(text, HasSubstr("inline constexpr std::size_t image_size = 28U;"));
 }
 
-TEST_F(Generated, FieldsNameWhatLiesInTheImage) {
+TEST_F(Generated, FieldsNameTheEntriesOfTheImage) {
     const std::string text = write_objects(box());
     EXPECT_THAT(text, HasSubstr("inline constexpr Field<std::uint8_t> o1001_error_register{0U};  // AO4-OD-1001\n"
                                 "inline constexpr Field<std::uint32_t> o1014_cob_id_emcy{1U};  // AO4-OD-1014\n"
@@ -144,7 +144,7 @@ TEST_F(Generated, FieldsNameWhatLiesInTheImage) {
     EXPECT_THAT(text, HasSubstr("//   spec/devices/box/items.toml\n//   spec/devices/box/objects.toml\n"));
 }
 
-TEST_F(Generated, LayoutFingerprintChangesWithWhatIsStored) {
+TEST_F(Generated, LayoutFingerprintChangesWithTheStoredEntries) {
     const std::uint32_t before = make_layout(box()).fingerprint;
     SpecFiles wider = files_;
     std::string& text = wider["spec/devices/box/objects.toml"];
@@ -175,7 +175,7 @@ TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
         text, HasSubstr("constexpr const Row* find(const std::uint32_t setting, const bool enable, const Word word)"));
 }
 
-TEST_F(Generated, ConstantsEnumerationsAndSignals) {
+TEST_F(Generated, ConstantsEnumerationsAndSignalsAreGenerated) {
     EXPECT_THAT(write_constants(box()), HasSubstr("/// Reference of the converter. (AO4-K-1; M1:1) [V]\n"
                                                   "inline constexpr float reference_voltage{4.096F};\n"));
     EXPECT_THAT(write_constants(box()), HasSubstr("inline constexpr std::uint32_t steps{4095U};\n"));
@@ -192,7 +192,7 @@ TEST_F(Generated, ConstantsEnumerationsAndSignals) {
     EXPECT_THAT(signals, HasSubstr("    visit(\"aout1\", group.aout[0U]);\n    visit(\"aout2\", group.aout[1U]);\n"));
 }
 
-TEST_F(Generated, IdsInForceBecomeTypesAndRetiredOnesDoNot) {
+TEST_F(Generated, IdsInForceBecomeTypesAndRetiredIdsDoNot) {
     const std::string text = write_requirements(loaded_.content, box());
     for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1"}) {
         EXPECT_THAT(text, HasSubstr("struct " + std::string{id} + " { static constexpr bool in_force = true;"));
@@ -203,7 +203,7 @@ TEST_F(Generated, IdsInForceBecomeTypesAndRetiredOnesDoNot) {
     EXPECT_THAT(text, Not(HasSubstr("AO4_R_2")));
 }
 
-TEST_F(Generated, EmbeddedFilesComeInPiecesThatCompilersTake) {
+TEST_F(Generated, EmbeddedFilesAreSplitForCompilers) {
     SpecFiles large;
     std::string line = "# " + std::string(96, 'x') + "\n";  // 99 bytes
     for (int i = 0; i < 200; ++i) {
@@ -220,7 +220,7 @@ TEST_F(Generated, EmbeddedFilesComeInPiecesThatCompilersTake) {
     EXPECT_THAT(text, HasSubstr("const SpecFiles& embedded_spec()"));
 }
 
-TEST_F(Generated, FilesOfNothingButStatementsDecisionsAndReviewsAreNotEmbedded) {
+TEST_F(Generated, FilesOfStatementsDecisionsAndReviewsOnlyAreNotEmbedded) {
     const SpecFiles files{{"spec/manuals/m/1.toml", "[[statement]]\nsection = \"1\"\n"},
                           {"spec/a.toml", "[[decision]]\nid = \"A\"\n[[review]]\nby = \"B\"\n"},
                           {"spec/b.toml", "[[decision]]\nid = \"C\"\n[[constant]]\nid = \"D\"\n"},

@@ -8,7 +8,7 @@
 
 namespace canproof::host::conform::test {
 
-TEST(BuiltInCases, NameRequirementsThatExist) {
+TEST(BuiltInCases, CasesNameExistingRequirements) {
     std::set<std::string> ids;
     const Part& shared = built_in_register().parts.front();
     built_in_register().for_each_item(shared, [&](const Item& item, const char*) { ids.insert(item.id); });
@@ -20,7 +20,7 @@ TEST(BuiltInCases, NameRequirementsThatExist) {
     }
 }
 
-TEST(BuiltInCases, NameEachNumberOfThePublicTranscriptOnce) {
+TEST(BuiltInCases, CasesNameEachNumberOfThePublicTranscriptOnce) {
     std::set<std::string> numbers;
     for (const Case& one : built_in_cases().cases) {
         for (const std::string& number : one.numbers) {

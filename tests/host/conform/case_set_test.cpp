@@ -122,7 +122,7 @@ Part slave_with_more_objects() {
 
 }  // namespace
 
-TEST(ConformCases, HoldThePublicTranscriptNumberByNumber) {
+TEST(ConformCases, CasesCoverThePublicTranscriptNumberByNumber) {
     std::map<std::string, int> found;
     for (const Case& one : cases()) {
         for (const std::string& number : one.numbers) {
@@ -137,13 +137,13 @@ TEST(ConformCases, HoldThePublicTranscriptNumberByNumber) {
     EXPECT_EQ(found.size(), wanted.size()) << "a number that the transcript does not have";
 }
 
-TEST(ConformCases, HoldAHundredOfOurOwnBeside) {
+TEST(ConformCases, AtLeast100CasesAreOutsideThePublicTranscript) {
     const auto own = std::count_if(cases().begin(), cases().end(), [](const Case& one) { return one.numbers.empty(); });
     EXPECT_GE(own, 100);
     EXPECT_GE(cases().size(), 227U);
 }
 
-TEST(ConformCases, HaveIdsOfTheirOwn) {
+TEST(ConformCases, CasesHaveUniqueIds) {
     std::set<std::string> ids;
     for (const Case& one : cases()) {
         EXPECT_TRUE(ids.insert(one.id).second) << one.id;
@@ -152,7 +152,7 @@ TEST(ConformCases, HaveIdsOfTheirOwn) {
     }
 }
 
-TEST(ConformCases, TestRequirementsThatAreInForce) {
+TEST(ConformCases, CasesTestRequirementsInForce) {
     std::set<std::string> ids;
     for (const Requirement& one : built_in_register().part("canopen")->requirements) {
         if (one.retired.empty()) {
@@ -167,7 +167,7 @@ TEST(ConformCases, TestRequirementsThatAreInForce) {
 }
 
 // On equipment that must stay as it is, the runner leaves out what says that it may change it.
-TEST(ConformCases, SayWhatTheyMayDoToTheEquipment) {
+TEST(ConformCases, CasesDeclareTheirRisksForTheEquipment) {
     const std::vector<std::string> texts = case_texts();
     ASSERT_EQ(texts.size(), cases().size());
     for (const std::string& text : texts) {
@@ -183,7 +183,7 @@ TEST(ConformCases, SayWhatTheyMayDoToTheEquipment) {
     }
 }
 
-TEST(ConformCases, PassOnEachSlaveAndEachFindsOne) {
+TEST(ConformCases, CasesPassOnEachSlaveAndEachCaseAppliesToOne) {
     std::set<std::string> applied;
     for (const std::string& name : canproof::test::every_device()) {
         run_on(make_device(name), sheet_of(built_in_register(), device_named(name)), applied);

@@ -32,19 +32,19 @@ ConformSheet altered(const std::string& found, const std::string& replacement) {
 
 }  // namespace
 
-TEST(EdsFormCase, PassesTheSlavesOwnDataSheet) {
+TEST(EdsFormCase, DataSheetOfTheSlavePasses) {
     const CaseResult result = judged(sheet_of(canproof::test::slave_part()));
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 
-TEST(EdsFormCase, FailsADataSheetWithAnErrorAndNamesTheLine) {
+TEST(EdsFormCase, DataSheetWithAnErrorFailsWithItsLine) {
     // Of the three mandatory objects of CiA 301 the list counts two.
     const CaseResult result = judged(altered("SupportedObjects=3", "SupportedObjects=2"));
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_NE(result.why.find("error(s) in the data sheet; the first: slave.eds:"), std::string::npos) << result.why;
 }
 
-TEST(EdsFormCase, NotesAWarningAndPasses) {
+TEST(EdsFormCase, DataSheetWithAWarningPassesWithANote) {
     const CaseResult result = judged(altered("FileName=slave.eds", "FileName=other.eds"));
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
     ASSERT_FALSE(result.notes.empty());

@@ -37,7 +37,7 @@ std::vector<std::string> faults_of_steps(const std::string& steps, const std::st
     return faults;
 }
 
-TEST(ConformExpression, HasTheRanksOfC) {
+TEST(ConformExpression, OperatorPrecedenceIsThatOfC) {
     EXPECT_EQ(number("1 + 2 * 3"), 7);
     EXPECT_EQ(number("(1 + 2) * 3"), 9);
     EXPECT_EQ(number("1 << 4 | 3"), 19);
@@ -48,7 +48,7 @@ TEST(ConformExpression, HasTheRanksOfC) {
     EXPECT_EQ(number("17 % 5 + 17 / 5"), 5);
 }
 
-TEST(ConformExpression, ReadsNumbersByTheirMark) {
+TEST(ConformExpression, NumbersAreReadByTheirPrefix) {
     EXPECT_EQ(number("0x1F"), 31);
     EXPECT_EQ(number("1Fh"), 31);
     EXPECT_EQ(number("100"), 100);
@@ -56,13 +56,13 @@ TEST(ConformExpression, ReadsNumbersByTheirMark) {
     EXPECT_EQ(number_of(evaluated("600+N", Radix::hexadecimal)), 0x605);
 }
 
-TEST(ConformExpression, CountsTimesInMicroseconds) {
+TEST(ConformExpression, TimesAreCountedInMicroseconds) {
     EXPECT_EQ(number("100 us"), 100);
     EXPECT_EQ(number("2 ms + 1 s"), 1002000);
     EXPECT_EQ(number("(1 + 1) ms"), 2000);
 }
 
-TEST(ConformExpression, TakesWhatWasReadAsLittleEndian) {
+TEST(ConformExpression, BytesReadAreTakenAsLittleEndian) {
     EXPECT_EQ(number("$x"), 0x1234);
     EXPECT_EQ(number("$x[1]"), 0x12);
     EXPECT_EQ(number("size(join($x, hex(01 02 03)))"), 5);
@@ -71,19 +71,19 @@ TEST(ConformExpression, TakesWhatWasReadAsLittleEndian) {
     EXPECT_EQ(number("$x == hex(34 12)"), 1);
 }
 
-TEST(ConformExpression, DoesNotDivideByZeroNorShiftTooFar) {
+TEST(ConformExpression, DivisionByZeroAndTooLongShiftsAreRefused) {
     EXPECT_THROW(number("1 / 0"), BrokenCase);
     EXPECT_THROW(number("1 << 64"), BrokenCase);
     EXPECT_THROW(number("$nothing"), BrokenCase);
 }
 
 // CRC-16 with polynomial 1021h and start 0: the check value of "123456789" is 31C3h.
-TEST(ConformFunctions, CrcIsThatOfBlockTransfer) {
+TEST(ConformFunctions, CrcFunctionIsThatOfBlockTransfer) {
     const std::string digits = "123456789";
     EXPECT_EQ(block_crc(Bytes(digits.begin(), digits.end())), 0x31C3);
 }
 
-TEST(ConformFunctions, PatternSharesNoSegment) {
+TEST(ConformFunctions, PatternRepeatsNoSegment) {
     const Bytes bytes = bytes_of(evaluated("pattern(7 * 300)"));
     std::set<Bytes> segments;
     for (std::size_t i = 0; i < bytes.size(); i += 7) {
@@ -99,7 +99,7 @@ bool fits(const std::string& pattern, const Bytes& data, Captures& captures) {
     return DataPattern::parse(line).matches(scope, data, captures);
 }
 
-TEST(ConformDataPattern, TellsBytesApart) {
+TEST(ConformDataPattern, PatternComparesEachByte) {
     Captures none;
     EXPECT_TRUE(fits("40 ?? 4? ?1", {0x40, 0xFF, 0x4E, 0x31}, none));
     EXPECT_FALSE(fits("40 ?? 4? ?1", {0x40, 0xFF, 0x5E, 0x31}, none));
@@ -110,7 +110,7 @@ TEST(ConformDataPattern, TellsBytesApart) {
     EXPECT_TRUE(fits("$x:u16 @1017:00", {0x34, 0x12, 0x17, 0x10, 0x00}, none));
 }
 
-TEST(ConformDataPattern, WantsTheExactLengthUnlessTheRestIsOpen) {
+TEST(ConformDataPattern, PatternNeedsTheExactLengthUnlessOpenEnded) {
     Captures none;
     EXPECT_FALSE(fits("40", {0x40, 0x00}, none));
     EXPECT_FALSE(fits("40 00", {0x40}, none));
@@ -120,14 +120,14 @@ TEST(ConformDataPattern, WantsTheExactLengthUnlessTheRestIsOpen) {
     EXPECT_FALSE(fits("", {0x00}, none));
 }
 
-TEST(ConformDataPattern, CapturesLittleEndian) {
+TEST(ConformDataPattern, PatternCapturesLittleEndian) {
     Captures captures;
     EXPECT_TRUE(fits("43 ->size:u32 ->rest:all", {0x43, 0x10, 0x27, 0, 0, 0xAA, 0xBB}, captures));
     EXPECT_EQ(captures.at("size").number, 10000);
     EXPECT_EQ(captures.at("rest").bytes, (Bytes{0xAA, 0xBB}));
 }
 
-TEST(ConformFilter, SelectsEntriesOfTheDataSheet) {
+TEST(ConformFilter, FilterSelectsEntriesOfTheDataSheet) {
     const ConformSheet sheet = slave_sheet();
     Scanner line{"rw, u16, index 1017", {"some.toml", 1}};
     const auto found = parse_filter(line, "").select(sheet);
@@ -137,7 +137,7 @@ TEST(ConformFilter, SelectsEntriesOfTheDataSheet) {
     EXPECT_TRUE(parse_filter(none, "").select(sheet).empty());
 }
 
-TEST(ConformLanguage, SaysFileLineAndFix) {
+TEST(ConformLanguage, ErrorNamesFileLineAndFix) {
     const auto faults = faults_of_steps("read 1000:00\nexpekt 580+N: 43 ...");
     // [[case]] stands in line 1, id, group, shows, section and the empty line follow, then steps = ''' in line 7.
     ASSERT_EQ(faults.size(), 1U);
@@ -152,7 +152,7 @@ struct BadLine {
 
 class ConformBadLine : public testing::TestWithParam<BadLine> {};
 
-TEST_P(ConformBadLine, IsToldWithItsFix) {
+TEST_P(ConformBadLine, InvalidLineIsReportedWithItsFix) {
     const auto faults = faults_of_steps(GetParam().steps);
     ASSERT_FALSE(faults.empty()) << GetParam().steps;
     EXPECT_THAT(faults.front(), HasSubstr(GetParam().told));
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"let x = foo", "functions are"},
                     BadLine{"each object as E {\n}", "cannot be gone through"}));
 
-TEST(ConformLanguage, KnowsTheKeysOfACase) {
+TEST(ConformLanguage, UnknownKeysOfACaseAreRefused) {
     EXPECT_THAT(faults_of_steps("wait 1 ms", "risk = \"some\""), ElementsAre(HasSubstr("none")));
     EXPECT_THAT(faults_of_steps("wait 1 ms", "needs = [\"a unicorn\"]"), ElementsAre(HasSubstr("is no need")));
     EXPECT_THAT(faults_of_steps("wait 1 ms", "colour = \"red\""), ElementsAre(HasSubstr("colour")));

@@ -23,11 +23,11 @@ ConformReport some_report() {
                               case_text("left-out", "read 1000:00", "needs = [\"5555\"]"));
 }
 
-TEST(ConformReportFiles, AreTheSameForTheSameRun) {
+TEST(ConformReportFiles, ReportsAreTheSameForTheSameRun) {
     EXPECT_EQ(report_files(some_report()), report_files(some_report()));
 }
 
-TEST(ConformReportFiles, ShowEachFailedCaseWithItsFrames) {
+TEST(ConformReportFiles, ReportShowsEachFailedCaseWithItsFrames) {
     const auto files = report_files(some_report());
     const std::string page = files.at("case-bad.html");
     EXPECT_THAT(page, HasSubstr("CiA 301 7.2.4.3"));
@@ -61,7 +61,7 @@ TEST(ConformReportFiles, JsonHasVerdictsAndTimes) {
     EXPECT_EQ(json["sheet_sha256"].get<std::string>().size(), 64U);
 }
 
-TEST(ConformSpread, IsSmallestMeanAndLargest) {
+TEST(ConformSpread, SpreadIsSmallestMeanAndLargest) {
     const Spread spread = spread_of({10, 40, 25});
     EXPECT_EQ(spread.smallest, 10U);
     EXPECT_EQ(spread.mean, 25U);

@@ -16,13 +16,13 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t sdo_answer = 0x585;
 
-TEST(ConformRun, PassesWhatASoundSlaveDoes) {
+TEST(ConformRun, CorrectSlavePasses) {
     const CaseResult result = run_steps_on_slave("sdo 40 00 10 00\nanswer 43 00 10 00\nread 1017:00 = 0");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
     EXPECT_EQ(result.times.at("SDO answer").size(), 2U);
 }
 
-TEST(ConformRun, NamesTheStepThatFails) {
+TEST(ConformRun, FailingStepIsNamed) {
     const CaseResult result = run_steps_on_slave("read 1000:00\nread 1000:01 fails 06020000");
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_THAT(result.why, HasSubstr("abort 06090011h instead of 06020000h"));
@@ -30,7 +30,7 @@ TEST(ConformRun, NamesTheStepThatFails) {
     EXPECT_FALSE(result.frames.empty());
 }
 
-TEST(ConformRun, SkipsWithTheReason) {
+TEST(ConformRun, SkippedCaseHasItsReason) {
     EXPECT_THAT(run_steps_on_slave("read 1000:00", "needs = [\"5555\"]").why, HasSubstr("no object 5555h"));
     EXPECT_THAT(run_steps_on_slave("choose E: writable, const\nread $E").why, HasSubstr("writable, const"));
     EXPECT_THAT(run_steps_on_slave("read 1000:00 -> v\nskip unless $v == 1 \"of another type\"").why,
@@ -40,7 +40,7 @@ TEST(ConformRun, SkipsWithTheReason) {
     EXPECT_EQ(left_out.why, "not this one");
 }
 
-TEST(ConformRun, CaseThatJudgesNothingIsBroken) {
+TEST(ConformRun, CaseWithoutACheckIsBroken) {
     EXPECT_EQ(run_steps_on_slave("wait 1 ms").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("wait $unknown").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("while 1 {\nwait 1 us\n}").verdict, Verdict::broken);
@@ -55,7 +55,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, MeasuresAPeriod) {
+TEST(ConformRun, PeriodIsMeasured) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
     const CaseResult late = run_steps_on_slave(steps + "period 700+N = 90 ms +- 5 % over 10");
@@ -65,7 +65,7 @@ TEST(ConformRun, MeasuresAPeriod) {
     EXPECT_EQ(run_steps_on_slave(steps + "silence 700+N for 1 s").verdict, Verdict::failed);
 }
 
-TEST(ConformRun, WatchCollectsMeanwhile) {
+TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
     const CaseResult result = run_steps_on_slave(
         "write 1017:00 = 100\nwatch 700+N as hb\nread 1000:00\nwait 1 s\nend hb\nwait 1 s\n"
         "check $hb.count == 10 \"ten\"\ncheck $hb.max <= 101 ms \"in time\"\ncheck $hb.data == hex(7F) \"state\"",
@@ -81,7 +81,7 @@ TEST(ConformRun, BlockTransfersCarryEveryByte) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why << result.step;
 }
 
-TEST(ConformRun, AnswerTooMuchFails) {
+TEST(ConformRun, UnexpectedAdditionalFrameFails) {
     VirtualTarget target{hooked_slave([](Frame& frame) {
                              frame.data[0] = frame.id == 0x705 ? std::uint8_t{0} : frame.data[0];
                              return true;
@@ -92,7 +92,7 @@ TEST(ConformRun, AnswerTooMuchFails) {
     EXPECT_THAT(report.results.at(0).why, HasSubstr("boot-up message"));
 }
 
-TEST(ConformRun, PutsBackWhatACaseWrote) {
+TEST(ConformRun, ValuesWrittenByACaseAreRestored) {
     VirtualTarget target{sound_slave(), 5};
     const std::string before =
         "write 1017:00 = 700\nwrite 1010:01 = \"save\"\nreset node\nread 1017:00 = 700\nwrite 1017:00 = 800";
@@ -102,7 +102,7 @@ TEST(ConformRun, PutsBackWhatACaseWrote) {
     EXPECT_EQ(report.results.at(1).verdict, Verdict::passed) << report.results.at(1).why;
 }
 
-TEST(ConformRun, PutsBackAMappingInTheOrderThatASlaveTakes) {
+TEST(ConformRun, MappingIsRestoredInTheOrderThatASlaveAccepts) {
     // Saved and restarted, it would stay: only the way back through COB-ID and count undoes it.
     const std::string steps =
         "read 1800:01 -> cob\nwrite 1800:01 = $cob | 0x80000000\nwrite 1A00:00 = 0\nwrite 1010:01 = \"save\"\n"
@@ -117,7 +117,7 @@ TEST(ConformRun, PutsBackAMappingInTheOrderThatASlaveTakes) {
     }
 }
 
-TEST(ConformRun, TellsWhatTheSlaveDoesNotTakeBack) {
+TEST(ConformRun, ValueThatTheSlaveDoesNotRestoreIsReported) {
     int reads = 0;
     VirtualTarget target{hooked_slave([&reads](Frame& frame) {
                              // 1017h reads 5 from its second read on.
@@ -133,7 +133,7 @@ TEST(ConformRun, TellsWhatTheSlaveDoesNotTakeBack) {
     EXPECT_THAT(result.left.front(), HasSubstr("1017h:00 does not take back 00 00"));
 }
 
-TEST(ConformRun, SilentSlaveIsToldFromAFailingOne) {
+TEST(ConformRun, SilentSlaveIsDistinguishedFromAFailingSlave) {
     bool silent = false;
     const auto hook = [&silent](Frame& frame) {
         silent = silent || (frame.id == sdo_answer && frame.data[1] == 0x01 && frame.data[2] == 0x10);
@@ -148,12 +148,12 @@ TEST(ConformRun, SilentSlaveIsToldFromAFailingOne) {
     EXPECT_EQ(report.exit_status(), 1);
 }
 
-TEST(ConformRun, SlaveThatIsNotThereIsNoVerdict) {
+TEST(ConformRun, AbsentSlaveIsAnErrorAndNoVerdict) {
     BusLikeTarget target{hooked_slave([](Frame&) { return false; })};
     EXPECT_THROW(run_on(target, case_text("some", "read 1000:00")), InputError);
 }
 
-TEST(ConformRun, FailureThatPassesLaterIsUnstable) {
+TEST(ConformRun, CaseThatPassesOnRepetitionIsUnstable) {
     int answers = 0;
     BusLikeTarget target{hooked_slave([&answers](Frame& frame) {
         const bool type = frame.id == sdo_answer && frame.data[1] == 0x01 && frame.data[2] == 0x10;
@@ -166,14 +166,14 @@ TEST(ConformRun, FailureThatPassesLaterIsUnstable) {
     EXPECT_EQ(report.exit_status(), 1);
 }
 
-TEST(ConformRun, FailureOnABusRunsFourTimes) {
+TEST(ConformRun, FailingCaseOnABusRunsFourTimes) {
     BusLikeTarget target{sound_slave()};
     const ConformReport report = run_on(target, case_text("some", "read 1000:00 fails any"));
     EXPECT_EQ(report.results.at(0).verdict, Verdict::failed);
     EXPECT_EQ(report.results.at(0).runs, 4U);
 }
 
-TEST(ConformRun, RiskNeedsItsPermission) {
+TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
     BusLikeTarget target{sound_slave()};
     ConformOptions options;
     options.allow_outputs = options.allow_store = options.allow_lss = false;
@@ -188,7 +188,7 @@ TEST(ConformRun, RiskNeedsItsPermission) {
     EXPECT_EQ(report.results.at(3).verdict, Verdict::passed);
 }
 
-TEST(ConformRun, InterruptionPutsEverythingBack) {
+TEST(ConformRun, InterruptionRestoresEverything) {
     BusLikeTarget target{sound_slave()};
     target.interrupt_at(Instant{20'000'000});
     const ConformReport report =
@@ -202,13 +202,13 @@ TEST(ConformRun, InterruptionPutsEverythingBack) {
     EXPECT_EQ(after.results.at(0).verdict, Verdict::passed) << after.results.at(0).why;
 }
 
-TEST(ConformRun, BusWithoutRemoteFramesSkips) {
+TEST(ConformRun, CaseWithRemoteFramesIsSkippedOnABusWithoutThem) {
     BusLikeTarget target{sound_slave()};
     const ConformReport report = run_on(target, case_text("some", "send rtr 700+N\nexpect 700+N"));
     EXPECT_EQ(report.results.at(0).verdict, Verdict::skipped);
 }
 
-TEST(ConformRun, RefusesNamesThatAreNone) {
+TEST(ConformRun, UnknownCaseNamesAreRefused) {
     VirtualTarget target{sound_slave(), 5};
     ConformOptions options;
     options.cases = {"nothing"};
@@ -218,7 +218,7 @@ TEST(ConformRun, RefusesNamesThatAreNone) {
     EXPECT_THROW(run_on(target, case_text("some", "read 1000:00"), options), InputError);
 }
 
-TEST(ConformRun, TrafficFillsTheBus) {
+TEST(ConformRun, BackgroundTrafficFillsTheBus) {
     const CaseResult result =
         run_steps_on_slave("traffic 80 % high\nread 1000:00\nwait 1 s\ntraffic off\nread 1000:00");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;

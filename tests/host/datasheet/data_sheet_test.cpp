@@ -76,7 +76,7 @@ class DataSheet : public testing::Test {
 
 }  // namespace
 
-TEST_F(DataSheet, EdsIsWrittenAsCia306Says) {
+TEST_F(DataSheet, EdsIsWrittenAsCia306Requires) {
     EXPECT_EQ(write_eds(loaded_.content, box()), crlf(R"([FileInfo]
 FileName=box.eds
 FileVersion=1
@@ -266,7 +266,7 @@ TEST_F(DataSheet, JsonNamesTypesDefaultsAndLimits) {
     EXPECT_EQ(json.at("objects").at(4).at("entries").at(0).at("values"), nlohmann::json({8, 2}));
 }
 
-TEST_F(DataSheet, MarkdownHasARowAnEntry) {
+TEST_F(DataSheet, MarkdownHasOneRowPerEntry) {
     const std::string text = write_object_markdown(box());
     EXPECT_THAT(text, testing::HasSubstr("# Object dictionary of Box 1\n"));
     EXPECT_THAT(text,

@@ -14,7 +14,7 @@ std::string value_of(const std::string& text, const std::string& type) {
 
 }  // namespace
 
-TEST(EdsNumbers, BasesAreThoseOfC) {
+TEST(EdsNumbers, NumberBasesAreThoseOfC) {
     EXPECT_EQ(value_of("10", "UNSIGNED32"), "10");
     EXPECT_EQ(value_of("0x10", "UNSIGNED32"), "16");
     EXPECT_EQ(value_of("0XfF", "UNSIGNED32"), "255");
@@ -62,7 +62,7 @@ TEST(EdsNumbers, RealsAreDecimalOrIeeeBits) {
     }
 }
 
-TEST(EdsNumbers, NodeIdIsATermOfASum) {
+TEST(EdsNumbers, NodeIdIsReadAsATermOfASum) {
     const auto split = [](const std::string& text) {
         const auto term = split_node_id(text);
         return term ? term->rest + (term->has_node_id ? " + node-ID" : "") : std::string{"none"};

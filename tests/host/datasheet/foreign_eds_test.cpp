@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST(ForeignEds, EveryFaultIsToldAtOnceWithLineAndAssumption) {
+TEST(ForeignEds, AllFaultsAreReportedAtOnceWithLineAndAssumption) {
     std::string text = box;
     text = replaced(text, "DefaultValue=0x191", "DefaultValue=0x1G1");
     text = replaced(text, "AccessType=ro\nDefaultValue=0\n", "AccessType=readonly\nDefaultValue=0\n");
@@ -49,7 +49,7 @@ TEST(ForeignEds, EveryFaultIsToldAtOnceWithLineAndAssumption) {
     EXPECT_EQ(device.state(), NmtState::pre_operational);
 }
 
-TEST(ForeignEds, FormOfTheFileIsCheckedLineByLine) {
+TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
     const auto told = [](const std::string& text) {
         const EdsResult read = read_eds(text, "x");
         return texts(read.faults) + texts(read.notes);
@@ -69,7 +69,7 @@ TEST(ForeignEds, FormOfTheFileIsCheckedLineByLine) {
                 HasSubstr("[1018sub01] describes the same entry as [1018sub1]; the first counts"));
 }
 
-TEST(ForeignEds, SectionThatStandsTwiceIsOne) {
+TEST(ForeignEds, RepeatedSectionIsMerged) {
     const EdsResult read = read_eds(box + "[2000]\nHighLimit=7\nPDOMapping=1\n", "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("section [2000] is already in line " +
@@ -79,7 +79,7 @@ TEST(ForeignEds, SectionThatStandsTwiceIsOne) {
     EXPECT_EQ(entry(read.part, 0x2000, 0).mapping, "both");
 }
 
-TEST(ForeignEds, WhatIsMissingOrWrongInAnEntryIsAssumed) {
+TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
     const auto told = [](const std::string& from, const std::string& to) {
         const EdsResult read = read_eds(replaced(box, from, to), "x");
         return texts(read.faults) + texts(read.notes);
@@ -113,7 +113,7 @@ TEST(ForeignEds, WhatIsMissingOrWrongInAnEntryIsAssumed) {
                 HasSubstr("text has 5000 characters; the first 4096 are used"));
 }
 
-TEST(ForeignEds, NodeIdAndBitRateThatCannotBeAreThoseAsShipped) {
+TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
     const EdsResult read = read_eds(box + "[DeviceComissioning]\nNodeID=0xff\nBaudrate=0\n", "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("NodeID 0xff is no number from 1 to 127; 1 is assumed"));
@@ -122,7 +122,7 @@ TEST(ForeignEds, NodeIdAndBitRateThatCannotBeAreThoseAsShipped) {
     EXPECT_EQ(read.part.info.bit_rate, 125000);
 }
 
-TEST(ForeignEds, ObjectInNoneOfTheListsExists) {
+TEST(ForeignEds, ObjectInNoListExists) {
     const EdsResult read = read_eds(replaced(box, "3=0x2002\n", ""), "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists; the object exists"));
@@ -132,7 +132,7 @@ TEST(ForeignEds, ObjectInNoneOfTheListsExists) {
     EXPECT_EQ(to_text(entry(none.part, 0x2000, 0).value), "7");
 }
 
-TEST(ForeignEds, CobIdsAreNeverThatOfNmtCommands) {
+TEST(ForeignEds, CobIdsAreNeverTheNmtIdentifier) {
     const std::string rest = "DataType=7\nAccessType=rw\n";
     std::string text = "[1005]\n" + rest + "[100E]\n" + rest + "DefaultValue=0\n[1014]\n" + rest;
     for (const char* index : {"1400", "1403", "1404", "1800", "1803", "1804"}) {
@@ -162,7 +162,7 @@ TEST(ForeignEds, CobIdsAreNeverThatOfNmtCommands) {
     EXPECT_THAT(texts(read.notes), Not(HasSubstr("1805h:1")));
 }
 
-TEST(ForeignEds, LimitThatIsNoneLetsTheWholeTypeThrough) {
+TEST(ForeignEds, InvalidLimitAllowsTheWholeRangeOfTheType) {
     std::string text = replaced(box, "DataType=0x0003", "DataType=0x0008");  // REAL32
     text = replaced(text, "DefaultValue=-5", "DefaultValue=0x3FC00000");     // 1.5
     text = replaced(text, "LowLimit=0xFF9C\nHighLimit=100", "LowLimit=-2.5\nHighLimit=much");
@@ -179,7 +179,7 @@ TEST(ForeignEds, LimitThatIsNoneLetsTheWholeTypeThrough) {
     EXPECT_EQ(answer("605#23002000000040C0"), "585#8000200032000906");  // -3 is too low
 }
 
-TEST(ForeignEds, SloppyFilesRunAndAreToldWhatWasTakenOtherwise) {
+TEST(ForeignEds, SloppyFilesRunAndAssumptionsAreReported) {
     std::string text = replaced(box, "SupportedObjects=3\n1=0x1000", "SupportedObjects=7\n1=0x1000");
     text = replaced(text, "SubNumber=3", "SubNumber=9");
     text = replaced(text, "DefaultValue=-5", "DefaultValue=101");
@@ -197,7 +197,7 @@ TEST(ForeignEds, SloppyFilesRunAndAreToldWhatWasTakenOtherwise) {
     EXPECT_EQ(read.notes.size(), 5U) << notes;
 }
 
-TEST(BrokenEds, WhatIsNoDataSheetIsRefused) {
+TEST(BrokenEds, TextThatIsNoDataSheetIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
     EXPECT_EQ(told(""), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
     EXPECT_EQ(told("[FileInfo]\nFileName=x\n"), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
@@ -211,7 +211,7 @@ TEST(BrokenEds, WhatIsNoDataSheetIsRefused) {
               "x:1: more than 1000 lines are neither [Section] nor Key=Value; name an EDS, DCF or XDD file\n");
 }
 
-TEST(BrokenEds, FileThatDescribesMoreThanADeviceCanHoldIsRefused) {
+TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
     std::string text = "[ManufacturerObjects]\nSupportedObjects=300\n";
     std::string sections;
     for (int i = 0; i < 300; ++i) {

@@ -130,7 +130,7 @@ std::size_t check_object(const pugi::xml_node& object, const std::string& where)
 
 }  // namespace
 
-TEST(OwnXdd, ElementsStandInTheOrderOfTheSchemaWithTheAttributesThatItWants) {
+TEST(OwnXdd, ElementsHaveTheOrderAndAttributesOfTheSchema) {
     for (const Part& part : built_in_register().parts) {
         if (!part.is_device()) {
             continue;
@@ -170,7 +170,7 @@ TEST(OwnXdd, ElementsStandInTheOrderOfTheSchemaWithTheAttributesThatItWants) {
     }
 }
 
-TEST(OwnXdd, EveryEntryOfEveryDeviceStandsInItAsCia311Says) {
+TEST(OwnXdd, EveryEntryOfEveryDeviceIsWrittenAsInCia311) {
     int devices = 0;
     for (const Part& part : built_in_register().parts) {
         if (!part.is_device()) {

@@ -49,7 +49,7 @@ class RunningBox : public testing::Test {
 
 }  // namespace
 
-TEST(ReadEds, TakesEveryAttributeOfAnEntry) {
+TEST(ReadEds, EveryAttributeOfAnEntryIsRead) {
     const EdsResult read = read_eds(box, "folder/box.eds");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(texts(read.notes), "");
@@ -75,7 +75,7 @@ TEST(ReadEds, TakesEveryAttributeOfAnEntry) {
     EXPECT_EQ(entry(read.part, 0x2002, 0).type, "DOMAIN");
 }
 
-TEST(ReadEds, CompactSubObjectsHaveNamesAndValuesOfTheirOwn) {
+TEST(ReadEds, CompactSubObjectsHaveTheirOwnNamesAndValues) {
     const EdsResult read = read_eds(box, "box.eds");
     EXPECT_EQ(to_text(entry(read.part, 0x6200, 0).value), "2");
     EXPECT_EQ(entry(read.part, 0x6200, 1).name, "Write outputs1");
@@ -110,7 +110,7 @@ TEST(ReadEds, ConfigurationFileSetsValuesNodeAndBitRate) {
     EXPECT_EQ(read.part.info.bit_rate, 250000);
 }
 
-TEST(ReadEds, LineEndsByteOrderMarkAndCaseDoNotMatter) {
+TEST(ReadEds, LineEndsByteOrderMarkAndCaseAreIgnored) {
     std::string crlf = "\xEF\xBB\xBF";
     for (const char c : box) {
         crlf += c == '\n' ? std::string{"\r\n"} : std::string{c};
@@ -123,7 +123,7 @@ TEST(ReadEds, LineEndsByteOrderMarkAndCaseDoNotMatter) {
     EXPECT_EQ(to_text(entry(read.part, 0x1018, 1).value), "23");
 }
 
-TEST_F(RunningBox, BootsAnswersAndKeepsItsLimits) {
+TEST_F(RunningBox, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
     EXPECT_EQ(device->node_id(), 5);
     EXPECT_THAT(send("605#4000100000000000"), ElementsAre("585#4300100091010000"));
     EXPECT_THAT(send("605#2B00206400000000"), ElementsAre("585#8000206411000906"));  // no sub-index 64h
@@ -132,21 +132,21 @@ TEST_F(RunningBox, BootsAnswersAndKeepsItsLimits) {
     EXPECT_THAT(send("605#2B0020009BFF0000"), ElementsAre("585#8000200032000906"));  // -101 is too low
 }
 
-TEST_F(RunningBox, PdoOfTheNodeIdReachesItsObject) {
+TEST_F(RunningBox, PdoOfTheNodeIdSetsItsObject) {
     send("000#0105");
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_THAT(send("205#11"), IsEmpty());
     EXPECT_THAT(send("605#4000620100000000"), ElementsAre("585#4F00620111000000"));
 }
 
-TEST_F(RunningBox, HeartbeatComesAtItsDefaultPeriod) {
+TEST_F(RunningBox, HeartbeatIsSentAtItsDefaultPeriod) {
     EXPECT_EQ(device->next_deadline().us, 1000000U);
     now = device->next_deadline();
     device->advance(now);
     EXPECT_THAT(sent(), ElementsAre("705#7F"));
 }
 
-TEST_F(RunningBox, ListensToWhatItsDictionarySays) {
+TEST_F(RunningBox, AcceptanceFiltersFollowTheDictionary) {
     const auto accepted = acceptance_filters(*device->objects(), 5);
     const auto hears = [&](const char* frame) {
         return std::any_of(accepted.begin(), accepted.end(),
@@ -175,7 +175,7 @@ TEST_F(RunningBox, LssStoresItsNodeIdAcrossAPowerCycle) {
     EXPECT_EQ(next.node_id(), 0x22);
 }
 
-TEST_F(RunningBox, DomainTakesAndGivesBackAProgram) {
+TEST_F(RunningBox, DomainStoresAndReturnsAProgram) {
     EXPECT_THAT(send("605#2100200009000000").front(), HasSubstr("585#80"));  // 2000h is no domain of nine bytes
     EXPECT_THAT(send("605#2102200009000000"), ElementsAre("585#6002200000000000"));
     EXPECT_THAT(send("605#0001020304050607"), ElementsAre("585#2000000000000000"));
@@ -185,7 +185,7 @@ TEST_F(RunningBox, DomainTakesAndGivesBackAProgram) {
     EXPECT_THAT(send("605#7000000000000000"), ElementsAre("585#1B08090000000000"));
 }
 
-TEST(OwnEds, EachDeviceOfTheCatalogueComesBackTheSame) {
+TEST(OwnEds, EachDeviceReadFromItsEdsIsUnchanged) {
     // From [DeviceInfo] on: what stands before it, and the comments, tell of the file and not of the device.
     const auto body = [](std::string text) {
         text.erase(0, text.find("[DeviceInfo]"));

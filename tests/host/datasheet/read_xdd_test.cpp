@@ -127,7 +127,7 @@ TEST(ReadXdd, Version1_0HasItsValuesInAttributes) {
     EXPECT_EQ(entry(read.part, 0x2000, 0).place.line, line_of(box_1_0, "index=\"2000\""));
 }
 
-TEST(ReadXdd, Version1_1HasThemInParameters) {
+TEST(ReadXdd, Version1_1HasItsValuesInParameters) {
     const EdsResult read = read_eds(box_1_1, "box.xdc");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(described(read.part),
@@ -145,7 +145,7 @@ TEST(ReadXdd, Version1_1HasThemInParameters) {
     EXPECT_THAT(texts(read.notes), HasSubstr(lost + "[2002] has no AccessType; rw is assumed"));
 }
 
-TEST(ReadXdd, RunsAndAnswers) {
+TEST(ReadXdd, DeviceFromAnXddRunsAndAnswers) {
     GenericSimulation device{read_eds(box_1_0, "box.xdd").part};
     device.set_node_id(5);
     device.power_on(Instant{});
@@ -154,7 +154,7 @@ TEST(ReadXdd, RunsAndAnswers) {
     EXPECT_EQ(format_frame(device.queue().pop()), "585#8000200031000906");  // 101 is too high
 }
 
-TEST(ReadXdd, WhatIsWrongIsToldWithItsLineAndTheRestRuns) {
+TEST(ReadXdd, FaultsAreReportedWithTheirLineAndTheRestRuns) {
     std::string text = replaced(box_1_0, "index=\"0x2001\"", "index=\"box\"");
     text = replaced(text, "<CANopenObject index=\"2000\"",
                     "<CANopenObject index=\"1018\"/>\n<CANopenObject index=\"2000\"");
@@ -172,7 +172,7 @@ TEST(ReadXdd, WhatIsWrongIsToldWithItsLineAndTheRestRuns) {
     EXPECT_EQ(entry(read.part, 0x1018, 0).name, "[1]");
 }
 
-TEST(ReadXdd, WhatIsNoDescriptionIsRefused) {
+TEST(ReadXdd, TextThatIsNoDescriptionIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
     EXPECT_EQ(told("<a>\n<b>\n</a>"), "x:3: not XML: Start-end tags mismatch; name an EDS, DCF or XDD file\n");
     EXPECT_EQ(told(" <html/>"), "x:1: XML without CANopenObjectList of CiA 311; name an EDS, DCF or XDD file\n");
@@ -184,7 +184,7 @@ TEST(ReadXdd, WhatIsNoDescriptionIsRefused) {
     EXPECT_THAT(told(deep), HasSubstr("not XML: "));
 }
 
-TEST(OwnXdd, EachDeviceOfTheCatalogueIsTheSameAsByItsEds) {
+TEST(OwnXdd, EachDeviceReadFromItsXddEqualsThatOfItsEds) {
     int devices = 0;
     for (const Part& part : built_in_register().parts) {
         if (!part.is_device() || part.objects.empty()) {

@@ -37,11 +37,11 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST(ServedPdos, EightOfEachDirectionAreTaken) {
+TEST(ServedPdos, EightPdosOfEachDirectionAreAccepted) {
     EXPECT_EQ(refusal(box_with({"1407", "1807", "1600", "1A00", "1607", "1A07"})), "");
 }
 
-TEST(ServedPdos, EachBeyondIsNamedWithItsPlace) {
+TEST(ServedPdos, EachPdoBeyondTheEighthIsNamedWithItsPlace) {
     const std::string text = box_with({"1407", "1408", "15FF", "1808", "19FF"});
     const auto at = [&](const std::string& section) {
         return "box.eds:" + std::to_string(line_of(text, "[" + section + "]")) + ": ";

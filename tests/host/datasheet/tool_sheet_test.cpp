@@ -72,7 +72,7 @@ class ToolSheet : public testing::Test {
 
 }  // namespace
 
-TEST_F(ToolSheet, AMappingIsARecordInEveryForm) {
+TEST_F(ToolSheet, MappingIsARecordInEveryFormat) {
     EXPECT_THAT(eds(), HasSubstr(crlf("[1600]\nParameterName=RPDO1 mapping\nObjectType=0x9\n")));
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_xdd(loaded_.content, box()).c_str()));
@@ -97,7 +97,7 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
 }
 
 // 1003h sub-index 0 reads 0 to 4 here; a write takes 0 only, which the data sheet cannot say.
-TEST_F(ToolSheet, TheErrorListCountsUpToItsLengthInEveryForm) {
+TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEveryFormat) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));
     const auto json = nlohmann::json::parse(write_object_json(box()));
@@ -110,7 +110,7 @@ TEST_F(ToolSheet, TheErrorListCountsUpToItsLengthInEveryForm) {
 }
 
 // CiA 301, 7.5.2.4: a write of 0 empties the list, any other value is refused.
-TEST_F(ToolSheet, AnErrorListFromADataSheetTakesAWriteOfZeroOnly) {
+TEST_F(ToolSheet, ErrorListOfADataSheetTakesAWriteOfZeroOnly) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     for (const Object& object : read.part.objects) {
@@ -122,13 +122,13 @@ TEST_F(ToolSheet, AnErrorListFromADataSheetTakesAWriteOfZeroOnly) {
 }
 
 // 1.5 is 3FC00000h, -2 is C0000000h, 8 is 41000000h as REAL32 (IEEE 754).
-TEST_F(ToolSheet, RealsAreDecimalWithoutLimitsOrBitsWithThem) {
+TEST_F(ToolSheet, Real32IsWrittenAsDecimalWithoutLimitsOrAsBitsWithLimits) {
     EXPECT_THAT(eds(), HasSubstr(crlf("DataType=0x0008\nAccessType=rw\nDefaultValue=1.5\nPDOMapping=0\n")));
     EXPECT_THAT(eds(Reals::bits), HasSubstr(crlf("DataType=0x0008\nAccessType=rw\nDefaultValue=0x3FC00000\n"
                                                  "LowLimit=0xC0000000\nHighLimit=0x41000000\nPDOMapping=0\n")));
 }
 
-TEST_F(ToolSheet, ARealWithoutLimitsTakesEveryNumber) {
+TEST_F(ToolSheet, Real32WithoutLimitsTakesEveryNumber) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     EXPECT_TRUE(read.part.objects.back().entries.front().range.empty());

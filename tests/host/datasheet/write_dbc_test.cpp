@@ -230,7 +230,7 @@ TEST(WriteDbc, EachServiceHasItsIdentifierOfCia301) {
     EXPECT_EQ(data.messages.at(0x305).signals.at("Outputs_Entry_2").receiver, "box");
 }
 
-TEST(WriteDbc, APdoHasItsMappedObjectsAndGaps) {
+TEST(WriteDbc, PdoHasItsMappedObjectsAndGaps) {
     const Database data = database_of(good_sheet(), 5);
     EXPECT_THAT(places(data.messages.at(0x185)), ElementsAre("Inputs_Entry_1 0|8+", "Inputs_Entry_2 8|8+"));
     EXPECT_EQ(data.messages.at(0x185).length, 2U);
@@ -239,7 +239,7 @@ TEST(WriteDbc, APdoHasItsMappedObjectsAndGaps) {
     EXPECT_EQ(data.messages.at(0x205).length, 2U);
 }
 
-TEST(WriteDbc, APdoKeepsBitsSignsLimitsAndReals) {
+TEST(WriteDbc, PdoKeepsBitsSignsLimitsAndReals) {
     const Database data = database_of(
         patched_sheet("[1A00] SubNumber=4 | [1A00sub0] DefaultValue=3 | [1A00sub1] DefaultValue=0x20040001 | "
                       "[1A00sub2] DefaultValue=0x20000010 | [1A00sub3] ParameterName=Third | "
@@ -256,7 +256,7 @@ TEST(WriteDbc, APdoKeepsBitsSignsLimitsAndReals) {
     EXPECT_EQ(pdo.signals.at("Switch").limits, "0|0");
 }
 
-TEST(WriteDbc, AnSdoIsSwitchedByIndexAndSubIndex) {
+TEST(WriteDbc, SdoIsMultiplexedByIndexAndSubIndex) {
     const Database data = database_of(good_sheet(), 5);
     const Message& request = data.messages.at(0x605);
     const Message& response = data.messages.at(0x585);
@@ -282,7 +282,7 @@ TEST(WriteDbc, AnSdoIsSwitchedByIndexAndSubIndex) {
     EXPECT_EQ(response.signals.count("x2001_00_Name"), 0U);
 }
 
-TEST(WriteDbc, HeartbeatEmcyAndNmtHaveTheirWords) {
+TEST(WriteDbc, HeartbeatEmcyAndNmtHaveValueNames) {
     const Database data = database_of(good_sheet(), 5);
     const Message& heartbeat = data.messages.at(0x705);
     EXPECT_EQ(heartbeat.length, 1U);
@@ -297,11 +297,11 @@ TEST(WriteDbc, HeartbeatEmcyAndNmtHaveTheirWords) {
     EXPECT_EQ(database_of(patched_sheet("[1019] DefaultValue=10").text, 5).messages.at(0x080).length, 1U);
 }
 
-TEST(WriteDbc, EmcyWithout1014hHasThePredefinedIdentifier) {
+TEST(WriteDbc, EmcyWithoutObject1014hHasThePredefinedIdentifier) {
     EXPECT_EQ(database_of(patched_sheet("-[1014]").text, 9).messages.at(0x089).name, "box_EMCY");
 }
 
-TEST(WriteDbc, WhatIsSwitchedOffOrTwiceIsNamedAndLeftOut) {
+TEST(WriteDbc, DisabledOrDuplicateMessagesAreNamedAndLeftOut) {
     const EdsResult read = read_eds(patched_sheet("[1400sub1] DefaultValue=$NODEID+0x80000200 | "
                                                   "[1401sub1] DefaultValue=$NODEID+0x180")
                                         .text,
@@ -314,12 +314,12 @@ TEST(WriteDbc, WhatIsSwitchedOffOrTwiceIsNamedAndLeftOut) {
     EXPECT_THAT(text, HasSubstr("left out: RPDO1 is switched off, TPDO1 has an identifier twice\";\n"));
 }
 
-TEST(WriteDbc, AnIdentifierOf29BitsIsMarked) {
+TEST(WriteDbc, IdentifierOf29BitsIsMarked) {
     const Database data = database_of(patched_sheet("[1800sub1] DefaultValue=0x38000180").text, 5);
     EXPECT_EQ(data.messages.at(0x80000000U + 0x18000180U).name, "box_TPDO1");
 }
 
-TEST(WriteDbc, EveryDeviceKeepsToTheForm) {
+TEST(WriteDbc, DbcOfEveryDeviceFollowsTheFormat) {
     for (const Part& part : built_in_register().parts) {
         if (part.is_device()) {
             const Database data = DbcReader{}.read(write_dbc(part, 3));
@@ -329,7 +329,7 @@ TEST(WriteDbc, EveryDeviceKeepsToTheForm) {
     }
 }
 
-TEST(WriteDbc, TheAnalogOutputsOfTheAo412AreFourSignedWords) {
+TEST(WriteDbc, AnalogOutputsOfTheAo412AreFourSignedWords) {
     const Database data = DbcReader{}.read(write_dbc(*built_in_register().part("cbx-ao412"), 3));
     const Message& pdo = data.messages.at(0x303);  // RPDO 2: 300h + 3
     EXPECT_EQ(pdo.length, 8U);
@@ -340,7 +340,7 @@ TEST(WriteDbc, TheAnalogOutputsOfTheAo412AreFourSignedWords) {
     EXPECT_EQ(found, (std::set<std::string>{"0|16-", "16|16-", "32|16-", "48|16-"}));
 }
 
-TEST(DbcNames, AreIdentifiersOfThirtyTwoCharactersEachOnce) {
+TEST(DbcNames, DbcNamesAreUniqueIdentifiersOfAtMost32Characters) {
     DbcNames names;
     EXPECT_EQ(names.take("Write output 8-bit (%)"), "Write_output_8_bit");
     EXPECT_EQ(names.take("Write output 8-bit"), "Write_output_8_bit_2");
@@ -351,7 +351,7 @@ TEST(DbcNames, AreIdentifiersOfThirtyTwoCharactersEachOnce) {
     EXPECT_EQ(names.take(std::string(41, 'x')), std::string(30, 'x') + "_2");
 }
 
-TEST(DbcText, QuotesNothingThatEndsAString) {
+TEST(DbcText, DbcStringsContainNoQuotationMark) {
     DbcFile file;
     file.nodes = {"Host"};
     file.comment = "a \"b\"\n\\ \xC2\xB0";

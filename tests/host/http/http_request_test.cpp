@@ -32,7 +32,7 @@ const std::string post =
 
 }  // namespace
 
-TEST(HttpRequest, IsTheSameInPiecesOfAnySize) {
+TEST(HttpRequest, RequestIsTheSameInPiecesOfAnySize) {
     for (std::size_t piece = 1; piece <= post.size(); ++piece) {
         const HttpRequest request = read(post, piece);
         ASSERT_TRUE(request.is_done());
@@ -48,7 +48,7 @@ TEST(HttpRequest, IsTheSameInPiecesOfAnySize) {
     EXPECT_EQ(read(post + "GET / HTTP/1.1\r\n\r\n").request().path, "/api/frame");
 }
 
-TEST(HttpRequest, QuerySaysFromWhereOn) {
+TEST(HttpRequest, QuerySelectsTheFirstChangeAndFrame) {
     const HttpRequest request = read("GET /api/state?changes=12&frames=18446744073709551615 HTTP/1.1\r\n\r\n");
     EXPECT_EQ(request.request().path, "/api/state");
     EXPECT_EQ(request.request().changes_from, 12U);
@@ -87,7 +87,7 @@ TEST(HttpRequest, LinesAndHeadAreBounded) {
     EXPECT_EQ(status(start + "A: b\r\n" + most.substr(start.size())), 431);
 }
 
-TEST(HttpRequest, BodyIsAsLongAsAnnouncedAndBounded) {
+TEST(HttpRequest, BodyHasTheAnnouncedLengthAndIsBounded) {
     const std::string head = "POST / HTTP/1.1\r\nContent-Length: ";
     EXPECT_EQ(status(head + "4096\r\n\r\n" + std::string(4096, ' ')), 0);
     EXPECT_EQ(status(head + "4097\r\n\r\n"), 413);
@@ -98,13 +98,13 @@ TEST(HttpRequest, BodyIsAsLongAsAnnouncedAndBounded) {
     EXPECT_EQ(read(head + "0\r\n\r\nmore").request().body, "");
 }
 
-TEST(HttpRequest, BodyInPiecesAndExpectationsAreRefused) {
+TEST(HttpRequest, ChunkedBodyAndExpectHeaderAreRefused) {
     EXPECT_EQ(status(start + "Transfer-Encoding: chunked\r\n\r\n"), 411);
     EXPECT_EQ(status(start + "TRANSFER-ENCODING: identity\r\n\r\n"), 411);
     EXPECT_EQ(status(start + "Expect: 100-continue\r\n\r\n"), 417);
 }
 
-TEST(HttpRequest, HeaderThatDecidesMayStandThereOnce) {
+TEST(HttpRequest, DecisiveHeaderMayOccurOnce) {
     for (const char* name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Length"}) {
         const std::string header = std::string{name} + ": 1\r\n";
         EXPECT_EQ(status("GET / HTTP/1.1\r\n" + header + header + "\r\n"), 400) << name;
@@ -112,7 +112,7 @@ TEST(HttpRequest, HeaderThatDecidesMayStandThereOnce) {
     EXPECT_EQ(status(start + "Accept: a\r\nAccept: b\r\n\r\n"), 0);
 }
 
-TEST(HttpRequest, WhatIsNoHttpIsRefused) {
+TEST(HttpRequest, InvalidHttpIsRefused) {
     for (const char* line : {"", "GET", "GET /", "GET  / HTTP/1.1", "GET / HTTP/1.1 ", " GET / HTTP/1.1",
                              "get / HTTP/1.1", "GET http://localhost/ HTTP/1.1", "GET * HTTP/1.1", "GET /\x01 HTTP/1.1",
                              "GET /\x80 HTTP/1.1", "GET /\tx HTTP/1.1", "GET / HTTP/1.1\rX", "G\xC3T / HTTP/1.1"}) {

@@ -25,7 +25,7 @@ int status(const PanelRequest& request) {
 
 }  // namespace
 
-TEST(RequestGuard, OwnPageMayChangeSomething) {
+TEST(RequestGuard, RequestOfTheOwnPageMayChangeTheState) {
     EXPECT_EQ(status(post()), 0);
     PanelRequest request = post();
     request.fetch_site = "same-origin";
@@ -33,13 +33,13 @@ TEST(RequestGuard, OwnPageMayChangeSomething) {
     EXPECT_EQ(status(request), 0);
 }
 
-TEST(RequestGuard, ProgramWithoutOriginMayChangeSomething) {
+TEST(RequestGuard, ProgramWithoutOriginMayChangeTheState) {
     PanelRequest request = post();
     request.origin = "";
     EXPECT_EQ(status(request), 0);
 }
 
-TEST(RequestGuard, EveryNameOfThisMachineIsTaken) {
+TEST(RequestGuard, EveryHostNameOfThisMachineIsAccepted) {
     for (const std::string host : {"127.0.0.1:8404", "localhost:8404", "[::1]:8404", "localhost", "[::1]"}) {
         PanelRequest request = post();
         request.host = host;
@@ -48,7 +48,7 @@ TEST(RequestGuard, EveryNameOfThisMachineIsTaken) {
     }
 }
 
-TEST(RequestGuard, AnotherNameIsRefused_EvenForReading) {
+TEST(RequestGuard, OtherHostNameIsRefused_EvenForReading) {
     for (const std::string host : {"evil.example:8404", "", "127.0.0.1.evil.example", "localhost.evil.example:8404",
                                    "127.0.0.1:8404@evil.example", "evil.example#127.0.0.1", "10.0.0.1:8404"}) {
         PanelRequest request;
@@ -61,7 +61,7 @@ TEST(RequestGuard, AnotherNameIsRefused_EvenForReading) {
     }
 }
 
-TEST(RequestGuard, AnotherOriginIsRefused) {
+TEST(RequestGuard, OtherOriginIsRefused) {
     for (const std::string origin : {"http://evil.example", "null", "https://127.0.0.1:8404", "http://127.0.0.1:3000",
                                      "http://localhost:8404", "http://127.0.0.1:8404.evil.example"}) {
         PanelRequest request = post();
@@ -88,7 +88,7 @@ TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
     }
 }
 
-TEST(RequestGuard, BodyAsLongAsAllowedPasses_OneByteMoreDoesNot) {
+TEST(RequestGuard, LongestBodyPasses_OneByteMoreDoesNot) {
     PanelRequest request = post();
     request.body = std::string(4096, ' ');
     EXPECT_EQ(status(request), 0);

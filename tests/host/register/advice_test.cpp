@@ -48,12 +48,12 @@ std::vector<std::string> advice_on_statement(const std::string& place, const std
 
 }  // namespace
 
-TEST(RegisterAdvice, IsSilentAboutOneDemandInOneSentence) {
+TEST(RegisterAdvice, NoAdviceForOneDemandInOneSentence) {
     EXPECT_THAT(advice_on_text("When bit 3 of 1.5 V is set, e.g. by a master, the box shall blink (see 2000h)."),
                 IsEmpty());
 }
 
-TEST(RegisterAdvice, TellsARequirementOfSeveralDemands) {
+TEST(RegisterAdvice, RequirementOfSeveralDemandsIsReported) {
     EXPECT_THAT(advice_on_text("The box shall blink and shall not sound."),
                 ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 demands several things: 1 sentence(s), \"shall\" "
                             "2 time(s); make one requirement of each"));
@@ -62,30 +62,30 @@ TEST(RegisterAdvice, TellsARequirementOfSeveralDemands) {
                 ElementsAre(HasSubstr("2 sentence(s)")));
 }
 
-TEST(RegisterAdvice, LeavesARetiredRequirementAlone) {
+TEST(RegisterAdvice, NoAdviceForARetiredRequirement) {
     const std::string text = requirement("The box blinks. It is silent.") + "retired = \"merged\"\n";
     EXPECT_THAT(advice_of(with(items_file, text)), IsEmpty());
 }
 
-TEST(RegisterAdvice, TellsAStatementThatNothingCovers) {
+TEST(RegisterAdvice, UncoveredStatementIsReported) {
     EXPECT_THAT(advice_on_statement("1", "", "M1:1"),
                 ElementsAre("spec/manuals/m/1.toml:1: M1:1/1 has neither `covered` nor `reason`; name the items that "
                             "cover it, or give the reason why none does"));
     EXPECT_THAT(advice_on_statement("1", "reason = \"hardware\"\n", "M1:1"), IsEmpty());
 }
 
-TEST(RegisterAdvice, TellsAStatementWhoseItemsCiteAnotherPlace) {
+TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
     EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
                 ElementsAre("spec/manuals/m/1.toml:5: nothing that covers M1:1/1 cites 1 (AO4-R-1); add the place to "
                             "the source of one, or name an item that cites it"));
 }
 
-TEST(RegisterAdvice, TakesAnObjectForTheSectionThatDescribesIt) {
+TEST(RegisterAdvice, ObjectCountsForTheSectionThatDescribesIt) {
     EXPECT_THAT(advice_on_statement("2000h", "covered = [\"AO4-R-1\"]\n", "M1:1"), IsEmpty());
     EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3 2000h"), IsEmpty());
 }
 
-TEST(RegisterAdvice, TakesASectionForTheOneAboveIt) {
+TEST(RegisterAdvice, SectionCountsForItsSubsection) {
     EXPECT_THAT(advice_on_statement("2.1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"), testing::SizeIs(1));
     SpecFiles files = with(items_file, requirement("It shall blink.", "M1:2"));
     files[manual_file] += "[[section]]\nref = \"2\"\ntitle = \"t\"\ndisposition = \"normative\"\n";

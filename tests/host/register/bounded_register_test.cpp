@@ -67,7 +67,7 @@ TEST(TomlDepth, DottedKeysAndBracketsAreCounted) {
     EXPECT_EQ(too_deep_in(repeated("a.b = 1.5\n[c.d]\n", 1000)), std::nullopt);
 }
 
-TEST(TomlDepth, TextsAndCommentsAreNot) {
+TEST(TomlDepth, TextsAndCommentsAreNotCounted) {
     const std::string dots = repeated(".[", 40);
     for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
         EXPECT_EQ(too_deep_in("a = " + quote + dots + quote + "\n"), std::nullopt) << quote;
@@ -92,7 +92,7 @@ TEST(BoundedRegister, KeyOf100000PartsIsAFault) {
     }
 }
 
-TEST(BoundedRegister, ManyUnknownKeysAreFaultsOfWhichTheFirstAreKept) {
+TEST(BoundedRegister, FaultsOfManyUnknownKeysAreBounded) {
     std::string keys;
     for (int i = 0; i < 200000; ++i) {
         keys += fmt::format("k{} = 1\n", i);
@@ -142,11 +142,11 @@ TEST(BoundedRegister, TableOfTooManyCombinationsIsAFault) {
     EXPECT_THAT(told(table("\"i\"", rows)), HasSubstr("AO4-T1 has too many rows and combinations to be checked"));
 }
 
-TEST_F(RegisterFolder, WithoutTomlFilesIsRefused) {
+TEST_F(RegisterFolder, FolderWithoutTomlFilesIsRefused) {
     EXPECT_THAT(refusal(), HasSubstr("contains no .toml file; name the folder of a register"));
 }
 
-TEST_F(RegisterFolder, WithWhatIsNoFileIsRefused) {
+TEST_F(RegisterFolder, FolderWithANonFileIsRefused) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe.toml").c_str(), 0600), 0);
     EXPECT_THAT(refusal(), HasSubstr("pipe.toml: it is a pipe without a writer"));
     std::filesystem::remove(folder_ / "pipe.toml");

@@ -243,7 +243,7 @@ const std::vector<Broken> topic_cases{
 
 }  // namespace
 
-TEST_P(BrokenRegister, IsRefusedWithPlaceReasonAndFix) {
+TEST_P(BrokenRegister, BrokenRegisterIsRefusedWithPlaceReasonAndFix) {
     const Broken& broken = GetParam();
     const LoadResult loaded = load_register(with(broken.file, broken.text));
     ASSERT_EQ(loaded.faults.size(), 1U) << all_faults(loaded);
@@ -260,12 +260,12 @@ INSTANTIATE_TEST_SUITE_P(Tables, BrokenRegister, testing::ValuesIn(table_cases),
 INSTANTIATE_TEST_SUITE_P(Topics, BrokenRegister, testing::ValuesIn(topic_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Others, BrokenRegister, testing::ValuesIn(other_cases), case_name);
 
-TEST(RegisterFaults, ReadAsFileLineWhatMend) {
+TEST(RegisterFaults, FaultTextHasFileLineReasonAndFix) {
     const Fault fault{{"spec/devices/box/items.toml", 41}, "something is wrong", "fix it"};
     EXPECT_EQ(fault.text(), "spec/devices/box/items.toml:41: something is wrong; fix it");
 }
 
-TEST(RegisterFaults, SoundRegisterHasNone) {
+TEST(RegisterFaults, ValidRegisterHasNoFaults) {
     const LoadResult loaded = load_register(with(items_file, requirement));
     EXPECT_EQ(all_faults(loaded), "");
     ASSERT_EQ(loaded.content.parts.size(), 2U);
@@ -283,7 +283,7 @@ TEST(RegisterFaults, DerivedRequirementNeedsNoSource) {
     EXPECT_NE(fingerprint(cites_manual), fingerprint(read)) << "a review must expire when an item becomes derived";
 }
 
-TEST(RegisterFaults, SectionWithConditionsOfUseKeepsThem) {
+TEST(RegisterFaults, SectionKeepsItsConditionsOfUse) {
     const std::string condition = "disposition = \"condition-of-use\"\nconditions = [\"The box stays dry.\"]";
     const LoadResult loaded =
         load_register(with(manual_file, replaced(small_register().at(manual_file),
@@ -294,7 +294,7 @@ TEST(RegisterFaults, SectionWithConditionsOfUseKeepsThem) {
     EXPECT_FALSE(housing.normative) << "no item has to cover it";
 }
 
-TEST(RegisterFaults, AllComeInOneRunSortedByPlace) {
+TEST(RegisterFaults, AllFaultsAreReportedAtOnceSortedByPlace) {
     SpecFiles files = with(items_file, replaced(requirement, "functional", "nice") + "colour = 1\n" +
                                            replaced(requirement, "M1:1", "M2:1"));
     files["spec/devices/box/a.toml"] = "[[requirement]\n";

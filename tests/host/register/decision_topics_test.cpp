@@ -60,11 +60,11 @@ const std::string overrides = "overrides = \"its manual says so in 1\"\n";
 
 }  // namespace
 
-TEST(DecisionTopics, DevicesOfOneMakerThatDecideAlikeAreSound) {
+TEST(DecisionTopics, DevicesOfOneMakerWithEqualAnswersAreAccepted) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("any"))), "");
 }
 
-TEST(DecisionTopics, DevicesOfOneMakerThatDecideOtherwiseAreTold) {
+TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some"))),
               "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1 "
               "(spec/devices/box/items.toml:7) chooses any for the same manufacturer; give the same answer, or give "
@@ -72,18 +72,18 @@ TEST(DecisionTopics, DevicesOfOneMakerThatDecideOtherwiseAreTold) {
               "in `differs = …` of one of the two\n");
 }
 
-TEST(DecisionTopics, AReasonAtEitherOfTheTwoIsEnough) {
+TEST(DecisionTopics, ReasonAtOneOfTwoDifferentAnswersIsEnough) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), of_lid("some"))), "");
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", differs))), "");
 }
 
-TEST(DecisionTopics, AReasonHoldsForAllItemsOfItsDevice) {
+TEST(DecisionTopics, ReasonAppliesToAllItemsOfItsDevice) {
     std::string again = of_box("any", differs);
     again.replace(again.find("R-1"), 3, "R-2");
     EXPECT_EQ(all_faults(loaded(of_box("any") + again, of_lid("some"))), "");
 }
 
-TEST(DecisionTopics, DevicesOfTwoMakersMayDecideOtherwise) {
+TEST(DecisionTopics, DevicesOfTwoMakersMayHaveDifferentAnswers) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some"), "", "Somebody")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any", differs) + decision_of_box, of_lid("some"), "", "Somebody")),
                 HasSubstr("items.toml:7: AO4-R-1 gives a reason to differ, but no device of the same manufacturer "
@@ -91,7 +91,7 @@ TEST(DecisionTopics, DevicesOfTwoMakersMayDecideOtherwise) {
         << "a reason that explains nothing misleads";
 }
 
-TEST(DecisionTopics, ADeviceAgainstASharedRequirementIsTold) {
+TEST(DecisionTopics, DeviceAgainstASharedRequirementIsReported) {
     EXPECT_EQ(
         all_faults(loaded(of_box("any"), of_lid("some"), of_all("any"), "Somebody")),
         "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1 "
@@ -99,23 +99,23 @@ TEST(DecisionTopics, ADeviceAgainstASharedRequirementIsTold) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"), "Somebody")), "");
 }
 
-TEST(DecisionTopics, WhatADeviceDecidesAgainstItsMakersOthersDoesNotExcuseItBeforeWhatIsShared) {
+TEST(DecisionTopics, ReasonAgainstTheMakersOtherDevicesDoesNotOverrideASharedRequirement) {
     EXPECT_THAT(all_faults(loaded(of_box("any"), of_lid("some", differs), of_all("any"))),
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1"));
 }
 
-TEST(DecisionTopics, AnOverrideAlsoExplainsWhyAnotherDeviceFollowsTheSharedRequirement) {
+TEST(DecisionTopics, OverrideExplainsADifferenceToADeviceThatFollowsTheSharedRequirement) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"))), "");
     EXPECT_THAT(all_faults(loaded(of_box("none", overrides), of_lid("some", overrides), of_all("any"))),
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1"))
         << "two ways to override are no agreement";
 }
 
-TEST(DecisionTopics, ARetiredRequirementAnswersNothing) {
+TEST(DecisionTopics, RetiredRequirementAnswersNoTopic) {
     EXPECT_EQ(all_faults(loaded(of_box("any") + "retired = \"gone\"\n", of_lid("some"), of_all("some"))), "");
 }
 
-TEST(DecisionTopics, TheAnswerIsPartOfWhatWasReviewed) {
+TEST(DecisionTopics, AnswerIsPartOfTheReviewedContent) {
     const auto print = [](const std::string& text) {
         return fingerprint(loaded(text, "").content.part("box")->requirements.front());
     };
@@ -124,7 +124,7 @@ TEST(DecisionTopics, TheAnswerIsPartOfWhatWasReviewed) {
     EXPECT_NE(print(of_box("any", differs)), print(of_box("any", overrides)));
 }
 
-TEST(DecisionTopics, AServiceIsHeldAgainstDeviceToml) {
+TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
     const auto service = [](std::string text) {
         return text.replace(text.find("heartbeat.range"), 15, "services.lss");
     };
@@ -136,7 +136,7 @@ TEST(DecisionTopics, AServiceIsHeldAgainstDeviceToml) {
 }
 
 /// The program has the register built in without the devices' decisions.
-TEST(DecisionTopics, WithoutTheDecisionsOfDevicesNoAnswerIsCalledMissing) {
+TEST(DecisionTopics, WithoutDeviceDecisionsNoAnswerIsReportedMissing) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),
                 HasSubstr("items.toml:7: topic heartbeat.range has this one answer"));

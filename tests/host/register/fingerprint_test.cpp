@@ -29,14 +29,14 @@ Table table(std::int64_t output) {
 
 }  // namespace
 
-TEST(Fingerprint, IsFnv1a) {
+TEST(Fingerprint, FingerprintIsFnv1a) {
     // Published test values of FNV-1a, 32 bit: "" and "a" and "foobar".
     EXPECT_EQ(fnv1a(""), 0x811C9DC5U);
     EXPECT_EQ(fnv1a("a"), 0xE40C292CU);
     EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U);
 }
 
-TEST(Fingerprint, IgnoresSpacingPlaceAndSource) {
+TEST(Fingerprint, FingerprintIgnoresSpacingPlaceAndSource) {
     Requirement moved = requirement("Opens  within\n  10 ms. ");
     moved.place = {"spec/x.toml", 9};
     moved.sources = {"M1:1"};
@@ -44,11 +44,11 @@ TEST(Fingerprint, IgnoresSpacingPlaceAndSource) {
     EXPECT_EQ(fingerprint(moved).size(), 8U);
 }
 
-TEST(Fingerprint, ChangesWithText) {
+TEST(Fingerprint, FingerprintChangesWithText) {
     EXPECT_NE(fingerprint(requirement("Opens within 10 ms.")), fingerprint(requirement("Opens within 11 ms.")));
 }
 
-TEST(Fingerprint, ChangesWithATableCell) {
+TEST(Fingerprint, FingerprintChangesWithATableCell) {
     EXPECT_NE(fingerprint(table(1)), fingerprint(table(2)));
     EXPECT_EQ(fingerprint(table(1)), fingerprint(table(1)));
     Table narrow = table(1);
@@ -56,7 +56,7 @@ TEST(Fingerprint, ChangesWithATableCell) {
     EXPECT_NE(fingerprint(narrow), fingerprint(table(1)));
 }
 
-TEST(Fingerprint, ChangesWithDefaultLimitAndAccessOfAnObject) {
+TEST(Fingerprint, FingerprintChangesWithDefaultLimitAndAccessOfAnObject) {
     Object object;
     object.index = 0x2000;
     Entry entry;
@@ -79,7 +79,7 @@ TEST(Fingerprint, ChangesWithDefaultLimitAndAccessOfAnObject) {
     EXPECT_NE(before, other_limit);
 }
 
-TEST(Fingerprint, StandsForEveryIdOfAPart) {
+TEST(Fingerprint, EveryIdOfAPartHasAFingerprint) {
     Part part;
     part.requirements.push_back(requirement("Opens."));
     part.tables.push_back(table(1));

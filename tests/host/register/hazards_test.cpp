@@ -51,7 +51,7 @@ std::string faults_of(const std::string& text) {
 
 }  // namespace
 
-TEST(RegisterHazards, AreReadAsTheyAreWritten) {
+TEST(RegisterHazards, HazardsAreReadAsWritten) {
     const LoadResult loaded = load_register(with(items_file, items));
     EXPECT_THAT(all_faults(loaded), Not(HasSubstr("AO4-H-1")));
     const Hazard& hazard = loaded.content.part("box")->hazards.at(0);
@@ -62,7 +62,7 @@ TEST(RegisterHazards, AreReadAsTheyAreWritten) {
     EXPECT_EQ(hazard.failures[1].reason, "The box does not measure its output.");
 }
 
-TEST(RegisterHazards, NameRequirementsAndOutputsThatExist) {
+TEST(RegisterHazards, HazardsNameExistingRequirementsAndOutputs) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]", "prevented_by = [\"AO4-R-9\"]")),
                 HasSubstr("AO4-R-9 is no requirement in force; name a requirement that prevents the failure"));
     EXPECT_THAT(faults_of(edited("at = [\"AO4-S-OUT\"]", "at = [\"AO4-R-1\"]")),
@@ -71,14 +71,14 @@ TEST(RegisterHazards, NameRequirementsAndOutputsThatExist) {
                 HasSubstr("AO4-D-9 is no decision"));
 }
 
-TEST(RegisterHazards, HaveFailuresThatArePreventedOrExplained) {
+TEST(RegisterHazards, HazardFailuresArePreventedOrExplained) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]\n", "")), HasSubstr("needs `prevented_by` or `reason`"));
     EXPECT_THAT(faults_of(edited("reason = \"The", "prevented_by = [\"AO4-R-1\"]\nreason = \"The")),
                 HasSubstr("needs `prevented_by` or `reason`, and not both"));
     EXPECT_THAT(faults_of(items.substr(0, items.find("[[hazard.failure]]"))), HasSubstr("AO4-H-1 has no failure"));
 }
 
-TEST(RegisterHazards, NameEveryOutputOfADeviceThatHasAny) {
+TEST(RegisterHazards, HazardsNameEveryOutputOfADeviceWithHazards) {
     const std::string second =
         "[[signal]]\nid = \"AO4-S-LED\"\nname = \"led\"\ndirection = \"output\"\ntype = "
         "\"BOOLEAN\"\ntext = \"Lamp.\"\nsource = [\"M1:1\"]\n";

@@ -5,7 +5,7 @@
 
 namespace canproof::host {
 
-TEST(SharedRules, ComeFromThePackageUnderItsName) {
+TEST(SharedRules, SharedRulesComeFromThePackageUnderItsName) {
     const SpecFiles package{{"spec/canopen/nmt.toml", "a"}, {"spec/devices/x/device.toml", "b"}};
     const SpecFiles own{{"spec/devices/y/device.toml", "c"}};
     const SpecFiles expected{{"canproof/spec/canopen/nmt.toml", "a"}, {"spec/devices/y/device.toml", "c"}};
@@ -13,7 +13,7 @@ TEST(SharedRules, ComeFromThePackageUnderItsName) {
     EXPECT_EQ(with_shared_rules(own, expected), expected);
 }
 
-TEST(SharedRules, OfTheProjectItselfStandAlone) {
+TEST(SharedRules, SharedRulesOfTheProjectReplaceThoseOfThePackage) {
     const SpecFiles package{{"spec/canopen/nmt.toml", "a"}};
     const SpecFiles own{{"spec/canopen/own.toml", "c"}, {"spec/devices/y/device.toml", "d"}};
     EXPECT_EQ(with_shared_rules(own, package), own);

@@ -72,7 +72,7 @@ std::string faults_of(const std::string& text) {
 
 }  // namespace
 
-TEST(ManualStatements, AreReadAsTheyAreWritten) {
+TEST(ManualStatements, StatementsAreReadAsWritten) {
     const LoadResult loaded = load_register(with_statements(covered + explained));
     EXPECT_EQ(all_faults(loaded), "");
     const Manual& manual = *loaded.content.manual("M1");
@@ -89,7 +89,7 @@ TEST(ManualStatements, AreReadAsTheyAreWritten) {
     EXPECT_EQ(other.reason, "hardware");
 }
 
-TEST(ManualStatements, AreNumberedBySectionInTheOrderOfFilesAndLines) {
+TEST(ManualStatements, StatementsAreNumberedBySectionInFileAndLineOrder) {
     SpecFiles files = with_statements(covered + explained + edited("20:", "21:"));
     files[second_file] = edited("20:", "22:") + edited("\"1\"", "\"Table 3\"", edited("20:", "23:"));
     const LoadResult loaded = load_register(files);
@@ -101,26 +101,26 @@ TEST(ManualStatements, AreNumberedBySectionInTheOrderOfFilesAndLines) {
     EXPECT_THAT(ids, ElementsAre("M1:1/1", "M1:2000h/1", "M1:1/2", "M1:1/3", "M1:Table 3/1"));
 }
 
-TEST(ManualStatements, MayBeAbsent) {
+TEST(ManualStatements, StatementsMayBeAbsent) {
     const LoadResult loaded = load_register(with(items_file, items));
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_THAT(loaded.content.manual("M1")->statements, IsEmpty());
 }
 
-TEST(ManualStatements, WithoutCoverageAreNoFault) {
+TEST(ManualStatements, UncoveredStatementsAreNoFault) {
     EXPECT_EQ(faults_of(edited("covered = [\"AO4-R-1\", \"AO4-D-1\"]\n", "")), "");
     const LoadResult loaded = load_register(with_statements(edited("\"AO4-R-1\", \"AO4-D-1\"", "")));
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_TRUE(loaded.content.manual("M1")->statements.at(0).is_open());
 }
 
-TEST(ManualStatements, StandAtPlacesThatTheManualHas) {
+TEST(ManualStatements, StatementsNameExistingPlacesOfTheManual) {
     EXPECT_THAT(faults_of(edited("\"1\"", "\"4.2\"")),
                 HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct it, or add 4.2 to "
                           "spec/manuals/m.toml"));
 }
 
-TEST(ManualStatements, AreCoveredByItemsInForceOfTheirDevice) {
+TEST(ManualStatements, StatementsAreCoveredByItemsInForceOfTheirDevice) {
     EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-9")),
                 HasSubstr("1-objects.toml:5: M1:1/1 is covered by AO4-R-9, which does not exist; correct the id"));
     EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-2")),
@@ -137,7 +137,7 @@ TEST(ManualStatements, AreCoveredByItemsInForceOfTheirDevice) {
                           "of a device with this manual, or a shared one"));
 }
 
-TEST(ManualStatements, MayBeCoveredByASharedItem) {
+TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
     SpecFiles files = with_statements(edited("AO4-D-1", "CO-R-1"));
     files[shared_file] =
         "[[requirement]]\nid = \"CO-R-1\"\ntext = \"It shall answer.\"\nsource = [\"CiA301:7\"]\n"
@@ -145,12 +145,12 @@ TEST(ManualStatements, MayBeCoveredByASharedItem) {
     EXPECT_EQ(all_faults(load_register(files)), "");
 }
 
-TEST(ManualStatements, HaveItemsOrAReasonAndNotBoth) {
+TEST(ManualStatements, StatementsHaveItemsOrAReasonAndNotBoth) {
     EXPECT_THAT(faults_of(covered + "reason = \"hardware\"\n"),
                 HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
 }
 
-TEST(ManualStatements, HaveMarksThatStandOnceInAManual) {
+TEST(ManualStatements, StatementMarksAreUniqueInAManual) {
     EXPECT_THAT(faults_of(edited("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("missing mark"));
     EXPECT_THAT(faults_of(edited("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
     EXPECT_THAT(faults_of(edited("20:3f9a0c1b2d4e", "20:3f9a")),
@@ -159,14 +159,14 @@ TEST(ManualStatements, HaveMarksThatStandOnceInAManual) {
                 HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e is already at M1:1/1; mark another passage"));
 }
 
-TEST(ManualStatements, StandInTheFolderOfAManual) {
+TEST(ManualStatements, StatementsAreInTheFolderOfAManual) {
     SpecFiles files = with(items_file, items);
     files["spec/manuals/n/1.toml"] = covered;
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("spec/manuals/n/1.toml:1: the folder belongs to no manual"));
 }
 
-TEST(ManualStatements, FileHasNothingElse) {
+TEST(ManualStatements, FileOfStatementsHasNothingElse) {
     EXPECT_THAT(faults_of("[[section]]\nref = \"9\"\n" + covered), HasSubstr("unknown key `section`"));
     EXPECT_THAT(faults_of(covered + "author = \"me\"\n"), HasSubstr("unknown key `author`"));
 }

@@ -47,7 +47,7 @@ class ZeroRange : public testing::Test {
 
 }  // namespace
 
-TEST_F(ZeroRange, AllowsZeroAndTheRangeAndNothingBetween) {
+TEST_F(ZeroRange, ZeroAndTheRangeAreAllowedAndNothingBetween) {
     EXPECT_EQ(writing(0), AbortCode::none);
     EXPECT_EQ(writing(1), AbortCode::value_too_low);
     EXPECT_EQ(writing(9), AbortCode::value_too_low);
@@ -56,13 +56,13 @@ TEST_F(ZeroRange, AllowsZeroAndTheRangeAndNothingBetween) {
     EXPECT_EQ(writing(5001), AbortCode::value_too_high);
 }
 
-TEST_F(ZeroRange, IsOneKindOfLimitInTheTables) {
+TEST_F(ZeroRange, ZeroRangeIsALimitKindOfTheTables) {
     // 10 and 5000 as UNSIGNED16
     EXPECT_THAT(write_objects(*loaded_.content.part("box")),
                 HasSubstr("{{LimitKind::value_or_zero, 0x0000000AU, 0}, {LimitKind::value, 0x00001388U, 0}},"));
 }
 
-TEST_F(ZeroRange, IsTheLowLimitOfTheDataSheet) {
+TEST_F(ZeroRange, ZeroRangeGivesTheLowLimitOfTheDataSheet) {
     const std::string sheet = write_eds(loaded_.content, *loaded_.content.part("box"));
     EXPECT_THAT(sheet, HasSubstr("LowLimit=0\r\nHighLimit=5000\r\n"));
 }

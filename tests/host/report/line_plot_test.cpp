@@ -36,7 +36,7 @@ TEST(LinePlot, TicksAreRoundNumbers) {
     EXPECT_DOUBLE_EQ(tick_step(-2e-7, 3e-7), 1e-7);
 }
 
-TEST(LinePlot, HasItsWordsAndCurves) {
+TEST(LinePlot, PlotHasItsTextsAndCurves) {
     const LinePlot plot{"a < b & \"c\"",
                         "x / s",
                         "y / V",
@@ -55,14 +55,14 @@ TEST(LinePlot, HasItsWordsAndCurves) {
     EXPECT_EQ(paths, (std::vector<std::string>{"M84.0 360.0L940.0 44.0", "M84.0 296.8L940.0 296.8"}));
 }
 
-TEST(LinePlot, AValueThatIsNoNumberIsAGap) {
+TEST(LinePlot, NanValueIsAGap) {
     const double no_number = std::numeric_limits<double>::quiet_NaN();
     const LinePlot plot{"", "", "", {{"one", {{0.0, 0.0}, {2.0, no_number}, {4.0, 4.0}, {8.0, 8.0}}}}, {}};
     const auto document = parsed(write_svg(plot));
     EXPECT_STREQ(document.child("svg").child("path").attribute("d").value(), "M84.0 360.0M512.0 202.0L940.0 44.0");
 }
 
-TEST(LinePlot, ALegendOfManyCurvesHasRowsAndDashes) {
+TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
     LinePlot plot{"", "", "", {}, {}};
     for (int i = 0; i < 18; ++i) {
         plot.curves.push_back({std::to_string(i), {{0.0, 0.0}, {1.0, 2.5e6}}});
@@ -90,7 +90,7 @@ TEST(LinePlot, ALegendOfManyCurvesHasRowsAndDashes) {
     EXPECT_TRUE(has_grouped_tick);
 }
 
-TEST(Grouped, SeparatesThousands) {
+TEST(Grouped, ThousandsAreSeparated) {
     EXPECT_EQ(grouped("999"), "999");
     EXPECT_EQ(grouped("-999"), "-999");
     EXPECT_EQ(grouped("1000"), "1,000");
@@ -98,7 +98,7 @@ TEST(Grouped, SeparatesThousands) {
     EXPECT_EQ(grouped(std::uint64_t{18446744073709551615U}), "18,446,744,073,709,551,615");
 }
 
-TEST(LinePlot, AFlatCurveAndNoneAreDrawn) {
+TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
     parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
     parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
 }

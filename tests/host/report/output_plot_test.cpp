@@ -23,7 +23,7 @@ LinePlot plot_of(const std::string& csv, const std::vector<std::string>& signals
 
 }  // namespace
 
-TEST(OutputPlot, SignalHoldsItsValueUntilItChanges) {
+TEST(OutputPlot, SignalKeepsItsValueUntilItChanges) {
     const LinePlot plot = plot_of("0,aout1,0\n0,aout2,0\n1.5,aout1,5\n2,aout2,-1\n4,aout1,2.5\n");
     ASSERT_THAT(plot.curves, SizeIs(2));
     EXPECT_EQ(plot.curves[0].name, "aout1");
@@ -32,7 +32,7 @@ TEST(OutputPlot, SignalHoldsItsValueUntilItChanges) {
     EXPECT_THAT(plot.curves[1].points, ElementsAre(Pair(0.0, 0.0), Pair(2.0, 0.0), Pair(2.0, -1.0), Pair(4.0, -1.0)));
 }
 
-TEST(OutputPlot, WhatNeverChangesIsLeftOutUnlessNamed) {
+TEST(OutputPlot, ConstantSignalIsLeftOutUnlessNamed) {
     const std::string csv = "0,led_p,1\n0,aout1,0\n1,aout1,5\n";
     EXPECT_EQ(plot_of(csv).curves.at(0).name, "aout1");
     EXPECT_THAT(plot_of(csv).curves, SizeIs(1));

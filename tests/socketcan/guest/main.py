@@ -1,5 +1,5 @@
 """Every check, in order; `run` names the programs on the kernel's command line. The builds with sanitizers have a network of their own
-beside the release build's: vcan0, can0 and can1 there are others than here."""
+beside the program's: vcan0, can0 and can1 there are others than here."""
 import ctypes
 import os
 import re
@@ -27,8 +27,8 @@ def make_vcan():
     bench.sh("ip", "link", "set", "vcan0", "up")
 
 
-def check_release(program):
-    readme.check_all()  # it makes vcan0
+def check_program(program):
+    readme.check_all(program)  # it makes vcan0
     conversation.check_all(program)
     flood.check_all(program)
     interface.check_kernel(program)
@@ -73,10 +73,10 @@ def sanitized_beside(kinds):
 
 
 def check_everything(kinds):
-    release = kinds.pop("release")
+    program = kinds.pop("program")
     warm_python.start()
     others = sanitized_beside(kinds) if kinds else None
-    check_release(release)
+    check_program(program)
     if others is None:
         return
     with os.fdopen(others, "rb") as pipe:

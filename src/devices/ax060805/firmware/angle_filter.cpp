@@ -12,8 +12,8 @@ namespace {
 constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
-// A machine that makes half a turn a sample was 30,000 turns away 60,000 samples ago: no sample is beyond 30,064 turns,
-// no sum beyond 60,000 times as much, 6.5e17, which 63 bits hold.
+// With half a turn per sample, a machine turns 30,000 times in 60,000 samples. So no sample exceeds 30,064 turns and no
+// sum exceeds 60,000 times that, 6.5e17 microdegrees, which 63 bits hold.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {
@@ -21,7 +21,7 @@ std::int64_t to_units(const float degrees) noexcept {
     return static_cast<std::int64_t>((scaled < 0.0F) ? (scaled - 0.5F) : (scaled + 0.5F));
 }
 
-/// The same direction in -half_turn < units <= half_turn.
+/// Returns the same direction with -half_turn < units <= half_turn.
 std::int64_t wrapped(const std::int64_t units) noexcept {
     std::int64_t rest = units % full_turn;
     if (rest > half_turn) {
@@ -38,13 +38,13 @@ float to_degrees(const std::int64_t units) noexcept {
     return static_cast<float>(wrapped(units)) / units_per_degree;
 }
 
-/// Halves away from zero. `count` is at least 1.
+/// Divides and rounds to nearest, halves away from zero. `count` is at least 1.
 std::int64_t rounded_quotient(const std::int64_t sum, const std::int64_t count) noexcept {
     const std::int64_t half = count / 2;
     return ((sum < 0) ? (sum - half) : (sum + half)) / count;
 }
 
-/// sum * taken / length without a product that could overflow.
+/// Returns sum * taken / length without a product that could overflow.
 std::int64_t share_of(const std::int64_t sum, const std::int64_t taken, const std::int64_t length) noexcept {
     return ((sum / length) * taken) + (((sum % length) * taken) / length);
 }
@@ -56,7 +56,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    seen_ = 0;  // of older runs none is looked at any more
+    seen_ = 0;  // mean_of_window() ignores all older runs
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;
@@ -89,7 +89,7 @@ std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
     return turned_;
 }
 
-/// Takes whole turns out of all that is kept: a machine may turn for ever.
+/// Subtracts whole turns from all stored values, because a machine may turn without end.
 void AngleFilter::rebase() noexcept {
     const std::int64_t turns = (turned_ / full_turn) * full_turn;
     turned_ -= turns;

@@ -1,8 +1,9 @@
 // Additional filters of one angle: moving average and repeating filter (AX060805, 3.3 Table 4, 4.3.10 to 4.3.12).
 //
-// Memory and work do not grow with the window. Up to 64 samples each is kept; a longer window is cut into up to 64 runs
-// of equal length, of which only the sums are kept, and the oldest run counts by the share of it that is inside the
-// window. Sums are whole numbers of microdegrees, so that nothing drifts and the order of addition does not matter.
+// Memory and time do not grow with the window. A window of up to 64 samples stores each of them. A longer window is
+// divided into up to 64 runs of equal length and stores only their sums; the oldest run counts in proportion to its
+// part inside the window. Sums are integers in microdegrees, so that no rounding error accumulates and the order of
+// addition does not matter.
 #pragma once
 
 #include <array>
@@ -19,14 +20,15 @@ using AngleFilterKind = generated::ax060805::angle_filter::Filter;
 
 class AngleFilter {
   public:
-    /// Power-on: nothing has been put out yet. restart() follows.
+    /// Clears the output at power-on. restart() follows.
     void forget() noexcept { output_ = 0.0F; }
-    /// Begins anew with a window of `samples`, 1…60000 (0 counts as 1). The output stays until there is a sample.
+    /// Starts again with a window of `samples`, 1…60000 (0 counts as 1). The output stays until the next sample.
     void restart(AngleFilterKind kind, std::uint16_t samples) noexcept;
-    /// Takes one sample, -180…180 degrees. It is understood as the nearest turn to the sample before, so that averages
-    /// go the short way round.
+    /// Adds one sample, -180…180 degrees. It counts as the shortest rotation from the sample before, so that averages
+    /// take the shorter way round.
     void add(float degrees) noexcept;
-    /// -180…180 degrees; 0 before the first sample. Until a window is full, the mean of the samples so far.
+    /// Returns the filtered angle, -180…180 degrees; 0 before the first sample. Until a window is full it is the mean
+    /// of the samples so far.
     float output() const noexcept { return output_; }
 
   private:
@@ -39,11 +41,11 @@ class AngleFilter {
     std::int64_t mean_of_window() const noexcept;
 
     std::array<std::int64_t, run_capacity> runs_{};  ///< sums of whole runs, a ring
-    std::size_t newest_{0U};                         ///< where the latest whole run stands
-    std::int64_t sum_{0};                            ///< of the run or block that is being collected
+    std::size_t newest_{0U};                         ///< position of the latest whole run
+    std::int64_t sum_{0};                            ///< sum of the present run or block
     std::int32_t collected_{0};                      ///< samples in it
-    std::int32_t seen_{0};                           ///< samples so far, at most those of a window
-    std::int64_t turned_{0};                         ///< latest sample with the turns before it, microdegrees
+    std::int32_t seen_{0};                           ///< samples so far, at most `samples_`
+    std::int64_t turned_{0};                         ///< latest sample including whole turns, microdegrees
     float output_{0.0F};
     std::int32_t samples_{1};
     std::int32_t run_length_{1};
@@ -51,7 +53,8 @@ class AngleFilter {
     bool block_complete_{false};
 };
 
-/// Delay of slow changes in milliseconds: half the window, and for the repeating filter the mean time of repetition.
+/// Returns the delay of slow changes in milliseconds: half the window; the repeating filter adds the mean time of
+/// repetition.
 float angle_filter_delay_ms(AngleFilterKind kind, std::uint16_t samples, std::uint16_t period_ms) noexcept;
 
 }  // namespace canproof::ax060805

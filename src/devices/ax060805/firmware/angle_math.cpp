@@ -17,14 +17,14 @@ constexpr float quarter_turn = 90.0F;
 constexpr float eighth_turn = 45.0F;
 constexpr float tangent_of_22_5 = 0.414213562F;
 
-/// atan(t) / t for |t| up to tan 22.5°, by a polynomial in t² (minimax, degree 4; error below 2e-8 of atan).
+/// Returns atan(t) for |t| up to tan 22.5°, by a minimax polynomial of degree 4 in t² (error below 2e-8).
 float arctangent_of_small(const float t) noexcept {
     const float z = t * t;
     const float tail = ((((8.05374449538e-2F * z) - 1.38776856032e-1F) * z) + 1.99777106478e-1F) * z;
     return t + (((tail - 3.33329491539e-1F) * z) * t);
 }
 
-/// Degrees, 0…45, for a ratio of 0…1.
+/// Returns the arctangent in degrees, 0…45, for a ratio of 0…1.
 static_assert(implements<req::INC_ANGLE_012>);
 float arctangent_of_ratio(const float ratio) noexcept {
     if (ratio <= tangent_of_22_5) {
@@ -34,7 +34,7 @@ float arctangent_of_ratio(const float ratio) noexcept {
     return eighth_turn + (arctangent_of_small(turned) * degrees_per_radian);
 }
 
-/// |radians| up to pi / 4.
+/// Returns the sine for |radians| up to pi / 4.
 float sine_of_small(const float radians) noexcept {
     const float z = radians * radians;
     const float tail = ((((-1.9515295891e-4F * z) + 8.3321608736e-3F) * z) - 1.6666654611e-1F) * z;
@@ -47,7 +47,7 @@ float cosine_of_small(const float radians) noexcept {
     return (1.0F - (0.5F * z)) + ((tail * z) * z);
 }
 
-/// Sine of an angle that is `quarters` quarter turns ahead.
+/// Returns the sine of `degrees` plus `quarters` quarter turns.
 float sine_ahead(const float degrees, const std::int32_t quarters) noexcept {
     const float nearest = std::floor((degrees / quarter_turn) + 0.5F);
     const float rest = (degrees - (nearest * quarter_turn)) * radians_per_degree;
@@ -90,7 +90,7 @@ float cosine_of_degrees(const float degrees) noexcept {
 }
 
 float exp_of_negative(const float x) noexcept {
-    // e^-x = (e^(-x/8))^8; of e^(-x/8), x/8 up to 0.5, the series up to the seventh power.
+    // e^-x = (e^(-x/8))^8. The series of e^(-x/8), with x/8 up to 0.5, runs to the seventh power.
     constexpr std::int32_t terms = 7;
     const float part = -x / 8.0F;
     float sum{1.0F};

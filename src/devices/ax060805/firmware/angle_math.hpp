@@ -7,15 +7,15 @@
 
 namespace canproof::ax060805 {
 
-/// Direction of (x, y) in degrees, -180…180, for finite operands of which one at least is not 0; 0 for (0, 0). A y of
-/// either zero counts as positive, so that an exact half turn is +180.
+/// Returns the direction of (x, y) in degrees, -180…180, for finite operands; 0 for (0, 0). Positive and negative zero
+/// of y both count as positive, so that an exact half turn is +180.
 float atan2_degrees(float y, float x) noexcept;
 
-/// For |degrees| up to 360; exact at multiples of 90.
+/// Returns the sine for |degrees| up to 360; exact at multiples of 90. cosine_of_degrees() has the same range.
 float sine_of_degrees(float degrees) noexcept;
 float cosine_of_degrees(float degrees) noexcept;
 
-/// e to the power of -x, for x from 0 to 4.
+/// Returns e to the power of -x, for x from 0 to 4.
 float exp_of_negative(float x) noexcept;
 
 }  // namespace canproof::ax060805

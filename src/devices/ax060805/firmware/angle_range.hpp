@@ -1,19 +1,20 @@
-// The part of a turn in which an angle is given (AX060805, 3.5, Table 8).
+// The range of values of an angle (AX060805, 3.5, Table 8).
 #pragma once
 
 #include <cstdint>
 
 namespace canproof::ax060805 {
 
-/// Degrees. A whole turn, -180…180 or 0…360, gives every angle; a smaller span, 0…90, the distance from the level.
+/// Degrees. A span of a whole turn (-180…180 or 0…360) distinguishes all angles; the smaller span 0…90 gives only the
+/// distance from the level.
 struct AngleSpan {
     std::int16_t lower{0};
     std::int16_t upper{0};
 };
 
-/// `degrees` from -180 to 180 as it is given in `span`: moved by a whole turn when it lies below, or, in a span smaller
-/// than that, without sign, when it lies above folded at the upper end, and never below the lower one. Of 0…360 the end
-/// itself does not occur.
+/// Converts `degrees` (-180…180) to `span`. In a span of a whole turn, values below the lower end are moved by 360; 360
+/// itself does not occur in 0…360. In a smaller span the sign is dropped, values above the upper end are mirrored there
+/// and values below the lower end are clamped.
 float in_span(float degrees, const AngleSpan& span) noexcept;
 
 }  // namespace canproof::ax060805

@@ -13,7 +13,7 @@ namespace {
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
-constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h
+constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h error behaviour
 constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
 
 static_assert(implements<req::INC_T21>);
@@ -29,14 +29,14 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-/// A value of 2000h.
+/// Returns the value of 2000h CAN slew rate for a bit rate.
 static_assert(implements<req::INC_SLEW_002> && implements<req::INC_K_FAST_SLEW>);
 constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
 
-/// The tag of a save, which tells later at which bit rate it was made: 1 and more by Table 21, 0 for a rate that
-/// is not there.
+/// Returns the tag of a save, which identifies the bit rate at the time of the save: 1 and above by Table 21, 0 for a
+/// rate outside the table.
 constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
     std::uint8_t tag{0U};
     for (const own::bit_rates::Row& row : own::bit_rates::rows) {
@@ -123,7 +123,8 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001>);
 void Device::booted(const Instant now) {
-    // An error that outlasts a reset of communication does not begin anew, so that tell_errors() would let it start.
+    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below would not stop
+    // the self-start.
     const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
     const bool keeps_out =
         failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);

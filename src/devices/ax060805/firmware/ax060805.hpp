@@ -1,5 +1,5 @@
 // Axiomatic AX060805, AX060835, AX060840, AX060841: triaxial inclinometer (manual AX060805, chapters 2 to 4). The part
-// numbers differ in their sensor and housing, not in what runs here.
+// numbers differ in sensor and housing; the firmware is the same.
 #pragma once
 
 #include <array>
@@ -25,14 +25,14 @@ using AngleConfiguration = generated::ax060805::angle_configuration::Range;
 constexpr std::size_t function_count = 10U;
 constexpr std::size_t received_count = 3U;
 
-/// What belongs to one unit and left the factory with it. What is absent is as the register has it. 3.5, 3.7, 4.2.11,
+/// Values of one unit, set in the factory. An absent value is as in the requirements register. 3.5, 3.7, 4.2.11,
 /// 4.2.12.
 struct FactoryData {
-    std::optional<std::uint32_t> revision{};       ///< 1018h:3
-    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4
-    std::optional<std::uint32_t> made_on{};        ///< 1020h:1
-    std::optional<std::uint32_t> made_at{};        ///< 1020h:2
-    PitchRoll calibration{};                       ///< 2400h and 2401h, degrees
+    std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number
+    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number
+    std::optional<std::uint32_t> made_on{};        ///< 1020h:1 verify configuration, date
+    std::optional<std::uint32_t> made_at{};        ///< 1020h:2 verify configuration, time
+    PitchRoll calibration{};                       ///< 2400h pitch and 2401h roll calibration, degrees
     AngleConfiguration range{AngleConfiguration::half_turns};
 };
 
@@ -43,7 +43,7 @@ class Device final : private Application {
     /// Starts with the node-ID and bit rate that LSS stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The physical inputs as they are from `now` on; the sensor's are noticed with its next sample.
+    /// Sets the physical inputs from `now` on; those of the sensor take effect with its next sample.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
@@ -63,7 +63,7 @@ class Device final : private Application {
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 
-    // In the order in which a sample runs through them.
+    // In the order in which they process a sample.
     void restart_sensor(Instant now) noexcept;
     void measure_due(Instant now) noexcept;
     void take_sample() noexcept;
@@ -116,7 +116,7 @@ class Device final : private Application {
     std::array<FunctionBlock, function_count> functions_{};
     std::array<Signal, function_count> results_{};
     std::array<bool, received_count> received_{};
-    std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was late when that was last looked at
+    std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was late at the last check
     Instant next_sample_{never};
     Instant next_filter_{never};
 };

@@ -1,4 +1,4 @@
-// What a new value of a parameter sets off.
+// The effects of a new value of a parameter.
 
 #include "devices/ax060805/firmware/ax060805.hpp"
 #include "firmware/base/requirement.hpp"
@@ -14,7 +14,7 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 namespace index = generated::ax060805::index;
 
-// From 30x0h of one function to that of the next.
+// Distance from 30x0h of one function to that of the next.
 constexpr std::uint32_t function_index_step = generated::ax060805::index::binary_function_2_signal_source -
                                               generated::ax060805::index::binary_function_1_signal_source;
 
@@ -39,7 +39,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             break;
         case Parameter::rpdo_received_message_process_value:
             forget_overdue();
-            received_[change.subindex - 1U] = true;  // the functions take it with the next sample
+            received_[change.subindex - 1U] = true;  // the functions use it with the next sample
             break;
         case Parameter::auto_null_command:
             obey_auto_null(now);
@@ -64,7 +64,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case Parameter::sensor_input_filter_enabled:
         case Parameter::input_filter_cut_off_frequency:
             take_input_filter();
-            publish();  // its delay
+            publish();  // because the delay of the filter changes
             break;
         case Parameter::binary_function_operation:
         case Parameter::binary_function_output_scaling:
@@ -94,7 +94,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             publish();
             break;
         default:
-            break;  // -Wswitch-enum asks for a label of each parameter
+            break;  // -Wswitch-enum demands a label for each parameter
     }
 }
 

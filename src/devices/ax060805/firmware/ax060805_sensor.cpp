@@ -1,4 +1,4 @@
-// From the sensor to the angles and accelerations of the dictionary, in the order in which a sample runs through them.
+// Processes samples from the sensor to the angles and accelerations of the dictionary, in this order.
 
 #include <cmath>
 
@@ -21,7 +21,7 @@ namespace index = generated::ax060805::index;
 
 const Duration sample_period = microseconds(own::sample_period_us);
 
-/// Within the range of the sensor; NaN is not.
+/// Returns whether the value lies within the range of the sensor; NaN does not.
 bool is_measurement(const float acceleration) noexcept {
     return std::fabs(acceleration) <= own::sensor_range;
 }
@@ -32,7 +32,7 @@ constexpr float reversed_if(const bool reversed, const float value) noexcept {
 
 }  // namespace
 
-/// The first sample of a new life.
+/// Takes the first sample after a reset.
 static_assert(implements<req::INC_FILTER_001>);
 void Device::restart_sensor(const Instant now) noexcept {
     inclination_.restart();
@@ -73,7 +73,7 @@ void Device::measure_due(const Instant now) noexcept {
             tell_errors(now);
         }
     } else {
-        publish_angles();  // nothing else was measured
+        publish_angles();  // without a new sample only the filtered angles can change
     }
 }
 
@@ -152,10 +152,10 @@ static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TE
 bool Device::is_temperature_outside() const noexcept {
     const float temperature = inputs_.sensor_temperature;
     const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
-    return !inside;  // NaN is not inside
+    return !inside;  // NaN counts as outside
 }
 
-// No TPDO has to hear of changes: their type is fixed at 254, whose event is the timer (4.2.15).
+// The TPDOs need no notice of changes: their type is fixed at 254, and only the event timer triggers it (4.2.15).
 void Device::publish() noexcept {
     publish_accelerations();
     publish_angles();
@@ -200,7 +200,8 @@ void Device::publish_diagnostics() noexcept {
     show_if_valid(index::processor_temperature_field_value, inputs_.processor_temperature);
 }
 
-/// A value that its object cannot hold is no measurement: the last one stays.
+/// Puts a value into its object. A value that the object cannot hold is not a measurement: the object keeps its last
+/// value.
 void Device::show_if_valid(const std::uint16_t index, const float value) noexcept {
     const auto entry = objects_.find(index, 0U);
     std::array<std::uint8_t, sizeof(float)> bytes{};
@@ -210,7 +211,7 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
     }
 }
 
-/// Reversed in sign where 2011h says so, in g.
+/// Returns an acceleration in g, with its sign reversed if 2011h accelerometer data inversion is set.
 static_assert(implements<req::INC_ANGLE_001> && implements<req::INC_FV_004>);
 float Device::given_acceleration(const std::uint8_t axis) const noexcept {
     const Vector3& sensed = inclination_.acceleration();
@@ -219,7 +220,7 @@ float Device::given_acceleration(const std::uint8_t axis) const noexcept {
 }
 
 static_assert(implements<req::INC_RANGE_001> && implements<req::INC_RANGE_003> && implements<req::INC_FV_004>);
-/// Filtered, in its range and reversed in sign where 2031h says so, in degrees.
+/// Returns an angle in degrees: filtered, in its range, with its sign reversed if 2031h angular data inversion is set.
 float Device::given_angle(const std::size_t angle) const noexcept {
     const float measured = filters_[angle].output();
     const float ranged = (angle == gravity_tilt) ? measured : in_span(measured, span_);

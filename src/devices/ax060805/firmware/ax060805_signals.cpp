@@ -1,4 +1,4 @@
-// The signals of Table 1 and the ten binary functions that take them.
+// The signals of Table 1 and the ten binary functions that use them.
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
-/// How far `signal` stands behind `first` in Table 1; large when it stands before.
+/// Returns the distance of `signal` from `first` in Table 1; a large number when it comes before `first`.
 constexpr std::size_t distance(const own::signal_source::Signal first,
                                const own::signal_source::Signal signal) noexcept {
     return static_cast<std::size_t>(signal) - static_cast<std::size_t>(first);
@@ -38,7 +38,7 @@ void Device::run_functions() noexcept {
 }
 
 static_assert(implements<req::INC_RPDO_002>);
-/// Once for each RPDO that becomes late: what is written afterwards counts.
+/// Forgets the received values once for each RPDO that becomes late; values written afterwards count again.
 void Device::forget_overdue() noexcept {
     const std::uint32_t overdue = node_.overdue_rpdos();
     if ((overdue & ~overdue_) != 0U) {

@@ -84,7 +84,8 @@ std::uint32_t integer_function(const BinaryFunction function, const std::uint32_
     }
 }
 
-/// The operand that stands before F, undefined when the input has neither signal nor default.
+/// Returns an operand of F after its unary function, scale and offset; undefined when the input has neither a signal
+/// nor a default.
 Signal operand(const FunctionInput& input) noexcept {
     if (!is_defined(input.source) && !input.has_default) {
         return undefined_signal();

@@ -1,6 +1,6 @@
 // One binary function block (AX060805, 3.8): A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
 //
-// Total: every operation gives a value or an undefined signal for every bit pattern of its operands.
+// Every operation is total: it returns a value or an undefined signal for every bit pattern of its operands.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace canproof::ax060805 {
 using UnaryFunction = generated::ax060805::unary_function::Function;
 using BinaryFunction = generated::ax060805::binary_function::Function;
 
-/// Scale first, then offset.
+/// A linear function: the scale applies first, then the offset.
 struct Linear {
     float scale{1.0F};
     float offset{0.0F};
@@ -23,24 +23,25 @@ struct Linear {
 struct FunctionInput {
     Signal source{};
     bool has_default{false};
-    float default_value{0.0F};  ///< taken when the source is undefined and has_default is set
-    std::uint8_t unary{0U};     ///< number of Table 9; an unknown one leaves the value
+    float default_value{0.0F};  ///< used when the source is undefined and has_default is set
+    std::uint8_t unary{0U};     ///< number in Table 9; an unknown one does not change the value
     Linear linear{};
 };
 
 struct FunctionBlock {
     std::array<FunctionInput, 2U> inputs{};
-    std::uint8_t operation{0U};  ///< number of Table 10; an unknown one is undefined
+    std::uint8_t operation{0U};  ///< number in Table 10; the result of an unknown one is undefined
     Linear output{};
 };
 
-/// Table 9. Integer functions work on to_discrete(x) and give a whole number.
+/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
-/// Table 10. Undefined for operation 0, for unknown ones, and where an operand or the result is NaN.
+/// Applies a binary function of Table 10. The result is undefined for operation 0, for unknown operations, and when an
+/// operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
-/// Equation 4.
+/// Evaluates the block by equation 4.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
 }  // namespace canproof::ax060805

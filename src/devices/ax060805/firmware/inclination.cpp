@@ -42,7 +42,8 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
     angles_ = {angles.pitch, angles.roll, gravity_angle(gravity)};
 }
 
-/// The Euler roll of the last direction that had one, in the frame in use; 0 if it has none there.
+/// Returns the Euler roll of the last direction that had one, in the present frame of reference; 0 if it has none
+/// there.
 static_assert(implements<req::INC_ANGLE_008>);
 float Inclination::last_roll(const InclinationSettings& settings) const noexcept {
     const Vector3 gravity = gravity_from(undo_rotation(rolled_, settings.installation));

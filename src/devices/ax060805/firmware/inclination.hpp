@@ -1,5 +1,5 @@
-// From samples of the accelerometer to accelerations and angles in the machine's frame (AX060805, 2.1, 3.2
-// to 3.4, 3.7).
+// Converts accelerometer samples to accelerations and angles in the machine's frame of reference (AX060805, 2.1, 3.2 to
+// 3.4, 3.7).
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 namespace canproof::ax060805 {
 
 struct InclinationSettings {
-    float filter_share{1.0F};      ///< of low_pass_coefficient(); 1 switches the filter off
+    float filter_share{1.0F};      ///< from low_pass_coefficient(); 1 switches the filter off
     PitchRoll calibration{};       ///< of the sensor in the unit, degrees
     PitchRoll installation{};      ///< of the unit on the machine, degrees
     bool euler{false};             ///< pitch and roll as Euler angles; otherwise as tilt angles
-    float gimbal_lock_cone{0.0F};  ///< degrees; within it the Euler roll cannot be trusted
-    float least_gravity{0.0F};     ///< g; below it there is no direction to measure
+    float gimbal_lock_cone{0.0F};  ///< degrees from the vertical; within it the Euler roll is unreliable
+    float least_gravity{0.0F};     ///< g; a smaller acceleration has no measurable direction
 };
 
-/// Positions of the angles in what angles() gives.
+/// Positions of the angles in the array that angles() returns.
 constexpr std::size_t pitch_angle = 0U;
 constexpr std::size_t roll_angle = 1U;
 constexpr std::size_t gravity_tilt = 2U;
@@ -28,27 +28,29 @@ constexpr std::size_t angle_count = 3U;
 
 class Inclination {
   public:
-    /// Power-on: nothing measured yet.
+    /// Clears all measurements at power-on.
     void restart() noexcept { *this = Inclination{}; }
-    /// One sample, in g, in the sensor's frame.
+    /// Processes one sample, in g, in the sensor's frame of reference.
     void sample(const Vector3& acceleration, const InclinationSettings& settings) noexcept;
-    /// The sensor gives no valid sample: what was measured stays, and the filter starts anew afterwards.
+    /// Reports that the sensor gives no valid sample: the measured values stay, and the filter starts again with the
+    /// next sample.
     void fail() noexcept;
-    /// The settings are others: angles of the last direction by them.
+    /// Computes the angles of the last direction with new settings.
     void update(const InclinationSettings& settings) noexcept;
 
-    /// There was a sample, and the sensor has not failed since.
+    /// Returns whether there was a sample and the sensor has not failed since.
     bool is_measuring() const noexcept { return measuring_; }
-    /// The latest sample is too small to have a direction: angles are those of the last one that had.
+    /// Returns whether the latest acceleration is too small to have a direction. The angles are then those of the last
+    /// direction.
     bool is_weightless() const noexcept { return weightless_; }
-    /// The roll is an Euler angle, and the X axis too near to the vertical for it (2.1.6).
+    /// Returns whether the roll is an Euler angle and the X axis is too near to the vertical for it (2.1.6).
     bool is_roll_unsure() const noexcept { return roll_unsure_; }
-    /// Of the machine's frame, in g, behind the input filter.
+    /// Returns the acceleration in g in the machine's frame of reference, after the input filter.
     const Vector3& acceleration() const noexcept { return acceleration_; }
-    /// Degrees; see pitch_angle, roll_angle and gravity_tilt.
+    /// Returns the angles in degrees; see pitch_angle, roll_angle and gravity_tilt.
     const std::array<float, angle_count>& angles() const noexcept { return angles_; }
-    /// The installation angles for which the present position reads 0 (3.4); none without a valid direction and in
-    /// gimbal lock.
+    /// Returns the installation angles for which the present position reads 0 (3.4); none without a valid direction or
+    /// in gimbal lock.
     std::optional<PitchRoll> nulling_angles(const InclinationSettings& settings) const noexcept;
 
   private:
@@ -57,8 +59,8 @@ class Inclination {
     LowPass filter_{};
     Vector3 acceleration_{};
     std::array<float, angle_count> angles_{};
-    Vector3 direction_{};  ///< the last acceleration of the unit that was no weightlessness
-    Vector3 rolled_{};     ///< the last one of these that had an Euler roll
+    Vector3 direction_{};  ///< the last acceleration of the unit that was large enough for a direction
+    Vector3 rolled_{};     ///< the last such acceleration that had an Euler roll
     bool measuring_{false};
     bool weightless_{false};
     bool roll_unsure_{false};

@@ -1,4 +1,4 @@
-// First-order low-pass for the accelerations of three axes (AX060805, 3.2, 4.3.2, 4.3.3, 5.1.2).
+// First-order low-pass filter for the accelerations of three axes (AX060805, 3.2, 4.3.2, 4.3.3, 5.1.2).
 #pragma once
 
 #include "devices/ax060805/firmware/tilt.hpp"
@@ -6,17 +6,17 @@
 
 namespace canproof::ax060805 {
 
-/// Share of the remaining step that one sample covers, 1 - exp(-2 pi f T), for f T up to 0.5.
+/// Returns the share of the remaining step that one sample covers, 1 - exp(-2 pi f T), for f T up to 0.5.
 float low_pass_coefficient(float cut_off_hz, Duration period) noexcept;
 
-/// Delay of slow changes, in milliseconds: the time constant 1 / (2 pi f).
+/// Returns the delay of slow changes in milliseconds: the time constant 1 / (2 pi f).
 float low_pass_delay_ms(float cut_off_hz) noexcept;
 
 class LowPass {
   public:
-    /// The next sample is taken as it is: nothing ramps up from 0.
+    /// Restarts the filter: the next sample passes unfiltered, so that the output does not ramp up from 0.
     void restart() noexcept { started_ = false; }
-    /// Takes a sample. `coefficient` 0…1; 1 lets samples pass as they are.
+    /// Filters a sample. `coefficient` is 0…1; 1 passes samples unfiltered.
     const Vector3& update(const Vector3& sample, float coefficient) noexcept;
     const Vector3& output() const noexcept { return output_; }
 

@@ -1,4 +1,4 @@
-// What function blocks pass to each other (AX060805, 3.1): nothing, a discrete or a continuous value.
+// The signals between function blocks (AX060805, 3.1): undefined, a discrete value or a continuous value.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace canproof::ax060805 {
 
 enum class SignalKind : std::uint8_t { undefined, discrete, continuous };
 
-/// The value that `kind` names is the one that counts; the other is 0.
+/// A signal. Only the value that `kind` names is valid; the other is 0.
 struct Signal {
     SignalKind kind{SignalKind::undefined};
     std::uint32_t discrete{0U};
@@ -27,10 +27,11 @@ constexpr bool is_defined(const Signal& signal) noexcept {
     return signal.kind != SignalKind::undefined;
 }
 
-/// 3.1.5: the same value, rounded to single precision; 0 for an undefined signal.
+/// Converts a signal to a continuous value, rounded to single precision; 0 for an undefined signal (3.1.5).
 float as_continuous(const Signal& signal) noexcept;
 
-/// 3.1.6: without fraction; negative values and NaN become 0, too large ones FFFFFFFFh.
+/// Converts to a discrete value without the fraction; negative values and NaN become 0, too large ones FFFFFFFFh
+/// (3.1.6).
 std::uint32_t to_discrete(float value) noexcept;
 
 }  // namespace canproof::ax060805

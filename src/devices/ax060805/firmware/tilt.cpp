@@ -17,15 +17,15 @@ float length(const float a, const float b) noexcept {
     return std::sqrt((a * a) + (b * b));
 }
 
-/// atan2_degrees() above -180 and up to 180. What lies so near to half a turn that the arithmetic before it decides on
-/// the sign is +180.
+/// Returns atan2_degrees() above -180 and up to 180. An angle so close to half a turn that rounding decides its sign is
+/// +180.
 static_assert(implements<req::INC_ANGLE_013> && implements<req::INC_ANGLE_014> && implements<req::INC_K_EXACT_ANGLE>);
 float direction(const float y, const float x) noexcept {
     const float angle = atan2_degrees(y, x);
     return (std::fabs(angle) >= (half_turn - generated::ax060805::exact_angle)) ? half_turn : angle;
 }
 
-/// sign(x) of 2.1.4: both zeros are positive.
+/// Returns sign(x) of 2.1.4: both zeros are positive.
 constexpr float sign_of(const float value) noexcept {
     return (value < 0.0F) ? -1.0F : 1.0F;
 }

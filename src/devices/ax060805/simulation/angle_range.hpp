@@ -1,4 +1,4 @@
-// The angle configuration of an AX060805 (3.5, Table 8), which no object sets: a unit has it from the factory.
+// The angle configuration of an AX060805 (3.5, Table 8). No object sets it; it is a factory setting of the unit.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace canproof::host {
 
 struct AngleRange {
-    const char* word;  ///< the name that Table 8 gives it, less "Degree Range"
+    const char* word;  ///< its name in Table 8 without "Degree Range"
     ax060805::AngleConfiguration range;
 };
 

@@ -24,7 +24,7 @@ struct Quaternion {
     double w, x, y, z;
 };
 
-/// The attitude `seconds` after the tumble began.
+/// Returns the attitude `seconds` after the tumble began.
 Quaternion attitude_at(double seconds) {
     const int turn = seconds < turn_seconds ? 0 : (seconds < 2.0 * turn_seconds ? 1 : 2);
     const double half_angle = pi * (seconds - turn * turn_seconds) / turn_seconds;
@@ -33,7 +33,7 @@ Quaternion attitude_at(double seconds) {
     return Quaternion{std::cos(half_angle), std::sin(half_angle) * along_x, std::sin(half_angle) * along_y, 0.0};
 }
 
-/// A simulated AX060805 that sends TPDO1 each 20 ms, its angles in fiftieths of a degree.
+/// A simulated AX060805 that sends TPDO1 every 20 ms, with angles in units of 1/50 degree.
 class Bench {
   public:
     Bench() : device_{ax060805::make_simulation()} {
@@ -59,7 +59,7 @@ class Bench {
         now_ = end;
     }
     double seconds() const { return static_cast<double>(now_.us) / 1.0e6; }
-    /// Pitch, roll and gravity angle in degrees, as the latest TPDO1 had them.
+    /// Returns pitch, roll and gravity angle in degrees from the latest TPDO1.
     const std::array<double, 3>& angles() const { return angles_; }
 
   private:
@@ -86,7 +86,7 @@ LinePlot tumble(const char* title, bool euler) {
     if (euler) {
         bench.tell("67F#2F00210000000000");
     }
-    bench.tell("67F#2F03200032000000");  // 50 Hz: the filter's lag stays below the line's width
+    bench.tell("67F#2F03200032000000");  // 50 Hz: the delay of the filter is smaller than the line width of the plot
     bench.start();
     LinePlot plot{
         title, "time / s", "angle / degrees", {{"pitch", {}}, {"roll", {}}, {"gravity angle", {}}}, marks_of_turns()};
@@ -106,7 +106,7 @@ LinePlot tumble(const char* title, bool euler) {
     return plot;
 }
 
-/// Gravity in a unit of this attitude.
+/// Returns gravity in the frame of reference of a unit in this attitude.
 std::array<double, 3> gravity_at(const Quaternion& q) {
     return {2.0 * (q.x * q.z - q.w * q.y), 2.0 * (q.y * q.z + q.w * q.x), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)};
 }
@@ -136,7 +136,7 @@ LinePlot angle_error_plot() {
         const double seconds = tumble_seconds * i / steps;
         const auto exact = gravity_at(attitude_at(seconds));
         const Vector3 single{static_cast<float>(exact[0]), static_cast<float>(exact[1]), static_cast<float>(exact[2])};
-        // From here on both have the same input.
+        // Both computations use the same input.
         const double x = static_cast<double>(single.x);
         const double y = static_cast<double>(single.y);
         const double z = static_cast<double>(single.z);
@@ -147,7 +147,7 @@ LinePlot angle_error_plot() {
             static_cast<double>(tilt.roll) - degrees(y, side * std::sqrt(x * x + z * z)),
             static_cast<double>(gravity_angle(single)) - degrees(std::sqrt(x * x + y * y), z)};
         for (std::size_t angle = 0; angle < errors.size(); ++angle) {
-            // -180 and 180 are one direction
+            // -180 and 180 are the same direction
             plot.curves[angle].points.emplace_back(seconds, std::remainder(errors[angle], 360.0) * 1.0e6);
         }
     }

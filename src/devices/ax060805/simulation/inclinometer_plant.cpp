@@ -28,15 +28,15 @@ Vector3 felt(double gx, double gy, double gz) {
     return Vector3{static_cast<float>(-gx), static_cast<float>(-gy), static_cast<float>(-gz)};
 }
 
-/// Gravity in the unit by 2.1.5, felt reversed.
+/// Returns the acceleration that the sensor measures at rest with these angles (2.1.5): gravity reversed.
 Vector3 felt_by_angles(double pitch_deg, double roll_deg) {
     const double pitch = pitch_deg * pi / 180.0;
     const double roll = roll_deg * pi / 180.0;
     return felt(-std::sin(pitch), std::sin(roll) * std::cos(pitch), std::cos(roll) * std::cos(pitch));
 }
 
-/// The third row of the rotation that the quaternion stands for: the earth's Z axis in the unit. A quaternion of no
-/// length stands for no rotation.
+/// Returns the acceleration that the sensor measures at rest with this attitude. Gravity, the earth's Z axis in the
+/// unit, is the third row of the rotation matrix of the quaternion. A quaternion of length zero means no rotation.
 Vector3 felt_by_quaternion(double w, double x, double y, double z) {
     const double length = w * w + x * x + y * y + z * z;
     if (length < 1.0e-12) {
@@ -58,7 +58,8 @@ double sample_noise(double resolution_deg) {
     const double angle_deg = resolution_deg / static_cast<double>(own::resolution_factor);
     const auto share =
         static_cast<double>(low_pass_coefficient(own::rated_cut_off, microseconds(own::sample_period_us)));
-    // A first-order filter leaves share / (2 - share) of the variance of white noise; 1 g across is one radian.
+    // A first-order filter leaves share / (2 - share) of the variance of white noise; 1 g across the axis is one
+    // radian.
     return angle_deg * pi / 180.0 / std::sqrt(share / (2.0 - share));
 }
 
@@ -79,7 +80,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     add_noise(inputs);
 }
 
-/// The other axes keep what they feel without noise.
+/// Takes the acceleration of one axis; the other axes keep their values without noise.
 void InclinometerPlant::take_axis(char axis, const ax060805::Inputs& inputs) {
     if (axis == 'x') {
         rest_.x = inputs.acceleration_x;
@@ -103,7 +104,7 @@ void InclinometerPlant::add_noise(ax060805::Inputs& inputs) {
     inputs.acceleration_z = noisy ? felt.z + static_cast<float>(scatter * normal()) : felt.z;
 }
 
-/// By Box and Muller: std::normal_distribution differs between libraries.
+/// Returns a normally distributed number by the Box-Muller method; std::normal_distribution differs between libraries.
 double InclinometerPlant::normal() {
     constexpr double range = 4294967296.0;
     const double radius = std::sqrt(-2.0 * std::log((static_cast<double>(noise_()) + 1.0) / range));

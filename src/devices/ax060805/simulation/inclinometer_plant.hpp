@@ -1,4 +1,4 @@
-// The physical world of the AX060805: a unit at rest in some attitude, its sensor's noise, its supply.
+// The plant of the AX060805: a unit at rest in some attitude, the noise of its sensor, its supply.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ class InclinometerPlant {
     InclinometerPlant() = default;
     explicit InclinometerPlant(const SensorErrors& errors) : errors_{errors} {}
 
-    /// A stimulus was set in `inputs`: what it is the cause of changes there too. Whichever of pitch and roll, the
-    /// quaternion and the accelerations came last makes the accelerations.
+    /// Applies the effects of a stimulus that was set in `inputs` to the other inputs. The latest of pitch and roll,
+    /// the quaternion and the accelerations determines the accelerations.
     void stimulus(const std::string& name, ax060805::Inputs& inputs);
-    /// Whether each sample has noise of its own.
+    /// Returns whether the samples have noise.
     bool is_noisy(const ax060805::Inputs& inputs) const;
-    /// The accelerations for one sample: those of the attitude, with the sensor's errors and its noise.
+    /// Sets the accelerations for one sample: those of the attitude with the errors and the noise of the sensor.
     void add_noise(ax060805::Inputs& inputs);
 
   private:
@@ -28,12 +28,14 @@ class InclinometerPlant {
     double normal();
 
     SensorErrors errors_{};
-    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< what a sensor without noise and errors feels, in g
+    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< the acceleration that a sensor without noise and errors measures,
+                                                 ///< in g
     std::mt19937 noise_{1U};
 };
 
-/// Root mean square of the noise of one sample on one axis, in g: after the input filter at the rated cut-off frequency
-/// the pitch of a level unit scatters by `resolution_deg` / 3.46 (5.1.1). 0 without a resolution.
+/// Returns the root mean square of the noise of one sample on one axis, in g. With it the pitch of a level unit
+/// scatters by `resolution_deg` / 3.46 after the input filter at the rated cut-off frequency (5.1.1). 0 without a
+/// resolution.
 double sample_noise(double resolution_deg);
 
 }  // namespace canproof::host

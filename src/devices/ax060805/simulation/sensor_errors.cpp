@@ -18,12 +18,13 @@ namespace own = generated::ax060805;
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The decimal number that the register wrote: 0.7, not 0.699999988.
+/// Returns the decimal number as the requirements register contains it: 0.7, not 0.699999988.
 double as_written(float value) {
     return std::stod(fmt::format("{}", value));
 }
 
-/// 0 at -1, 0 and 1 g, 1 and -1 at the extremes between, which lie at 1 / sqrt(3).
+/// Returns the shape of the non-linearity: 0 at -1, 0 and 1 g; 1 and -1 at the extremes between them, which lie at ±1 /
+/// sqrt(3).
 double bow(double g) {
     return std::fabs(g) < 1.0 ? 1.5 * std::sqrt(3.0) * (g - g * g * g) : 0.0;
 }

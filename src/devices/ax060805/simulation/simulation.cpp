@@ -14,7 +14,7 @@ namespace {
 
 namespace own = generated::ax060805;
 
-constexpr std::size_t memory_size = 4096;  // two banks of parameters, and LSS at the end
+constexpr std::size_t memory_size = 4096;  // two banks of parameters, and the settings of LSS at the end
 
 ax060805::FactoryData factory_data(const FactoryValues& values) {
     ax060805::FactoryData data;
@@ -49,7 +49,7 @@ class Ax060805Simulation final
         inputs_.noise_of = model_of(factory.part_number());
     }
 
-    /// As if LSS had stored it; the bit rate stays.
+    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         LssStore store{memory_};
         LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});

@@ -1,4 +1,4 @@
-// The AX060805 as the host runs it.
+// The simulated AX060805.
 #pragma once
 
 #include <memory>

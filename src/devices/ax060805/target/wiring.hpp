@@ -1,5 +1,5 @@
-// How the AX060805's sensor meets the pins of a microcontroller. Its manual names neither: this board with an analog
-// accelerometer is ours (src/target/stm32f405/README.md).
+// Connects the AX060805's sensor to the pins of a microcontroller. The manual describes neither; this board with an
+// analog accelerometer is our own (src/target/stm32f405/README.md).
 #pragma once
 
 #include "devices/ax060805/firmware/ax060805.hpp"
@@ -27,17 +27,17 @@ class Wiring {
         inputs.acceleration_x = acceleration(0);
         inputs.acceleration_y = acceleration(1);
         inputs.acceleration_z = acceleration(2);
-        inputs.accelerometer_fault = !chip_.port_b.is_high(0);                    // its self-test passes
-        inputs.sensor_temperature = (chip_.analog_in.share(3) * 330.0F) - 50.0F;  // 10 mV a degree, 0.5 V at 0
-        inputs.supply_voltage = chip_.analog_in.share(4) * 72.6F;                 // divided by 22
+        inputs.accelerometer_fault = !chip_.port_b.is_high(0);                    // high: the self-test passes
+        inputs.sensor_temperature = (chip_.analog_in.share(3) * 330.0F) - 50.0F;  // 10 mV per degree, 0.5 V at 0 degC
+        inputs.supply_voltage = chip_.analog_in.share(4) * 72.6F;                 // a divider by 22
         inputs.processor_temperature = chip_.analog_in.chip_temperature();
     }
 
-    /// The slope pin of the transceiver: low is fast.
+    /// Drives the slope pin of the transceiver: low selects the fast slew rate.
     void drive(const Outputs& outputs) { chip_.port_b.set(5, !outputs.slew_rate_fast); }
 
   private:
-    /// 0.55 V a g around 1.65 V: -3 to 3 g.
+    /// Returns an acceleration in g: 0.55 V per g around 1.65 V, -3 to 3 g.
     float acceleration(std::size_t channel) const { return (chip_.analog_in.share(channel) - 0.5F) * 6.0F; }
 
     stm32f405::Chip& chip_;

@@ -1,4 +1,5 @@
-// The analogue output block behind its scaling (AX130751, 1.3): target, ramp and range. Values in the unit of the type.
+// The analogue output block after its scaling (AX130751, 1.3): target, ramp and range. Values in the unit of the output
+// type.
 #pragma once
 
 #include "devices/ax130751/firmware/output_priority.hpp"
@@ -8,12 +9,12 @@
 
 namespace canproof::ax130751 {
 
-/// What an output can be driven to. 0 is OFF and always allowed.
+/// The range of values of an output. 0 is OFF and always allowed.
 struct OutputRange {
     double minimum{0.0};
     double maximum{0.0};
 
-    /// The nearest value in the range; at or below 0 where the range begins above it, OFF.
+    /// Returns the nearest value in the range. If the range begins above 0, values at or below 0 give OFF.
     static_assert(implements<req::AOR_OUT_016>);
     constexpr double nearest(const double value) const noexcept {
         const bool off = (minimum > 0.0) && (value <= 0.0);
@@ -27,7 +28,7 @@ struct OutputRange {
     }
 };
 
-/// The values that are asked for; which of them counts is the drive's choice.
+/// The requested values. The OutputDrive decides which of them is used.
 struct AnalogueDemand {
     double control{0.0};
     double override_value{0.0};
@@ -35,17 +36,17 @@ struct AnalogueDemand {
 };
 
 struct AnalogueOutputState {
-    double target{0.0};  ///< before the ramp: 7330h
-    double value{0.0};   ///< what drives the output: 2370h
+    double target{0.0};  ///< before the ramp: 7330h output field value
+    double value{0.0};   ///< the value that drives the output: 2370h feedback field value
 };
 
 class AnalogueOutput {
   public:
     AnalogueOutputState advance(OutputDrive drive, const AnalogueDemand& demand, const OutputRange& range,
                                 const RampTimes& times, Instant now) noexcept;
-    /// OFF, at once.
+    /// Switches the output OFF at once.
     void reset() noexcept { ramp_.set(0.0); }
-    /// Whether a ramp is under way.
+    /// Returns whether a ramp is in progress.
     bool is_moving(const Instant now) const noexcept { return ramp_.is_moving(now); }
 
   private:

@@ -42,7 +42,7 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-/// `deadline` when it lies behind `done`; never when it does not.
+/// Returns `deadline` when it is later than `done`, otherwise never.
 constexpr Instant if_later(const Instant deadline, const Instant done) noexcept {
     return (deadline > done) ? deadline : never;
 }
@@ -84,7 +84,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     wake(now);
 }
 
-/// Cycles and deadlines of the node, in the order of their times; at the same time the cycle comes first.
+/// Runs the cycles and the deadlines of the node in the order of their times; at the same time the cycle comes first.
 static_assert(implements<req::AOR_OUT_027>);
 void Device::advance(const Instant now) noexcept {
     Instant due = next_deadline();
@@ -94,7 +94,7 @@ void Device::advance(const Instant now) noexcept {
         }
         node_.advance(due);
         watch_network(due);
-        // What stayed due would wait for something else, such as room in the queue.
+        // A deadline that is still due waits for something else, such as room in the queue.
         due = earliest(if_later(node_.next_deadline(), due), if_later(next_cycle_, due));
     }
     node_.advance(now);
@@ -109,19 +109,20 @@ static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
     const bool quiet = !run_blocks(now);
     tell_errors(now);
-    // Two such cycles in a row: so will all be that follow, until something new comes.
+    // After two such cycles in a row, all further cycles would be the same until a new event.
     const bool rests = quiet && was_quiet_;
     was_quiet_ = quiet;
     next_cycle_ = rests ? next_change() : (now + cycle_time);
 }
 
-/// When blocks at rest move by themselves. What they wait for began with a cycle and lasts whole milliseconds.
+/// Returns when a block at rest changes by itself. Each such delay began with a cycle and lasts whole milliseconds, so
+/// it also ends with a cycle.
 Instant Device::next_change() const noexcept {
     return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }
 
-/// One evaluation of all blocks. True when something changed that a block earlier in the order may yet see, or that
-/// goes on changing. Not told is what a cycle sees at once and its repetition brings to an end, as new inputs do.
+/// Evaluates all blocks once. Returns true when a change can still reach a block earlier in the order, or when a value
+/// keeps changing. Changes that one cycle processes completely, such as new inputs, are not reported.
 bool Device::run_blocks(const Instant now) noexcept {
     supervision_.advance(inputs_, objects_);
     bool changes{false};
@@ -152,8 +153,8 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Watches what makes CANopen messages faulty as sources. The state of the node, in which outputs run, changes with a
-/// frame, an input or such a fault.
+/// Watches for lost heartbeats, lost life guarding and overdue RPDOs, which put CANopen sources in error. It need not
+/// watch the NMT state, in which outputs run: the state changes only with a frame, an input or such a fault.
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
@@ -167,7 +168,7 @@ void Device::watch_network(const Instant now) noexcept {
     }
 }
 
-/// Something new came at `now`: the next cycle sees it.
+/// Schedules the next cycle after an event at `now`.
 void Device::wake(const Instant now) noexcept {
     const std::uint64_t cycles_gone = elapsed(epoch_, now).us / cycle_time.us;
     const Instant next = epoch_ + Duration{(cycles_gone + 1U) * cycle_time.us};
@@ -175,7 +176,8 @@ void Device::wake(const Instant now) noexcept {
     was_quiet_ = false;
 }
 
-/// 5B50h and 5B51h lie where LSS stores, with the other manufacturer objects in time only.
+/// Stores 5B50h change baud rate and 5B51h change node-ID in the memory of LSS when 1010h saves the manufacturer
+/// objects.
 static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::save(const EntryRef& entry) {
     constexpr std::uint32_t all = 1U;
@@ -240,7 +242,8 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
-/// What LSS has not changed stays as 1010h stored it, and in 5B50h and 5B51h as it was written.
+/// Stores the settings of LSS. A setting that LSS has not changed keeps the value stored by 1010h, and 5B50h or 5B51h
+/// keeps the written value.
 static_assert(implements<req::AOR_NODE_005>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;

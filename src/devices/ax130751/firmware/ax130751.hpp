@@ -1,6 +1,6 @@
 // Axiomatic AX130751 and AX130771: two universal outputs and a relay on CANopen, with ten lookup tables, three logic
-// and four math blocks (manual AX130751, chapters 1, 3 and 4). The part numbers differ in isolation and housing, not in
-// what runs here.
+// and four math blocks (manual AX130751, chapters 1, 3 and 4). The part numbers differ in isolation and housing; the
+// firmware is the same.
 #pragma once
 
 #include <array>
@@ -18,24 +18,26 @@
 
 namespace canproof::ax130751 {
 
-/// What belongs to one unit and left the factory with it. What is absent is as the register has it. 3.2.11, 3.2.12.
+/// Values of one unit, set in the factory. An absent value is as in the requirements register. 3.2.11, 3.2.12.
 struct FactoryData {
-    std::optional<std::uint32_t> revision{};       ///< 1018h:3
-    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4
-    std::optional<std::uint32_t> made_on{};        ///< 1020h:1
-    std::optional<std::uint32_t> made_at{};        ///< 1020h:2
+    std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number
+    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number
+    std::optional<std::uint32_t> made_on{};        ///< 1020h:1 verify configuration, date
+    std::optional<std::uint32_t> made_at{};        ///< 1020h:2 verify configuration, time
 };
 
 class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS, or 1010h with 5B50h and 5B51h, stored.
+    /// Starts with the node-ID and bit rate that LSS stored, or that 1010h stored from 5B50h change baud rate and 5B51h
+    /// change node-ID.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The physical inputs as they are from `now` on; the blocks notice them in their next cycle.
+    /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
-    /// Runs every cycle that is due: work grows with the time since the last call, a cycle a millisecond at most.
+    /// Runs every cycle that is due. The time this takes grows with the time since the last call: at most one cycle per
+    /// millisecond.
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 
@@ -74,11 +76,11 @@ class Device final : private Application {
     FactoryData factory_;
     Inputs inputs_{};
     Outputs outputs_{};
-    LssConfiguration kept_{};        ///< for the next power-on
-    LssConfiguration lss_stored_{};  ///< what LSS last stored, which knows nothing of 5B50h and 5B51h
+    LssConfiguration kept_{};        ///< the stored settings for the next power-on
+    LssConfiguration lss_stored_{};  ///< the settings that LSS last stored, without the values of 5B50h and 5B51h
     std::uint32_t bit_rate_{0U};
 
-    // In the order in which a cycle runs through them.
+    // In the order in which a cycle evaluates them.
     Supervision supervision_{};
     Sources sources_;
     std::array<FirstPoint, table_count> first_points_{};
@@ -88,13 +90,14 @@ class Device final : private Application {
     std::array<UniversalOutput, output_count> universal_;
     RelayOutput relay_;
 
-    std::array<std::uint16_t, output_count> types_{};  ///< 6310h as last acted upon
-    Instant epoch_{};                                  ///< cycles run at whole multiples of their time after this
+    std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
+    Instant epoch_{};                                  ///< cycles run at whole multiples of the cycle time after this
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
-    /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
-    /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
+    /// The last cycle changed nothing. After two such cycles the blocks are not evaluated until one of these changes:
+    /// frames, inputs and writes (each calls wake()), the conditions of watch_network(), the result of run_blocks(),
+    /// and the times of next_change().
     bool was_quiet_{false};
 };
 

@@ -31,8 +31,8 @@ PointResponse point_response(const std::uint8_t value) noexcept {
     }
 }
 
-/// Gives the microseconds of an interval. A point of a data response may lie below the shortest interval, never above
-/// the longest: it then counts as the shortest.
+/// Returns an interval in microseconds. A point that was set for data response may be below the shortest interval, but
+/// never above the longest; it then counts as the shortest.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
     const double least = static_cast<double>(own::shortest_interval_ms);
     constexpr double us_per_ms = 1000.0;
@@ -56,12 +56,12 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
     if (timed) {
-        config.points.y[0U] = 0.0;  // its X is 0 wherever times are added up
+        config.points.y[0U] = 0.0;  // lookup_in_time() sets its X to 0
     }
     return config;
 }
 
-/// 0 to 100 while all of Y lies within, else what Y spans.
+/// Returns the limits that other blocks use: 0 to 100 when all values of Y lie within, otherwise the range of Y.
 static_assert(implements<req::AOR_LT_007> && implements<req::AOR_K_PERCENT_LOW> && implements<req::AOR_K_PERCENT_HIGH>);
 LookupLimits limits_for_others(const LookupPoints& points) noexcept {
     const LookupLimits percent{static_cast<double>(own::percent_low), static_cast<double>(own::percent_high)};
@@ -114,7 +114,8 @@ AbortCode check_range(const double value, const double least, const double great
     return (value < least) ? AbortCode::value_too_low : AbortCode::none;
 }
 
-/// 1.5.1: between its neighbours, in 16 bits, and within the source's limits where these differ.
+/// Checks the X of a point in data response: between its neighbours, in 16 bits, and within the limits of the source if
+/// these differ from each other (1.5.1).
 static_assert(implements<req::AOR_LT_009>);
 AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                            const std::uint8_t point, const std::int32_t x) noexcept {
@@ -126,7 +127,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
                                 ? static_cast<double>(objects.get(fields.x[static_cast<std::uint8_t>(point + 1U)]))
                                 : static_cast<double>(INT16_MAX);
     const double value = static_cast<double>(x);
-    // An interval of time may be greater than 16 bits; none is below them.
+    // The X of a neighbour that was set as a time interval may exceed 16 bits upwards, but not downwards.
     const AbortCode by_order = check_range(value, least, std::fmin(greatest, static_cast<double>(INT16_MAX)));
     const BlockSignal source = sources.signal(resolve(objects.get(fields.source), objects.get(fields.number)));
     if ((by_order != AbortCode::none) || (!source.is_available()) || (source.upper <= source.lower)) {

@@ -1,4 +1,4 @@
-// Lookup tables (1.5), logic blocks (1.6) and math blocks (1.7) of the AX130751, each wired to its objects.
+// Lookup tables (1.5), logic blocks (1.6) and math blocks (1.7) of the AX130751, each connected to its objects.
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
@@ -15,34 +15,37 @@ class TableBlock {
         table_.reset();
         is_read_ = false;
     }
-    /// Its parameters are others than they were.
+    /// Reads the parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
-    /// Evaluates table `number` (1…10), sets 3yz8h and what other blocks see. True while it goes on changing.
+    /// Evaluates table `number` (1…10) and sets its output 3yz8h and the values that other blocks read. Returns true
+    /// while it keeps changing.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:
     SourceChoice source_{};
     LookupTable table_{};
-    // Keys of this cache: 3yz2h to 3yz7h of the table. Each write to one, and each move of point 1, ends in reread().
+    // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each move of point 1, calls
+    // reread().
     LookupConfig config_{};  ///< as last read
-    LookupLimits limits_{};  ///< of its output, for other blocks
+    LookupLimits limits_{};  ///< limits of its output, for other blocks
     bool is_read_{false};
     SignalState state_{SignalState::not_available};
 };
 
-/// Whether table `number` is over time (3yz5h:1).
+/// Returns whether table `number` has a time response (3yz5h:1).
 bool is_over_time(const ObjectDictionary& objects, std::uint8_t number) noexcept;
-/// What the choice of time response sets: point 1 and the digits of X.
+/// Sets point 1 and the digits of X when time response is selected.
 void begin_time_response(ObjectDictionary& objects, std::uint8_t number) noexcept;
-/// Whether point `point` (1…11) of table `number` may lie at `x`.
+/// Checks whether point `point` (1…11) of table `number` may have this `x`.
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, std::uint8_t number, std::uint8_t point,
                       std::int32_t x) noexcept;
 
 /// One logic block.
 class SelectionBlock {
   public:
-    /// Evaluates logic block `number` (1…3), sets 3310h, 3320h and what other blocks see. True when it selects another
-    /// table; while it does not, its output changes only where that of a table does, which tells so itself.
+    /// Evaluates logic block `number` (1…3) and sets 3310h selected table, 3320h output and the values that other
+    /// blocks read. Returns true when it selects another table. Otherwise its output changes only with that of a table,
+    /// which reports the change itself.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
 
   private:
@@ -61,15 +64,16 @@ class SelectionBlock {
 class CalculationBlock {
   public:
     void reset() noexcept { math_.reset(); }
-    /// Evaluates math block `number` (1…4) and sets 4030h. True while its functions give other results than before.
+    /// Evaluates math block `number` (1…4) and sets 4030h math output process value. Returns true while the results of
+    /// its functions change.
     bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
 
   private:
     MathInput read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects,
                    const Sources& sources) noexcept;
 
-    /// An input, and what its parameters came to when they were last others. Keys of this cache: source and number,
-    /// each scaling and the digits, and the gain in `gain_parameter`.
+    /// An input with the values computed from its parameters. This cache depends on source and number, each scaling and
+    /// the digits, and the gain in `gain_parameter`.
     struct Input {
         SourceChoice choice{};
         KeptPhysicalValue scaling_1{};

@@ -1,5 +1,5 @@
-// The families of objects of the AX130751, each member's fields in one place: lookup tables 1 to 10, logic blocks 1 to
-// 3, math blocks 1 to 4.
+// The object families of the AX130751, with the fields of each member: lookup tables 1 to 10, logic blocks 1 to 3, math
+// blocks 1 to 4.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ constexpr std::uint32_t table_count = 10U;
 constexpr std::uint32_t logic_count = 3U;
 constexpr std::uint32_t math_count = 4U;
 
-/// Sets an entry. True when it had another value.
+/// Sets an entry. Returns true when the value changes.
 template <typename T>
 bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noexcept {
     const bool changes = objects.get(entry) != value;
@@ -27,10 +27,10 @@ bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noe
     return changes;
 }
 
-/// The lookup table that an index of 3yz0h to 3yz8h belongs to, and the index within it.
+/// The lookup table to which an index of 3yz0h to 3yz8h belongs, and the position of the index in that table.
 struct TableEntry {
-    std::uint8_t table{0U};    ///< 0: none
-    std::uint16_t offset{0U};  ///< 0 where there is none
+    std::uint8_t table{0U};    ///< 0: not an index of a lookup table
+    std::uint16_t offset{0U};  ///< 0 if `table` is 0
 };
 
 constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
@@ -39,14 +39,14 @@ constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
     constexpr std::uint32_t place_before_tables = (of::lt1_input_x_axis_source / index_step) - 1U;
     constexpr std::uint32_t tenth_table_place = of::lt10_input_x_axis_source / index_step;
     const std::uint32_t place = index / index_step;
-    // What lies before the tables comes out as a greater number than any of them has.
+    // The subtraction wraps for an index before the tables, so the result exceeds table_count.
     const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);
     return (table <= table_count)
                ? TableEntry{static_cast<std::uint8_t>(table), static_cast<std::uint16_t>(index % index_step)}
                : TableEntry{};
 }
 
-/// 3yz0h to 3yz8h.
+/// The objects of one lookup table: 3yz0h to 3yz8h.
 struct LookupFields {
     Field<std::uint8_t> source;
     Field<std::uint8_t> number;
@@ -102,7 +102,7 @@ inline constexpr std::array<LookupFields, table_count> lookup_fields{{
      field::o3108_lt10_output_y_axis_pv},
 }};
 
-/// One condition, 3xyzh.
+/// The objects of one condition of a logic block: 3xyzh.
 struct ConditionFields {
     Field<std::uint8_t> first_source;
     Field<std::uint8_t> first_number;
@@ -111,7 +111,7 @@ struct ConditionFields {
     Field<std::uint8_t> comparison;
 };
 
-/// 3x01h, 3x02h and the conditions of functions A, B and C.
+/// The objects of one logic block: 3x01h, 3x02h and the conditions of functions A, B and C.
 struct LogicFields {
     ArrayField<std::uint8_t, 3U> tables;
     ArrayField<std::uint8_t, 3U> operators;
@@ -187,7 +187,7 @@ inline constexpr std::array<LogicFields, logic_count> logic_fields{{
      }}},
 }};
 
-/// 4y00h to 4y50h.
+/// The objects of one math block: 4y00h to 4y50h.
 struct MathFields {
     ArrayField<std::uint8_t, 4U> source;
     ArrayField<std::uint8_t, 4U> number;

@@ -12,7 +12,8 @@ namespace {
 
 namespace index = generated::ax130751::index;
 
-/// Whether a write to `entry` may have given a source another minimum (Table 5). Other sources are never below 0.
+/// Returns whether a write to `entry` may have changed the minimum of a source (Table 5). The minimum of other sources
+/// is never below 0.
 bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
     const std::uint32_t index = entry.index;
     const bool of_channel = std::uint32_t{entry.row->subindex} == ref.channel;
@@ -43,7 +44,7 @@ bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
     }
 }
 
-/// The least Y of a table, ignored points included (1.5.2); point 1 of one over time counts as 0.
+/// Returns the least Y of a table, including ignored points (1.5.2). Point 1 of a table with time response counts as 0.
 double least_y(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     std::int16_t least = is_over_time(objects, number) ? std::int16_t{0} : objects.get(fields.y[1U]);
@@ -81,7 +82,8 @@ bool FirstPoint::follow(const std::uint8_t number, const EntryRef& entry, Object
     return moves;
 }
 
-/// The minimum in the digits of X, the nearest that does not lie below it; 0 where it is not below 0, and over time.
+/// Returns the position of point 1: the minimum of the source in the digits of X, rounded so that it is not below the
+/// minimum. 0 when the minimum is not below 0, and for a time response.
 std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDictionary& objects,
                                   const Sources& sources) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];

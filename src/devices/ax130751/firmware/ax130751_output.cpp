@@ -32,7 +32,7 @@ bool follows_profile(const std::uint8_t response, const ScalingPosition position
     return cell_or(table::find(response, position), &table::Row::drive, table::Drive::off) == table::Drive::profile;
 }
 
-/// The override input as Table 8 reads it.
+/// Returns whether the override input is active by Table 8.
 static_assert(implements<req::AOR_T08>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
     return cell_or(own::override_response::find(response, on), &own::override_response::Row::overridden, false);
@@ -54,18 +54,22 @@ void UniversalOutput::reset() noexcept {
 }
 
 static_assert(implements<req::AOR_OUT_023>);
-void UniversalOutput::follow_type() noexcept {
-    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} != type_) {
-        reset();
+bool UniversalOutput::follow_type() noexcept {
+    if (std::uint32_t{objects_.get(field::o6310_ao_output_type[number_])} == type_) {
+        return false;
     }
+    reset();
+    constexpr std::int16_t off = 0;
+    return show(off, off);  // before the inputs are read: one of them may be the value of this output
 }
 
 bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
-    follow_type();
+    const bool was_cleared = follow_type();
     const InputSignals signals = read_inputs();
     clear(outputs);
-    return is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
-                                         : advance_analogue(signals, cycle, inputs, outputs);
+    const bool changes = is_digital(objects_, number_) ? advance_digital(signals, cycle, outputs)
+                                                       : advance_analogue(signals, cycle, inputs, outputs);
+    return changes || was_cleared;
 }
 
 UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
@@ -109,7 +113,8 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
                             : EnableAction::run;
     const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
     if (digital && runs && (!signals.control.is_available())) {
-        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+        conditions.enable = EnableAction::shut_off;  // without a control signal the output is off, whatever the
+                                                     // polarity
     }
     return choose_drive(conditions);
 }
@@ -139,7 +144,7 @@ double UniversalOutput::control_value(const BlockSignal& control, const LinearSc
     return driven ? scale(control.value, scaling) : 0.0;
 }
 
-/// What of a value comes out at the terminals: as much current as the load lets pass; no duty cycle without pulses.
+/// Returns the value at the terminals: a current is limited by the load; a duty cycle is 0 when the frequency is 0.
 double UniversalOutput::carried(const Kind kind, const double value, const Inputs& inputs) const noexcept {
     if (kind == Kind::current) {
         return loop_current(value, static_cast<double>(inputs.load[number_ - 1U]),

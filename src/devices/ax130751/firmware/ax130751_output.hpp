@@ -13,48 +13,51 @@ namespace canproof::ax130751 {
 using Inputs = generated::ax130751::Inputs;
 using Outputs = generated::ax130751::Outputs;
 
-/// What a cycle gives all outputs.
+/// The conditions of a cycle for all outputs.
 struct OutputCycle {
-    bool shutdown{false};  ///< a diagnostic fault, or a state other than operational, shuts them off
-    bool powered{true};    ///< the coil of the relay can be supplied
+    bool shutdown{false};  ///< a diagnostic fault, or an NMT state other than operational, shuts the outputs off
+    bool powered{true};    ///< the supply can drive the coil of the relay
     Instant now{};
 };
 
 class UniversalOutput {
   public:
-    /// `number` 1 or 2.
+    /// Creates output `number`, 1 or 2.
     UniversalOutput(ObjectDictionary& objects, const Sources& sources, const std::uint8_t number) noexcept
         : objects_{objects}, sources_{sources}, number_{number} {}
 
     void reset() noexcept;
-    /// Drives the output, 7330h and 2370h. True when they changed or a ramp is under way.
+    /// Drives the output and sets 7330h output field value and 2370h feedback field value. Returns true when one of
+    /// them changes or a ramp is in progress.
     bool advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept;
-    /// When it will change by itself, its inputs staying as they are.
+    /// Returns when the output changes by itself with constant inputs.
     Instant next_change() const noexcept { return digital_.next_change(); }
 
-    /// Writes what belongs to the type in 6310h (5550h).
+    /// Writes the defaults of the type in 6310h output type, if 5550h enables automatic updates.
     void take_type_defaults() noexcept;
-    /// Whether 7321h, 7323h, 2300h and 7341h may take a value.
+    /// Checks a new value of 7321h or 7323h scaling, 2300h override or 7341h fault field value against the range of the
+    /// output type.
     AbortCode check_field_value(std::int16_t field_value) const noexcept;
 
   private:
     using Kind = generated::ax130751::output_type::Kind;
 
-    /// Control, enable and override at this moment.
+    /// The present control, enable and override signals.
     struct InputSignals {
         BlockSignal control{};
         BlockSignal enable{};
         BlockSignal override_input{};
     };
 
-    void follow_type() noexcept;
+    /// Starts from OFF when 6310h (AO output type) has changed. True when 7330h or 2370h changed with it.
+    bool follow_type() noexcept;
     InputSignals read_inputs() noexcept;
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
     FaultAction fault_action(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
     double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
-    /// What a parameter last stood for: rarely written, and read in every cycle. Keys of this cache: the integer of
-    /// each and its digits, 6302h or 6332h.
+    /// The last physical values of the parameters, which are rarely written and read in every cycle. This cache depends
+    /// on the integer of each parameter and its digits, 6302h or 6332h.
     struct KeptParameters {
         KeptPhysicalValue scaling_1_pv{};
         KeptPhysicalValue scaling_2_pv{};
@@ -73,7 +76,7 @@ class UniversalOutput {
     void clear(Outputs& outputs) const noexcept;
     double level() const noexcept;
     SwitchPolarity polarity() const noexcept;
-    /// Sets 7330h and 2370h. True when they were others.
+    /// Sets 7330h and 2370h. Returns true when one of them changes.
     bool show(std::int16_t target, std::int16_t feedback) noexcept;
 
     ObjectDictionary& objects_;

@@ -1,4 +1,4 @@
-// What a new value of a parameter must be and sets off.
+// Checks new values of parameters and applies their effects.
 
 #include "devices/ax130751/firmware/ax130751.hpp"
 #include "firmware/base/requirement.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 namespace index = generated::ax130751::index;
 
-// From 3yz0h of a table to its responses and to the X of its points.
+// Distance from 3yz0h of a table to its responses, and to the X of its points.
 constexpr std::uint32_t point_response_offset = index::lt1_point_response - index::lt1_input_x_axis_source;
 constexpr std::uint32_t point_x_offset = index::lt1_point_x_axis_pv - index::lt1_input_x_axis_source;
 
@@ -60,7 +60,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
     follow_minima(entry);
 }
 
-/// Once a write, and not in each cycle: a minimum depends on parameters alone.
+/// Moves the first points after a write. It need not run in each cycle, because a minimum depends only on parameters.
 void Device::follow_minima(const EntryRef& entry) noexcept {
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         if (first_points_[table - 1U].follow(table, entry, objects_, sources_)) {

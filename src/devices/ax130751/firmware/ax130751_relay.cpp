@@ -29,7 +29,7 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
     }
 }
 
-/// Polarity 0 is a relay that the unit does not have: nothing drives it.
+/// Returns whether the unit has the relay. Polarity 0 means that it does not: nothing drives it.
 bool is_implemented(const std::uint8_t value) noexcept {
     using Drive = own::relay_polarity::Drive;
     return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=
@@ -104,7 +104,7 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
                             ? enable_action(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
                             : EnableAction::run;
     if ((!control.is_available()) && (conditions.enable == EnableAction::run)) {
-        conditions.enable = EnableAction::shut_off;  // whatever the polarity would make of no control
+        conditions.enable = EnableAction::shut_off;  // without a control signal the relay is off, whatever the polarity
     }
     return choose_drive(conditions);
 }
@@ -128,7 +128,7 @@ RelayTimes RelayOutput::times() const noexcept {
                       milliseconds(objects_.get(field::o22a2_relay_off_delay[1U])), blink};
 }
 
-/// The coil carries current in state OFF alone.
+/// Sets the contacts for a state. The coil carries current only in state OFF.
 static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_RELAY_019> && implements<req::AOR_T_CONTACT>);
 void RelayOutput::show(const bool on, const bool powered, Outputs& outputs) noexcept {
     const auto* const row = own::relay_contact::find(on || (!powered));

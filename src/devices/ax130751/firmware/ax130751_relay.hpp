@@ -1,4 +1,4 @@
-// The relay of the AX130751 (1.4), wired to its objects.
+// The relay of the AX130751 (1.4), connected to its objects.
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751_output.hpp"
@@ -12,11 +12,11 @@ class RelayOutput {
     RelayOutput(const ObjectDictionary& objects, const Sources& sources) noexcept
         : objects_{objects}, sources_{sources} {}
 
-    /// OFF; `powered`: the coil can be supplied.
+    /// Sets the relay to OFF. `powered`: the supply can drive the coil.
     void reset(bool powered, Outputs& outputs) noexcept;
-    /// Drives the contact, which no other block sees.
+    /// Drives the contact. No other block reads it.
     void advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
-    /// When it will change by itself, its inputs staying as they are.
+    /// Returns when the relay changes by itself with constant inputs.
     Instant next_change() const noexcept { return relay_.next_change(); }
 
   private:

@@ -15,7 +15,7 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
-/// Whether RPDO number + 1 maps an entry.
+/// Returns whether RPDO `number` + 1 maps an entry.
 bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
           const std::uint8_t subindex) noexcept {
     const auto mapping = static_cast<std::uint16_t>(index::rpdo1_mapping_parameter + number);
@@ -29,7 +29,7 @@ bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std:
     return false;
 }
 
-/// Tenths of a measured value.
+/// Rounds a measured value to tenths.
 double to_tenths(const float measured) noexcept {
     return std::round(static_cast<double>(measured) * 10.0) / 10.0;
 }

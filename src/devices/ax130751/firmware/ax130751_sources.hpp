@@ -1,4 +1,4 @@
-// Control sources of the AX130751: which value a source and a number stand for, with its limits and state (1.3, Tables
+// Control sources of the AX130751: the value that a source and a number select, with its limits and state (1.3, Tables
 // 4A, 4B and 5).
 #pragma once
 
@@ -15,20 +15,21 @@ namespace canproof::ax130751 {
 
 using generated::ax130751::Quantity;
 
-/// What drives an output of the type in 6310h, and its range; that of an unknown type is "none".
+/// Returns the row of the type in 6310h output type: kind and range of the output. An unknown type gives the row
+/// "none".
 const generated::ax130751::output_type::Row& output_type(const ObjectDictionary& objects, std::uint8_t output) noexcept;
-/// Whether the digital output block drives it.
+/// Returns whether the digital output block drives the output.
 bool is_digital(const ObjectDictionary& objects, std::uint8_t output) noexcept;
 
 struct SourceRef {
     Quantity quantity{Quantity::none};
     std::uint8_t channel{0U};
 };
-/// Tables 4A and 4B; none for a pair that they do not have.
+/// Returns the quantity for a source and a number by Tables 4A and 4B; none for a pair that is not in them.
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
-/// A source and a number as last chosen, and what they stand for: looked up when the choice changes. Keys of this
-/// cache: the source and the number.
+/// The last chosen source and number and the quantity that they select, looked up when the choice changes. This cache
+/// depends on the source and the number.
 class SourceChoice {
   public:
     const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {
@@ -39,11 +40,11 @@ class SourceChoice {
         }
         return ref_;
     }
-    /// Whether a source is chosen (not 0) and gives no value: the block behind it is off, or there is no such number.
+    /// Returns whether a source is chosen (not 0) but gives no value: its block is off, or the number does not exist.
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
-    static constexpr std::uint8_t not_yet = 0xFFU;  // no source has this number
+    static constexpr std::uint8_t not_yet = 0xFFU;  // not the number of any source
 
     std::uint8_t source_{not_yet};
     std::uint8_t number_{not_yet};
@@ -54,18 +55,20 @@ class Sources {
   public:
     explicit Sources(const ObjectDictionary& objects) noexcept : objects_{objects} {}
 
-    /// No table and no logic block has a value until its next cycle. The limits of one without a value are not looked
-    /// at, and each cycle begins with set_network().
+    /// Resets all states: no table and no logic block has a value until its next cycle. Limits need no reset: they are
+    /// not used while there is no value. The network state needs none either: each cycle begins with set_network().
     void reset() noexcept;
-    /// `overdue`: bit n stands for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
+    /// Sets the network faults. `overdue`: bit n for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
     void set_network(std::uint8_t overdue, bool silent) noexcept;
     void set_lookup(std::uint8_t table, SignalState state, const LookupLimits& limits) noexcept;
     void set_logic(std::uint8_t block, SignalState state) noexcept;
 
     BlockSignal signal(const SourceRef& ref) const noexcept;
-    /// The same without its limits, where nothing depends on them: they cost more than the rest.
+    /// Returns the signal without its limits, for callers that do not need them: the limits take more time than the
+    /// rest.
     BlockSignal reading(const SourceRef& ref) const noexcept;
-    /// The lower limit alone, whether there is a value or not; not for a lookup table, whose points decide.
+    /// Returns only the lower limit, even when there is no value. Not for a lookup table: the points determine its
+    /// limits.
     double minimum(const SourceRef& ref) const noexcept;
 
   private:
@@ -73,7 +76,7 @@ class Sources {
     using Upper = generated::ax130751::value_limits::Upper;
     using Digits = generated::ax130751::value_limits::Digits;
 
-    /// What a reference reads, by Table 5.
+    /// The place in Table 5 from which a reference reads.
     struct Place {
         SourceRef ref{};
         const generated::ax130751::value_limits::Row* row{nullptr};
@@ -94,8 +97,8 @@ class Sources {
     SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
 
     const ObjectDictionary& objects_;
-    // Many blocks read the same quantities, which rarely change. What an integer stands for is no state of its own:
-    // keys are the entry's integer and its digits, looked at in every reading. There is one of each per channel.
+    // Many blocks read the same quantities, which rarely change. These members are caches, not state: they depend on
+    // the entry's integer and its digits, which each reading compares. There is one of each per channel.
     mutable std::array<KeptPhysicalValue, output_count> commands_{};
     mutable std::array<KeptPhysicalValue, output_count> field_values_{};
     mutable std::array<KeptPhysicalValue, output_count> feedbacks_{};
@@ -107,7 +110,7 @@ class Sources {
     mutable std::array<KeptLimits, output_count> field_value_limits_{};
     mutable std::array<KeptLimits, extra_received_count> received_limits_{};
     mutable std::array<KeptLimits, math_count> calculation_limits_{};
-    // As the last cycle of the table or the logic block set them.
+    // The results of the last cycle of the tables and logic blocks.
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};

@@ -12,7 +12,8 @@ namespace {
 namespace own = generated::ax130751;
 namespace field = generated::ax130751::field;
 
-/// The protection of the hardware, which nothing configures. NaN is no supply within its range either.
+/// Returns whether the supply is within the range of the hardware's protection, which cannot be configured. NaN is
+/// outside.
 static_assert(implements<req::AOR_DIAG_008> && implements<req::AOR_K_SUPPLY_SHUTDOWN_LOW> &&
               implements<req::AOR_K_SUPPLY_SHUTDOWN_HIGH>);
 bool is_within_hardware(const float supply) noexcept {

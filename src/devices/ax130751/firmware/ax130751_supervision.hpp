@@ -1,5 +1,5 @@
-// Supply and temperature of the AX130751 (1.8, chapter 4): measured, compared with their limits, and what they shut
-// off.
+// Supply and temperature of the AX130751 (1.8, chapter 4): measures them, compares them with their limits and shuts
+// outputs off.
 #pragma once
 
 #include "devices/ax130751/firmware/limit_fault.hpp"
@@ -11,14 +11,14 @@ namespace canproof::ax130751 {
 class Supervision {
   public:
     void reset() noexcept { *this = Supervision{}; }
-    /// Sets 5020h and 5030h and looks for faults.
+    /// Sets 5020h power supply field value and 5030h processor temperature field value and detects faults.
     void advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept;
 
     bool has_supply_fault() const noexcept { return under_.is_present() || over_.is_present(); }
     bool has_temperature_fault() const noexcept { return temperature_.is_present(); }
-    /// Whether the hardware is on: within the range of its own protection (chapter 4).
+    /// Returns whether the hardware is on: the supply is within the range of the hardware's own protection (chapter 4).
     bool has_power() const noexcept { return powered_; }
-    /// Whether all outputs are to be off.
+    /// Returns whether all outputs must be off.
     bool shuts_down() const noexcept { return shutdown_; }
 
   private:

@@ -1,16 +1,17 @@
-// ON and OFF by turns (AX130751, 1.2 and 1.4).
+// Alternates between ON and OFF (AX130751, 1.2 and 1.4).
 #pragma once
 
 #include "firmware/base/time.hpp"
 
 namespace canproof::ax130751 {
 
-/// Begins with ON at `since` and changes every `half_period`; 0 stays ON.
+/// Returns the state of a blinking output: it begins with ON at `since` and changes every `half_period`; with 0 it
+/// stays ON.
 constexpr bool blinks_on(const Instant since, const Duration half_period, const Instant now) noexcept {
     return (half_period.us == 0U) || (((elapsed(since, now).us / half_period.us) % 2U) == 0U);
 }
 
-/// The next change after `now`.
+/// Returns the next change after `now`.
 constexpr Instant next_blink(const Instant since, const Duration half_period, const Instant now) noexcept {
     return (half_period.us == 0U)
                ? never

@@ -1,4 +1,4 @@
-// What one function block hands to another.
+// The signals between function blocks.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@ namespace canproof::ax130751 {
 
 enum class SignalState : std::uint8_t {
     valid,
-    error,         ///< what feeds the block has failed
+    error,         ///< the source of the value has failed
     not_available  ///< no source is chosen, or the block is off
 };
 
-/// A value in its physical unit, with the limits that belong to it (`lower` <= `upper`).
+/// A value in its physical unit, with its limits (`lower` <= `upper`).
 struct BlockSignal {
     double value{0.0};
     double lower{0.0};
@@ -29,21 +29,22 @@ struct BlockSignal {
 
 inline constexpr std::array<double, 5U> powers_of_ten{{1.0, 10.0, 100.0, 1000.0, 10000.0}};
 
-/// Ten to the number of decimal digits, 0…4; more count as 4.
+/// Returns ten to the power of `digits`, 0…4; greater numbers count as 4.
 constexpr double power_of_ten(const std::uint8_t digits) noexcept {
     constexpr std::uint32_t most = 4U;
     return powers_of_ten[(digits < most) ? digits : most];
 }
 
-/// What an integer with decimal digits stands for: 1234 with two digits is 12.34. Equal values with different digits
-/// give the same number, for the quotient is rounded once.
+/// Returns the value of an integer with decimal digits: 1234 with two digits is 12.34. Equal values with different
+/// digits give the same number, because the quotient is rounded once.
 constexpr double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
     const double whole = static_cast<double>(integer);
-    return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // the FPU of a Cortex-M4F divides no doubles
+    return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // avoids a slow division: the FPU of a Cortex-M4F
+                                                                     // has none for doubles
 }
 
-/// A physical value that is asked for again and again, and rarely with another integer or other digits: then only it is
-/// divided. Keys of this cache: the integer and its digits.
+/// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change;
+/// this cache depends on both.
 class KeptPhysicalValue {
   public:
     constexpr double of(const std::int32_t integer, const std::uint8_t digits) noexcept {
@@ -61,7 +62,7 @@ class KeptPhysicalValue {
     std::uint8_t digits_{0U};
 };
 
-/// The 16-bit integer that stands for a value, the nearest (halves away from zero), held at the ends of the type.
+/// Returns the 16-bit integer for a value: rounded to nearest (halves away from zero) and saturated.
 inline std::int16_t process_value(const double value, const std::uint8_t digits) noexcept {
     constexpr double least = -32768.0;
     constexpr double most = 32767.0;

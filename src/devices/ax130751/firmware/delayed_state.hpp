@@ -1,4 +1,5 @@
-// A state that follows what is wanted after a delay of its own for each way (AX130751, 22A1h and 22A2h).
+// A state that follows the wanted state after separate delays for ON and OFF (AX130751, 22A1h on delay, 22A2h off
+// delay).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -7,7 +8,8 @@ namespace canproof::ax130751 {
 
 class DelayedState {
   public:
-    /// A wish that goes away before its delay has passed is forgotten; the delay begins anew with the next.
+    /// Follows the wanted state and returns the present one. If the wanted state changes back before its delay has
+    /// passed, the change is cancelled; the next one starts a new delay.
     bool follow(const bool wanted, const Duration on_delay, const Duration off_delay, const Instant now) noexcept {
         if (wanted == state_) {
             pending_ = false;
@@ -23,12 +25,12 @@ class DelayedState {
         }
         return state_;
     }
-    /// Takes a state at once and forgets what was pending.
+    /// Sets the state at once and cancels a pending change.
     void set(const bool state) noexcept {
         state_ = state;
         pending_ = false;
     }
-    /// When what is pending will be done; never when nothing is.
+    /// Returns when the pending change is due; never when there is none.
     Instant due() const noexcept { return pending_ ? due_ : never; }
 
   private:

@@ -31,10 +31,10 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             break;
     }
     if (drive != OutputDrive::control) {
-        blinking_ = false;  // it begins anew, with ON
+        blinking_ = false;  // blinking starts again with ON
         next_blink_ = never;
     }
-    control_before_ = demand.control;  // an edge that comes while something else drives the output is past by then
+    control_before_ = demand.control;  // an edge during another drive does not count later
     return state_;
 }
 

@@ -7,7 +7,7 @@
 
 namespace canproof::ax130751 {
 
-/// The states that are asked for; which of them counts is the drive's choice.
+/// The requested states. The OutputDrive decides which of them is used.
 struct DigitalDemand {
     bool control{false};
     bool override_state{false};
@@ -15,17 +15,17 @@ struct DigitalDemand {
 };
 
 struct DigitalOutputState {
-    bool logic{false};  ///< 7330h
-    bool drive{false};  ///< 2370h
+    bool logic{false};  ///< 7330h output field value
+    bool drive{false};  ///< 2370h feedback field value
 };
 
 class DigitalOutput {
   public:
     DigitalOutputState advance(OutputDrive drive, const DigitalDemand& demand, const SwitchPolarity& polarity,
                                Duration blink, Instant now) noexcept;
-    /// OFF, at once, and nothing remembered.
+    /// Switches OFF at once and clears all states.
     void reset() noexcept { *this = DigitalOutput{}; }
-    /// When it will change by itself, its inputs staying as they are.
+    /// Returns when the output changes by itself with constant inputs.
     Instant next_change() const noexcept { return next_blink_; }
 
   private:
@@ -33,7 +33,7 @@ class DigitalOutput {
 
     DigitalOutputState state_{};
     bool control_before_{false};
-    bool memory_{false};  ///< of latched logic: kept while something else drives the output
+    bool memory_{false};  ///< state of latched logic: kept during another drive
     bool blinking_{false};
     Instant blinking_since_{};
     Instant next_blink_{never};

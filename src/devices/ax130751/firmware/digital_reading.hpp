@@ -1,15 +1,15 @@
-// Any signal read as ON or OFF (AX130751, 1.2, Figure 1).
+// Reads any signal as ON or OFF (AX130751, 1.2, Figure 1).
 #pragma once
 
 #include "devices/ax130751/firmware/block_signal.hpp"
 
 namespace canproof::ax130751 {
 
-/// OFF at or below the signal's lower limit, ON at or above its upper one, and as before in between. Where the limits
-/// coincide the signal is OFF at them.
+/// The state of a signal: OFF at or below its lower limit, ON at or above its upper limit, unchanged between them. If
+/// the limits coincide, the signal is OFF at that value.
 class DigitalReading {
   public:
-    /// A signal in error leaves the state as it was; one that is not available is OFF.
+    /// Reads a signal and returns the state. A signal in error keeps the state; one that is not available is OFF.
     constexpr bool read(const BlockSignal& signal) noexcept {
         if (!signal.is_available()) {
             on_ = false;

@@ -5,8 +5,8 @@ namespace canproof::ax130751 {
 
 class LimitFault {
   public:
-    /// Begins when the value is `beyond` its limit and ends when it has `recovered` by the hysteresis, or detection
-    /// goes off.
+    /// Updates the fault: it begins when the value is `beyond` its limit and ends when the value has `recovered` by the
+    /// hysteresis or detection is disabled.
     constexpr bool advance(const bool enabled, const bool beyond, const bool recovered) noexcept {
         if (!enabled) {
             present_ = false;
@@ -15,7 +15,7 @@ class LimitFault {
         } else if (recovered) {
             present_ = false;
         } else {
-            // within the hysteresis: as before
+            // within the hysteresis the state stays
         }
         return present_;
     }

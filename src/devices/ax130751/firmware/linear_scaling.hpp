@@ -1,4 +1,4 @@
-// The straight line between two points, held outside of them (AX130751, 1.3, Figures 2 and 3).
+// A straight line between two points, constant outside of them (AX130751, 1.3, Figures 2 and 3).
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace canproof::ax130751 {
 
-/// y1 at x1 and y2 at x2, where x1 < x2; y1 may lie above y2.
+/// A line through (x1, y1) and (x2, y2), where x1 < x2; y1 may be greater than y2.
 struct LinearScaling {
     double x1{0.0};
     double x2{1.0};
@@ -17,7 +17,7 @@ struct LinearScaling {
 
 using ScalingPosition = generated::ax130751::control_response::Position;
 
-/// Where x lies; x1 and x2 themselves are within.
+/// Returns the position of x relative to the line; x1 and x2 themselves are within.
 constexpr ScalingPosition position_of(const double x, const LinearScaling& scaling) noexcept {
     if (x < scaling.x1) {
         return ScalingPosition::below;
@@ -25,7 +25,7 @@ constexpr ScalingPosition position_of(const double x, const LinearScaling& scali
     return (x > scaling.x2) ? ScalingPosition::above : ScalingPosition::within;
 }
 
-/// y for x: y1 at and below x1, y2 at and above x2.
+/// Returns y for x: y1 at and below x1, y2 at and above x2.
 constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
     if (x <= scaling.x1) {
         return scaling.y1;

@@ -1,5 +1,5 @@
-// Programmable logic: which of three lookup tables is passed on (AX130751, 1.6). Its choices are the manual's tables
-// 16 to 19, from the register.
+// Programmable logic: selects one of three lookup tables (AX130751, 1.6). Its decisions are the manual's tables 16 to
+// 19, from the requirements register.
 #pragma once
 
 #include <array>
@@ -17,25 +17,25 @@ constexpr std::size_t logic_conditions = 3U;
 struct LogicCondition {
     BlockSignal first{};
     BlockSignal second{};
-    std::uint8_t comparison{0U};  ///< Table 16
+    std::uint8_t comparison{0U};  ///< operator of Table 16
 };
 
 struct LogicFunction {
     std::array<LogicCondition, logic_conditions> conditions{};
-    std::uint8_t logical{0U};  ///< Table 18
+    std::uint8_t logical{0U};  ///< operator of Table 18
 };
 
-/// Table 17.
+/// Evaluates a condition by Table 17.
 ConditionResult evaluate(const LogicCondition& condition) noexcept;
 
-/// Tables 18 and 19 for the results of the three conditions.
+/// Returns whether a function selects its table, by Tables 18 and 19 and the results of the three conditions.
 bool selects(std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept;
 
-/// Whether its three conditions let a function select its table.
+/// Returns whether the three conditions of a function select its table.
 bool selects(const LogicFunction& function) noexcept;
 
-/// The function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, else A. `function_at` gives a
-/// function when its turn has come.
+/// Returns the function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, otherwise A. Calls
+/// `function_at` for each function that it evaluates.
 template <typename FunctionAt>
 std::size_t select_function(const FunctionAt& function_at) noexcept {
     for (std::size_t number = 0U; number < logic_functions; ++number) {
@@ -46,7 +46,7 @@ std::size_t select_function(const FunctionAt& function_at) noexcept {
     return 0U;
 }
 
-/// A value as a percentage of its limits, 0…100; 0 where they coincide.
+/// Returns a value as a percentage of its limits, 0…100; 0 if they coincide.
 double percentage_of_limits(const BlockSignal& table) noexcept;
 
 }  // namespace canproof::ax130751

@@ -43,7 +43,7 @@ Duration profile_length(const LookupPoints& profile) noexcept {
 
 static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && implements<req::AOR_LT_013>);
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
-    // Ten times 24 hours are 8.64e11 us: exact in a double, as are all sums of whole microseconds below 9e15.
+    // Ten times 24 hours are 8.64e11 µs. A double holds every sum of whole microseconds below 9e15 exactly.
     LookupPoints since_start{profile};
     since_start.x[0U] = 0.0;
     for (std::size_t point = 1U; point < lookup_points; ++point) {
@@ -73,7 +73,7 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
     if (config.axis == LookupAxis::time) {
         value_ = follow_time(input, config, now);
     } else {
-        start_ = DigitalReading{};  // a profile that is chosen later begins with its input OFF
+        start_ = DigitalReading{};  // a profile selected later begins with its input OFF
         running_ = false;
         under_way_ = false;
         value_ = input.is_valid() ? lookup(input.value, config.points) : value_;

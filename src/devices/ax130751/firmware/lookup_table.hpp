@@ -10,28 +10,28 @@ namespace canproof::ax130751 {
 
 constexpr std::size_t lookup_points = 11U;
 
-/// How a point is reached from the one before.
+/// The response between a point and the one before it.
 enum class PointResponse : std::uint8_t { ignore, ramp, jump };
 
-/// `x` in the unit of the source, or the microseconds since the point before; `response` of the first point has no
-/// meaning.
+/// The points of a table. `x` is in the unit of the source, or in microseconds since the point before; `response` of
+/// the first point has no meaning.
 struct LookupPoints {
     std::array<double, lookup_points> x{};
     std::array<double, lookup_points> y{};
     std::array<PointResponse, lookup_points> response{};
 };
 
-/// y for x, where the x of the points rise or stay. A stretch between two points does not contain its lower end.
+/// Returns y for x; the x of the points must not decrease. An interval between two points excludes its lower end.
 double lookup(double x, const LookupPoints& points) noexcept;
 
-/// y after `running` of a profile whose x are intervals. With `repeat` rounds follow each other, each without its
-/// start and with its end.
+/// Returns y of a profile after `running`; the x of the profile are intervals. With `repeat` the profile starts again
+/// after its end; a round excludes its start and includes its end.
 double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat) noexcept;
 
-/// The length of a profile: its intervals up to the first ignored point.
+/// Returns the length of a profile: the sum of its intervals up to the first ignored point.
 Duration profile_length(const LookupPoints& profile) noexcept;
 
-/// The limits of y, over all points.
+/// The range of y over all points.
 struct LookupLimits {
     double least{0.0};
     double greatest{0.0};
@@ -54,7 +54,7 @@ struct LookupOutput {
 class LookupTable {
   public:
     LookupOutput advance(const BlockSignal& input, const LookupConfig& config, Instant now) noexcept;
-    /// Whether its profile runs: the output moves by itself.
+    /// Returns whether a profile runs: the output changes by itself.
     bool is_running() const noexcept { return running_; }
     void reset() noexcept { *this = LookupTable{}; }
 

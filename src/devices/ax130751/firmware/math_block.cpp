@@ -86,7 +86,7 @@ double calculate(const Operation operation, const double a, const double b) noex
     }
 }
 
-/// Loops of quotients and products grow no further than this, so that no result ever ceases to be a number.
+/// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN.
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
     return lesser(greater(value, -bound), bound);
@@ -101,7 +101,7 @@ double math_fraction(const MathInput& input) noexcept {
         return 0.0;
     }
     const double fraction = (input.signal.value - input.scaling_1) / span;
-    // Steps of a millionth: inputs that are equal stay so after different scalings.
+    // Rounds to millionths, so that equal inputs stay equal after different scalings.
     constexpr double steps = 1000000.0;
     return std::round(lesser(greater(fraction, 0.0), 1.0) * steps) / steps;
 }
@@ -142,13 +142,13 @@ double MathBlock::input_value(const MathInput& input) const noexcept {
         return math_fraction(input) * input.gain;
     }
     const MathFunction& fed_back = results_[input.own_function - 1U];
-    const bool is_inverted = input.gain < 0.0;  // only then a negative difference counts with its sign (1.7)
+    const bool is_inverted = input.gain < 0.0;  // only then a negative difference keeps its sign (1.7)
     return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
 }
 
 static_assert(implements<req::AOR_MATH_002> && implements<req::AOR_MATH_007>);
 MathResult MathBlock::advance(const MathConfig& config) noexcept {
-    // Function n works on the chain so far and on input n + 1; the chain begins with input 1.
+    // Function n combines the result of the chain so far with input n + 1; the chain begins with input 1.
     const MathInput& first = config.inputs[0U];
     bool chained = first.signal.is_available();
     double chain = input_value(first);
@@ -170,7 +170,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
         } else {
             results_[function] = MathFunction{};
         }
-        // Without input 2 there is no function 1, and nothing for the others to work on.
+        // Without input 2, function 1 has no result, and the other functions have no first operand.
         chained = chained && (done || (function != 0U));
     }
     settled_ =

@@ -1,5 +1,4 @@
-// Math blocks: three functions chained over four inputs (AX130751, 1.7). The operators are the manual's Table 21, from
-// the register.
+// operators of Table 21
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@ struct MathInput {
     double scaling_1{0.0};          ///< value for 0
     double scaling_2{100.0};        ///< value for 1
     double gain{1.0};               ///< -1…1
-    std::uint8_t own_function{0U};  ///< 1…3: the result of that function of this block in place of the signal
+    std::uint8_t own_function{0U};  ///< 1…3: use the result of that function of this block instead of the signal
 };
 
 struct MathConfig {
@@ -24,10 +23,10 @@ struct MathConfig {
     std::array<std::uint8_t, math_functions> operators{};  ///< Table 21
 };
 
-/// A signal as a fraction of its scaling, 0…1, in steps of a millionth, before the gain.
+/// Returns a signal as a fraction of its scaling, 0…1, in steps of a millionth, before the gain.
 double math_fraction(const MathInput& input) noexcept;
 
-/// What one operator of Table 21 makes of two inputs; differences keep their sign.
+/// Applies an operator of Table 21 to two inputs; differences keep their sign.
 double apply_operator(std::uint8_t number, double a, double b) noexcept;
 
 struct MathResult {
@@ -35,29 +34,31 @@ struct MathResult {
     bool done{false};  ///< false: no function had both of its inputs
 };
 
-/// What one function gave.
+/// The result of one function.
 struct MathFunction {
     double value{0.0};
-    double with_sign{0.0};  ///< the same, but a negative difference is not 0
+    double with_sign{0.0};  ///< the same, but a negative difference keeps its sign
 };
 
 class MathBlock {
   public:
-    /// The result of the last function that was done, as a fraction: 1 is full scale, more and less are possible.
+    /// Evaluates the block. Returns the result of the last function that had both inputs, as a fraction: 1 is full
+    /// scale, values outside 0…1 are possible.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
-    /// Whether the last cycle gave the results of the one before: with the same inputs the next will too.
+    /// Returns whether the last cycle gave the same results as the one before; with the same inputs the next one does
+    /// too.
     bool is_settled() const noexcept { return settled_; }
 
   private:
     double input_value(const MathInput& input) const noexcept;
 
     bool settled_{true};
-    /// Of this cycle, or of the one before where not yet calculated.
+    /// Results of this cycle; of the previous cycle for functions not yet evaluated.
     std::array<MathFunction, math_functions> results_{};
 };
 
-/// The output between the block's two scalings.
+/// Returns the output: the fraction clamped to 0…1, between the block's two scalings.
 double math_output(double fraction, double scaling_1, double scaling_2) noexcept;
 
 }  // namespace canproof::ax130751

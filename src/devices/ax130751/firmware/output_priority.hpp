@@ -1,4 +1,4 @@
-// What decides about an output: the order of AX130751, Figure 4, as sections 1.2 to 1.4 and 1.8 give it.
+// The priorities that decide what drives an output: AX130751, Figure 4, with sections 1.2 to 1.4 and 1.8.
 #pragma once
 
 #include <cstdint>
@@ -7,21 +7,21 @@
 
 namespace canproof::ax130751 {
 
-/// What the enable input asks for (Tables 7 and 11).
+/// The action that the enable input demands (Tables 7 and 11).
 using EnableAction = generated::ax130751::EnableAction;
 
-/// What an output does while an input is in error (Tables 2 and 9).
+/// The action of an output while an input is in error (Tables 2 and 9).
 using FaultAction = generated::ax130751::FaultAction;
 
 struct OutputConditions {
     bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off
-    bool input_in_error{false};  ///< control, enable or override
+    bool input_in_error{false};  ///< the control, enable or override input is in error
     FaultAction on_error{FaultAction::fault_value};
     bool overridden{false};                  ///< by a valid override input
-    EnableAction enable{EnableAction::run};  ///< what a valid enable input asks for
+    EnableAction enable{EnableAction::run};  ///< the action that a valid enable input demands
 };
 
-/// What drives the output.
+/// The source that drives the output.
 enum class OutputDrive : std::uint8_t { control, shutdown, fault_value, override_value, shut_off, ramp_off, keep };
 
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;

@@ -1,33 +1,36 @@
-// A value that moves towards its target no faster than told (AX130751, 1.3, 2330h and 2331h).
+// A value that moves towards its target with a limited slope (AX130751, 1.3, 2330h ramp up, 2331h ramp down).
 #pragma once
 
 #include "firmware/base/time.hpp"
 
 namespace canproof::ax130751 {
 
-/// `span` is passed in `up` when rising and in `down` when falling. A time or a span of 0 steps.
+/// Slopes of a ramp: the value covers `span` in the time `up` when rising and `down` when falling. With a time or a
+/// span of 0 it jumps.
 struct RampTimes {
     double span{0.0};
     Duration up{};
     Duration down{};
 };
 
-/// Calculated from where and when the last change of target or times found it: how often it is asked does not matter.
+/// The value is computed from its position and time at the last change of target or times, so the call rate does not
+/// matter.
 class Ramp {
   public:
-    /// Stands at `value` from now on.
+    /// Sets the value at once and ends a ramp.
     void set(double value) noexcept;
-    /// Moves towards `target`; gives where it stands at `now`.
+    /// Moves towards `target`; returns the value at `now`.
     double follow(double target, const RampTimes& times, Instant now) noexcept;
-    /// Stops where it stands at `now`.
+    /// Stops at the value of `now` and returns it.
     double hold(Instant now) noexcept;
 
     double value_at(Instant now) const noexcept;
-    /// Whether it is not yet at its target.
+    /// Returns whether the value has not reached its target.
     bool is_moving(Instant now) const noexcept;
 
   private:
-    // A way begins at `start_` at `since_`. Keys: the target and all three times; another one begins a new way.
+    // The present ramp began with `start_` at `since_`. A change of the target or of one of the three times begins a
+    // new ramp.
     double start_{0.0};
     double target_{0.0};
     Instant since_{};

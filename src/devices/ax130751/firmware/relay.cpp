@@ -33,11 +33,11 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge that comes while something else drives the relay is past by then
+    control_before_ = demand.control;  // an edge during another drive does not count later
     return state_;
 }
 
-/// A latch begins at rest when its polarity is chosen.
+/// Resets the latch to its rest state when the polarity changes.
 void Relay::choose_polarity(const RelayPolarity& polarity) noexcept {
     if (polarity.unlatch != effect_) {
         effect_ = polarity.unlatch;
@@ -51,14 +51,14 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     if (effect_ == UnlatchEffect::ignored) {
         return;
     }
-    const bool rest = effect_ == UnlatchEffect::to_on;  // of the control and of the relay alike
+    const bool rest = effect_ == UnlatchEffect::to_on;  // the rest state of both the control and the relay
     if (unlatch) {
         latch_ = Latch::unlatched;
         memory_ = rest;
     } else if (latch_ != Latch::latching) {
         latch_ = (control == rest) ? Latch::latching : Latch::waiting;
     } else {
-        // latching goes on
+        // latching continues
     }
 }
 
@@ -81,7 +81,7 @@ static_assert(implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013>);
 bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Instant now) noexcept {
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
-    // While a change to OFF is delayed the relay goes on with what it did: steady or toggling.
+    // While a change to OFF is delayed, the relay continues as before: steady or toggling.
     static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {

@@ -8,7 +8,7 @@
 
 namespace canproof::ax130751 {
 
-/// What the unlatch input does to a relay of some polarity, and where its latch rests.
+/// The effect of the unlatch input on a relay by its polarity, which includes the rest state of its latch.
 using UnlatchEffect = generated::ax130751::relay_polarity::Unlatch;
 
 struct RelayPolarity {
@@ -16,7 +16,7 @@ struct RelayPolarity {
     UnlatchEffect unlatch{UnlatchEffect::ignored};
 };
 
-/// 0 where no delay is set or delays are off.
+/// The times of a relay; 0 when no delay is set or delays are disabled.
 struct RelayTimes {
     Duration on_delay{};
     Duration off_delay{};
@@ -31,20 +31,20 @@ struct RelayDemand {
 
 class Relay {
   public:
-    /// ON or OFF at `now`. To be called in every cycle: edges are those between two calls.
+    /// Returns the state at `now`. Call it in every cycle: it detects edges between two calls.
     bool advance(OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity, const RelayTimes& times,
                  Instant now) noexcept;
-    /// OFF, at once, and nothing remembered.
+    /// Switches OFF at once and clears all states.
     void reset() noexcept { *this = Relay{}; }
-    /// When it will change by itself, its inputs staying as they are.
+    /// Returns when the relay changes by itself with constant inputs.
     Instant next_change() const noexcept { return earliest(delayed_.due(), next_blink_); }
 
   private:
-    /// Of a latch, as 1.4 describes unlatching.
+    /// The states of a latch, as 1.4 describes unlatching.
     enum class Latch : std::uint8_t {
         latching,
-        unlatched,  ///< the unlatch input is ON: at rest, deaf to the control
-        waiting     ///< it is OFF again, but the control is not yet back at rest
+        unlatched,  ///< the unlatch input is ON: the relay is at rest and ignores the control
+        waiting     ///< the unlatch input is OFF again, but the control is not yet back at rest
     };
 
     void choose_polarity(const RelayPolarity& polarity) noexcept;

@@ -1,4 +1,4 @@
-// How a switched output answers its logic state (AX130751, Tables 1 and 10).
+// The reaction of a switched output to its logic state (AX130751, Tables 1 and 10).
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@ namespace canproof::ax130751 {
 
 using SwitchDrive = generated::ax130751::digital_polarity::Drive;
 
-/// The drive for a logic state and the one of the cycle before.
+/// The drive for the present logic state and that of the cycle before.
 struct SwitchPolarity {
-    std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};  ///< now OFF, now ON
+    std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};  ///< for a present state of OFF, ON
     std::array<SwitchDrive, 2U> was_on{{SwitchDrive::off, SwitchDrive::on}};
 
     constexpr SwitchDrive drive(const bool before, const bool state) const noexcept {

@@ -17,19 +17,19 @@ constexpr std::size_t memory_size = 8192;
 constexpr int points_of_a_table = 11;
 constexpr int lookup_source = 3;
 constexpr int canopen_source = 1;
-constexpr int extra_number = 3;  // number of extra received value n is n + 3 (Table 4B)
+constexpr int extra_number = 3;  // extra received value n has number n + 3 (Table 4B)
 
 struct Point {
     int x;
     int y;
 };
 
-/// An AX130751 alone on a bus, started, set up and asked over SDO.
+/// An AX130751 alone on a bus in operational; the functions read and write its objects over SDO.
 class Converter {
   public:
     Converter() {
         device_.power_on({}, now_);
-        Frame start = data_frame(0x000, 2);  // of all nodes: outputs run in operational only
+        Frame start = data_frame(0x000, 2);  // start all nodes: outputs run in operational only
         start.data[0] = 0x01;
         device_.receive(start, now_);
     }
@@ -42,7 +42,7 @@ class Converter {
     }
     int get8(int index, int sub) { return static_cast<int>(ask(0x40, index, sub, 0) & 0xFFU); }
 
-    /// Extra received value `number`, in tenths; the blocks have seen it when this returns.
+    /// Sets extra received value `number`, in tenths, and waits until the blocks have processed it.
     void receive(int number, int tenths) {
         put16(0x2500, number, tenths);
         const Instant end = now_ + milliseconds(20);
@@ -56,8 +56,8 @@ class Converter {
         return static_cast<double>(device_.outputs().out_voltage.at(static_cast<std::size_t>(output - 1)));
     }
 
-    /// Lookup table `base` = 3yz0h reads extra value 1 and has these points. X from the highest down, as 1.5.1 advises;
-    /// points beyond lie on the last one and are ignored.
+    /// Sets the points of the lookup table at `base` = 3yz0h, with extra value 1 as its input. X is written from the
+    /// highest point down, as 1.5.1 advises; unused points lie on the last one and are ignored.
     void set_table(int base, const std::vector<Point>& points) {
         put8(base, 0, canopen_source);
         put8(base + 1, 0, extra_number + 1);
@@ -101,7 +101,7 @@ class Converter {
     Instant now_{};
 };
 
-/// An output that shows a table's percentage as 0 to 10 V, without ramps.
+/// Configures an output to show the percentage of a table as 0 to 10 V, without ramps.
 void drive_by_table(Converter& converter, int output, int table) {
     converter.put8(0x2340, output, lookup_source);
     converter.put8(0x2341, output, table);
@@ -113,7 +113,7 @@ void drive_by_table(Converter& converter, int output, int table) {
     converter.put16(0x2331, output, 0);
 }
 
-/// Condition of a logic block: extra value 1 is less than extra value `border`.
+/// Sets a condition of a logic block: extra value 1 is less than extra value `border`.
 void ask_below(Converter& converter, int condition, int border) {
     constexpr int less_than = 4;
     converter.put8(condition, 1, canopen_source);
@@ -187,7 +187,8 @@ LinePlot thirty_slopes_plot() {
         converter.put8(base + 4, 0, 1);
         std::vector<Point> points;
         for (int at = 10 * table; at <= 10 * table + 10; ++at) {
-            points.push_back({100 * at, 30 * at + (at % 2 == 1 ? 50 : 0)});  // each second one 5 % above the line
+            points.push_back({100 * at, 30 * at + (at % 2 == 1 ? 50 : 0)});  // every second point lies 5 % above the
+                                                                             // line
         }
         converter.set_table(base, points);
     }

@@ -1,17 +1,18 @@
-// The worked examples of the AX130751's manual, set up over SDO on the simulated device and drawn.
+// Plots of the worked examples in the AX130751's manual, configured over SDO on the simulated device.
 #pragma once
 
 #include "host/report/line_plot.hpp"
 
 namespace canproof::host {
 
-/// 1.5.3, Figure 7: a joystick with a deadband drives two outputs through two mirrored tables with two slopes each.
+/// Plots a joystick with a deadband that drives two outputs through two mirrored tables with two slopes each (1.5.3,
+/// Figure 7).
 LinePlot joystick_plot();
 
-/// 1.7: a math block adds 75 % of a joystick and 25 % of a potentiometer.
+/// Plots a math block that adds 75 % of a joystick and 25 % of a potentiometer (1.7).
 LinePlot trimmed_joystick_plot();
 
-/// 1.5, 1.6: a logic block makes 30 slopes out of three tables.
+/// Plots a logic block that combines three tables to 30 slopes (1.5, 1.6).
 LinePlot thirty_slopes_plot();
 
 }  // namespace canproof::host

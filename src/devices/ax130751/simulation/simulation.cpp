@@ -8,7 +8,8 @@ namespace canproof::host {
 
 namespace {
 
-// Two banks of about 1.6 kB of parameters, and LSS at the end; the STM32F405 (chapter 4) has more.
+// Two banks of about 1.6 kB of parameters, and the settings of LSS at the end; the STM32F405 (chapter 4) has more
+// memory.
 constexpr std::size_t memory_size = 8192;
 
 ax130751::FactoryData factory_data(const FactoryValues& values) {
@@ -20,13 +21,13 @@ ax130751::FactoryData factory_data(const FactoryValues& values) {
     return data;
 }
 
-/// AX130751 and AX130771: one firmware (1018h:2 has one value for both).
+/// The AX130751 or AX130771: both have the same firmware and the same product code in 1018h:2.
 class Ax130751Simulation final
     : public Simulation<ax130751::Device, ax130751::Inputs, ax130751::Outputs, ax130751::FactoryData> {
   public:
     explicit Ax130751Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// As if LSS had stored it; the bit rate stays.
+    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax130751;
         LssStore store{memory_};

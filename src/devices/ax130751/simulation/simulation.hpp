@@ -1,4 +1,4 @@
-// The AX130751 as the host runs it.
+// The simulated AX130751.
 #pragma once
 
 #include <memory>

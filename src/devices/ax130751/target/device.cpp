@@ -1,4 +1,4 @@
-// The AX130751 as it is flashed onto an STM32F405.
+// The AX130751 as an image that is flashed onto an STM32F405.
 #include "devices/ax130751/target/wiring.hpp"
 #include "target/image/image.hpp"
 
@@ -7,20 +7,14 @@ namespace {
 using namespace canproof;
 
 // Its table of bit rates has 666.667 kbit/s and not 800.
-stm32f405::Chip chip{stm32f405::core_168_mhz};
-stm32f405::JournalRam<8192> ram;
-stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},
-                                   Slots<std::uint32_t>{ram.changed}};
-TransmitQueue queue;
-ax130751::Device device{memory, queue, ax130751::FactoryData{}};
-ax130751::Wiring wiring{chip};
+target::DeviceImage<ax130751::Device, ax130751::Wiring, ax130751::FactoryData, 8192> image{stm32f405::core_168_mhz};
 
 }  // namespace
 
 extern "C" void can_received() {
-    chip.can.drain();
+    image.drain();
 }
 
 extern "C" void image_main() {
-    target::run_image(device, queue, wiring, chip, memory);
+    image.run();
 }

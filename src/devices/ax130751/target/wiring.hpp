@@ -1,5 +1,5 @@
-// How the AX130751's terminals meet the pins of its STM32F405. Its manual names the microcontroller and no pins: this
-// board is ours (src/target/stm32f405/README.md).
+// Connects the AX130751's terminals to the pins of its STM32F405. The manual names the microcontroller but no pins;
+// this board is our own (src/target/stm32f405/README.md).
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751.hpp"
@@ -32,10 +32,10 @@ class Wiring {
 
     void read(Inputs& inputs) {
         chip_.analog_in.advance();
-        inputs.supply = chip_.analog_in.share(0) * 66.0F;  // divided by 20
+        inputs.supply = chip_.analog_in.share(0) * 66.0F;  // a divider by 20
         inputs.cpu_temperature = chip_.analog_in.chip_temperature();
         for (std::size_t i = 0; i < 2; ++i) {
-            // The voltage at the output, divided by 8, over the current that the stage is set to: the load.
+            // The load is the voltage at the output (after a divider by 8) over the current of the stage.
             const float volts = chip_.analog_in.share(i + 1) * 26.4F;
             if (current_ma_[i] > 0.1F) {
                 inputs.load[i] = (volts * 1000.0F) / current_ma_[i];
@@ -49,7 +49,7 @@ class Wiring {
             const float volts = is_steady ? outputs.out_voltage[i] : outputs.out_level[i];
             current_ma_[i] = outputs.out_current[i];
             const bool is_current = outputs.out_current[i] > 0.0F;
-            chip_.port_b.set(i, is_current);  // which stage the DAC commands: 0 to 24 mA, or -12 to 12 V
+            chip_.port_b.set(i, is_current);  // selects the stage that the DAC controls: 0 to 24 mA, or -12 to 12 V
             chip_.analog_out.set(i, is_current ? (outputs.out_current[i] / 24.0F) : ((volts + 12.0F) / 24.0F));
             chip_.port_b.set(2U + i, outputs.out_on[i]);
             stm32f405::PulseOutputs& pulses = (i == 0U) ? chip_.pulses_3 : chip_.pulses_4;

@@ -16,12 +16,12 @@ namespace {
 namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
-constexpr std::uint32_t generic_error = 0x01U;  // 1001h, 3.2.2: the only bit in use
+constexpr std::uint32_t generic_error = 0x01U;  // bit of 1001h error register; the only one in use (3.2.2)
 static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// Readings made up for when the caller comes late; what is missed beyond them is left out.
+// Most readings that are caught up when the caller comes late; earlier missed ones are skipped.
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4>);
@@ -54,7 +54,7 @@ constexpr ErrorTable make_error_table() noexcept {
         told.code = static_cast<std::uint16_t>(row.code);
         told.register_bits = generic_error;
         told.sent = true;
-        told.listed = row.error != ErrorId::bus_off_recovered;  // over when it is told
+        told.listed = row.error != ErrorId::bus_off_recovered;  // it is over when it is reported
         told.detail = static_cast<std::uint16_t>((description << 8U) | row.channel);
         put_error(table, row.error, told);
     }
@@ -63,7 +63,7 @@ constexpr ErrorTable make_error_table() noexcept {
 const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::TCS_T_REACTION>);
-/// Sub-index of 1029h; the node itself obeys that of communication errors.
+/// Returns the sub-index of 1029h error behaviour for a class of errors. The node itself handles communication errors.
 constexpr std::uint8_t reaction_to(const own::error_reaction::Errors errors) noexcept {
     return cell_or(own::error_reaction::find(errors), &own::error_reaction::Row::subindex, std::uint8_t{0U});
 }
@@ -93,10 +93,10 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
     const std::uint8_t addressed = frame.data[1];
     if (nmt_command(frame, addressed).has_value()) {
         static_assert(implements<req::TCS_START_003>);
-        start_others_at_ = never;  // there is a master, whichever node it speaks to
+        start_others_at_ = never;  // a master exists, whichever node its command addresses
     }
     node_.receive(frame, now);
-    advance_when_due(now);  // a self-start that followed a reset
+    advance_when_due(now);  // performs a self-start that follows a reset
     show_outputs();
 }
 
@@ -107,7 +107,7 @@ void Device::advance_when_due(const Instant now) noexcept {
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
-    advance(now);  // a reading that is due sees what was there before
+    advance(now);  // a reading that is due uses the inputs before the change
     inputs_ = inputs;
     node_.set_controller(inputs.can_state, inputs.can_overrun, now);
 }
@@ -132,7 +132,7 @@ static_assert(implements<req::TCS_IN_001> && implements<req::TCS_K_UPDATE_PERIOD
 void Device::scan_when_due(const Instant now) noexcept {
     for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
         const Instant due = next_scan_;
-        if (scanner_.next_deadline() < due) {  // told before this reading could end it
+        if (scanner_.next_deadline() < due) {  // report a due fault before this reading can end it
             scanner_.advance(scanner_.next_deadline());
             tell_faults(due);
         }
@@ -151,7 +151,7 @@ void Device::tell_faults(const Instant now) noexcept {
     const std::uint32_t channel_reaction = reaction_to(own::error_reaction::Errors::tc_input);
     const std::uint32_t unit_reaction = reaction_to(own::error_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
-        return;  // told when the node boots
+        return;  // booted() reports the faults
     }
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         for (std::size_t i = 0U; i < channel_fault_count; ++i) {
@@ -177,7 +177,7 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     const own::Written change = own::written(entry.index, entry.row->subindex);
-    // A sub-index is a channel's, counted from 1; what has none belongs to no channel.
+    // The sub-index is the channel, counted from 1. For a parameter without a channel the value is not used.
     const std::size_t channel = (std::uint32_t{change.subindex} == channel_count) ? 1U : 0U;
     scanner_.reevaluate(change.parameter, channel, now);
     tell_faults(now);
@@ -210,8 +210,8 @@ void Device::booted(const Instant now) {
     obey_lasting_faults(now);
 }
 
-/// 1029h outranks the self-start: a fault that outlasts a reset of the communication holds the node as when it was
-/// told.
+/// Applies 1029h error behaviour to faults that last beyond a reset of the communication, as when they were first
+/// reported. 1029h has priority over the self-start.
 static_assert(implements<req::TCS_START_005>);
 void Device::obey_lasting_faults(const Instant now) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
@@ -235,7 +235,7 @@ void Device::start_others_when_due(const Instant now) noexcept {
         start_others_at_ = never;
     }
     if (due && (node_.state() == NmtState::operational)) {
-        Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);  // to node 0: all of them
+        Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);  // node-ID 0: all nodes
         command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);
         static_cast<void>(queue_.push(command));
     }

@@ -14,32 +14,32 @@ namespace canproof::ax188001 {
 
 using Outputs = generated::ax188001::Outputs;
 
-/// What belongs to one unit and left the factory with it. 3.2.11.
+/// Values of one unit, set in the factory. 3.2.11.
 struct FactoryData {
-    std::uint32_t revision{0x00010000U};  ///< 1018h:3
-    std::uint32_t serial_number{1U};      ///< 1018h:4
+    std::uint32_t revision{0x00010000U};  ///< 1018h:3 revision number
+    std::uint32_t serial_number{1U};      ///< 1018h:4 serial number
 };
 
 class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped (3.1).
+    /// Starts with the node-ID and bit rate that LSS stored, or with the shipped ones (3.1).
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The physical inputs as they are from `now` on; the measured ones show with the next reading.
+    /// Sets the physical inputs from `now` on; measured values change with the next reading.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
-    /// bit/s that the CAN controller works at.
+    /// Returns the bit rate of the CAN controller in bit/s.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
-    /// unconfigured_node_id when there is none.
+    /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
-    /// The type that 6110h sets for a channel, 0 or 1.
+    /// Returns the type that 6110h sensor type sets for a channel, 0 or 1.
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 
   private:

@@ -1,4 +1,4 @@
-// From the terminals to voltages and temperatures: what the Scanner reads and how it converts that.
+// The Scanner's readings: from the terminals to voltages and temperatures.
 
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
 constexpr double microvolts_per_millivolt = 1000.0;
-constexpr double millivolts_per_microvolt = 0.001;  // a product costs half of a quotient
+constexpr double millivolts_per_microvolt = 0.001;  // a multiplication takes half the time of a division
 constexpr std::uint32_t filter_50_hz = 50U;
 constexpr std::uint32_t filter_60_hz = 60U;
 
@@ -38,7 +38,8 @@ constexpr ConverterCircuit make_circuit() noexcept {
 }
 const ConverterCircuit circuit = make_circuit();
 
-// From the highest gain to the lowest, each change settled: what the start of the module waits for.
+// Conversions to go from the highest gain to the lowest and settle after each change; the module waits for them at
+// start.
 const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
 
@@ -89,8 +90,8 @@ void Scanner::read(const Inputs& inputs) noexcept {
     supply_v_ = static_cast<double>(inputs.supply);
 }
 
-/// What the converter sees: the detection current pulls a broken wire up beyond every gain; what is left of hum falls
-/// on the one side of the voltage and on the other in turn, the worst that a beat with the readings can do.
+/// Returns the voltage at the converter. The detection current pulls the input of a broken wire beyond the range of
+/// every gain. Residual hum alternates in sign between readings, the worst case of a beat with them.
 static_assert(implements<req::TCS_IN_006>);
 double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
     if (inputs.tc_open[channel]) {
@@ -110,7 +111,7 @@ void Scanner::change_filter() noexcept {
 
 static_assert(implements<req::TCS_IN_014>);
 SensorType Scanner::sensor_type(const std::size_t channel) const noexcept {
-    // 6110h takes the numbers of the enumeration only (table TCS-T1).
+    // 6110h sensor type accepts only the numbers of the enumeration (table TCS-T1).
     return static_cast<SensorType>(objects_.get(field::o6110_tc_sensor_type[subindex(channel)]));
 }
 

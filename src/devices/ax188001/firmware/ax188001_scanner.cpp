@@ -19,8 +19,6 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 namespace index = generated::ax188001::index;
 
-// Parameters by what depends on them.
-
 static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
               implements<req::TCS_K_FV_DISABLED>);
 const ReservedValues reserved{own::process_value_disabled, own::process_value_open};
@@ -83,7 +81,7 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
             evaluate_unit(now);
             break;
         default:
-            break;  // -Wswitch-enum asks for a label of each parameter
+            break;  // -Wswitch-enum demands a label for each parameter
     }
     schedule();
 }
@@ -108,7 +106,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
     static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007>);
     if (open) {
-        // 6150h has no temperature to judge: what was told stays, what waits is dropped.
+        // There is no temperature to evaluate for 6150h status: reported faults stay, waiting ones are dropped.
         fault_of(channel, ChannelFault::high).drop();
         fault_of(channel, ChannelFault::low).drop();
         fault_of(channel, ChannelFault::shutdown).drop();
@@ -133,7 +131,8 @@ void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_v
 
 static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_009>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
-    // In steps of the thresholds: a product of two short numbers is exact, a quotient of them is not, and dear.
+    // Computes in units of the thresholds: the product of two short numbers is exact, their quotient is not, and a
+    // division is slow.
     static_assert(implements<req::TCS_K_LIMIT_RESOLUTION>);
     const double steps = static_cast<double>(own::limit_steps_per_c);
     static_assert(implements<req::TCS_K_HYSTERESIS>);
@@ -245,7 +244,7 @@ Duration Scanner::channel_delay(const std::size_t channel) const noexcept {
     return milliseconds(objects_.get(field::o4030_tc_error_react_delay[subindex(channel)]));
 }
 
-/// 5051h:1 for FD1, 5051h:2 for FD2 and FD3.
+/// Returns the error response delay of a fault: 5051h:1 for FD1, 5051h:2 for FD2 and FD3.
 static_assert(implements<req::TCS_FD_004>);
 Duration Scanner::unit_delay(const std::size_t fault) const noexcept {
     const std::uint8_t sub = (fault == static_cast<std::size_t>(UnitFault::cpu_temperature)) ? 1U : 2U;
@@ -265,7 +264,8 @@ void Scanner::advance(const Instant now) noexcept {
     schedule();
 }
 
-/// Faults and their delays change with a reading, a parameter and a deadline: only then is it looked which comes next.
+/// Computes the time of the next waiting fault. Called only after a reading, a parameter write or a deadline, because
+/// nothing else changes faults and delays.
 void Scanner::schedule() noexcept {
     Instant next = never;
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {

@@ -1,6 +1,5 @@
 // The measuring part of the AX188001: from the terminals to field values, process values and faults (1.1 to 1.4). It
-// reads its parameters from the dictionary and writes what it measures into it; what is told on the bus is the device's
-// part.
+// reads parameters from the dictionary and writes measured values into it; the Device reports faults on the bus.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@ constexpr std::size_t channel_count = 2U;
 enum class ChannelFault : std::uint8_t { open = 0U, high = 1U, low = 2U, shutdown = 3U };
 constexpr std::size_t channel_fault_count = 4U;
 
-/// FD1 to FD3 (1.4).
+/// The faults of the unit, FD1 to FD3 (1.4).
 enum class UnitFault : std::uint8_t { cpu_temperature = 0U, over_voltage = 1U, under_voltage = 2U };
 constexpr std::size_t unit_fault_count = 3U;
 
@@ -33,19 +32,18 @@ class Scanner {
   public:
     explicit Scanner(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
-    /// Parameters were loaded: the converters settle on what is at the terminals, no fault is told or waits. evaluate()
-    /// follows.
+    /// Restarts after the parameters were loaded: the converters settle on the voltages at the terminals, and no fault
+    /// is reported or waits. evaluate() follows.
     void restart(const Inputs& inputs) noexcept;
-    /// One reading of everything.
+    /// Takes one reading of all inputs.
     void read(const Inputs& inputs) noexcept;
-    /// Converts the last reading by the parameters as they are, and judges it.
+    /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
-    /// The parameter of this index, and of this channel where it has one (0 or 1), has a new value: what depends on it
-    /// is converted and judged anew.
+    /// Converts and evaluates again what depends on a written parameter, of this channel (0 or 1) if it has one.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
-    /// Tells the faults whose delay has passed.
+    /// Reports the faults whose delay has passed.
     void advance(Instant now) noexcept;
-    /// When the next fault that waits is told.
+    /// Returns when the next waiting fault is reported.
     Instant next_deadline() const noexcept { return next_deadline_; }
 
     bool told(const std::size_t channel, const ChannelFault fault) const noexcept {
@@ -56,19 +54,20 @@ class Scanner {
     std::uint8_t gain(std::size_t channel) const noexcept;
 
   private:
-    /// A voltage as its type's range sees it. What is sent is what is judged: the field value is a REAL32.
+    /// A voltage converted to a temperature, and whether it is beyond the range of its sensor type. Evaluation uses the
+    /// same REAL32 that is sent as field value.
     struct Conversion {
         float celsius{0.0F};
         bool above{false};
         bool below{false};
     };
 
-    /// A function of the sensor's type and a number, kept while both stay: double precision is dear without an FPU for
-    /// it.
+    /// A cached function of the sensor's type and a number: computing it again is slow, because the FPU has no double
+    /// precision.
     template <typename Value>
     struct Kept {
         SensorType type{SensorType::j};
-        double of{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: nothing yet
+        double of{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: empty
         Value value{};
 
         bool is_of(const SensorType wanted, const double number) const noexcept {
@@ -76,7 +75,7 @@ class Scanner {
         }
     };
 
-    /// Sub-index of a channel, which is counted from 0.
+    /// Returns the sub-index of a channel; channels count from 0.
     static constexpr std::uint8_t subindex(const std::size_t channel) noexcept {
         return static_cast<std::uint8_t>(channel + 1U);
     }
@@ -103,8 +102,8 @@ class Scanner {
 
     ObjectDictionary& objects_;
     std::array<GainRanging, channel_count> converters_{};
-    std::array<Kept<double>, channel_count> compensations_{};    ///< µV by °C of the cold junction
-    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< by µV
+    std::array<Kept<double>, channel_count> compensations_{};    ///< µV, by the °C of the cold junction
+    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< by the µV of the input
     std::array<Measurement, channel_count> measurements_{};
     std::array<std::array<DelayedFault, channel_fault_count>, channel_count> faults_{};
     std::array<DelayedFault, unit_fault_count> unit_faults_{};

@@ -1,11 +1,11 @@
-// A fault that is told only when it has lasted for a while (AX188001, 3.4.16 and 3.4.21), and cleared at once.
+// A fault that is reported only after it has lasted for a delay (AX188001, 3.4.16 and 3.4.21), and cleared at once.
 #pragma once
 
 #include "firmware/base/time.hpp"
 
 namespace canproof::ax188001 {
 
-/// What the last measurement says. Between its two thresholds a value neither begins a fault nor ends one.
+/// The result of a measurement. Between the two thresholds a value neither begins nor ends a fault.
 struct FaultCondition {
     bool begins{false};  ///< beyond the threshold that sets the fault
     bool ends{true};     ///< beyond the threshold that clears it
@@ -13,7 +13,7 @@ struct FaultCondition {
 
 class DelayedFault {
   public:
-    /// A new measurement. `delay` is how long the fault must last before it is told.
+    /// Evaluates a new measurement. `delay` is the time that the fault must last before it is reported.
     void judge(const FaultCondition& condition, const Duration delay, const Instant now) noexcept {
         if (told_) {
             told_ = !condition.ends;
@@ -24,23 +24,23 @@ class DelayedFault {
             advance(delay, now);
         }
     }
-    /// Tells a fault whose delay has passed.
+    /// Reports a fault whose delay has passed.
     void advance(const Duration delay, const Instant now) noexcept {
         if (due(delay) <= now) {
             told_ = true;
             since_ = never;
         }
     }
-    /// Forgets a fault that was not told yet.
+    /// Drops a fault that was not reported yet.
     void drop() noexcept { since_ = never; }
-    /// No fault, none waiting.
+    /// Clears the fault, reported or waiting.
     void clear() noexcept {
         told_ = false;
         since_ = never;
     }
 
     bool told() const noexcept { return told_; }
-    /// When the fault that waits is told; never when none does.
+    /// Returns when the waiting fault is reported; never when none waits.
     Instant due(const Duration delay) const noexcept { return since_ + delay; }
 
   private:

@@ -1,5 +1,5 @@
-// Fixed point of 64 bits, and polynomials in it: for what single precision does not carry, on a processor whose FPU
-// has nothing else.
+// 64-bit fixed point numbers and polynomials: for computations that need more than single precision, on a processor
+// whose FPU has only that.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace canproof::ax188001 {
 
-/// A number in steps of 2^-40, within ±2^23.
+/// A number in units of 2^-40, within ±2^23.
 using Fixed = std::int64_t;
 
 constexpr std::uint32_t fixed_places = 40U;
 constexpr double fixed_one = 1099511627776.0;  // 2^40
 
-/// What is less than a step is left out.
+/// Converts a number; the part below one unit is truncated.
 constexpr Fixed to_fixed(const double value) noexcept {
     return static_cast<Fixed>(value * fixed_one);
 }
@@ -24,7 +24,7 @@ constexpr double from_fixed(const Fixed value) noexcept {
     return static_cast<double>(value) * step;
 }
 
-/// For differences, of which single precision is enough.
+/// Converts a difference, for which single precision is sufficient.
 constexpr Fixed to_fixed(const float value) noexcept {
     return static_cast<Fixed>(value * static_cast<float>(fixed_one));
 }
@@ -38,7 +38,7 @@ constexpr std::uint64_t magnitude(const Fixed value) noexcept {
     return static_cast<std::uint64_t>((value < 0) ? -value : value);
 }
 
-/// The upper 64 bits of a product, at most 2 too small: the product of the lower halves is left out.
+/// Returns the upper 64 bits of a product, at most 2 too small: the product of the lower halves is omitted.
 constexpr std::uint64_t upper_product(const std::uint64_t a, const std::uint64_t b) noexcept {
     constexpr std::uint32_t half = 32U;
     constexpr std::uint64_t lower = 0xFFFFFFFFU;
@@ -47,19 +47,19 @@ constexpr std::uint64_t upper_product(const std::uint64_t a, const std::uint64_t
     return (a_high * b_high) + ((a_high * (b & lower)) >> half) + (((a & lower) * b_high) >> half);
 }
 
-/// How far a number lies from a centre, as a fraction of 2^reach: what a polynomial about that centre is taken at.
+/// The distance of a number from a centre, as a fraction of 2^reach: the argument of a polynomial about that centre.
 struct Offset {
-    std::uint64_t fraction{0U};  ///< in steps of 2^-64
+    std::uint64_t fraction{0U};  ///< in units of 2^-64
     bool is_below{false};
 };
 
-/// Σ a[i]·((x − centre) / 2^reach)ⁱ. About the middle of its range nothing of a polynomial cancels, so that steps of
-/// 2^-40 are enough for each of its sums. Further than 2^reach from the centre it stays what it is there.
+/// The polynomial Σ a[i]·((x − centre) / 2^reach)ⁱ. About the middle of its range its terms do not cancel, so that
+/// units of 2^-40 are sufficient for each sum. Beyond 2^reach from the centre its value stays constant.
 template <std::size_t Size>
 struct FixedPolynomial {
     Fixed centre{0};
     std::uint32_t reach{0U};  ///< at most 23
-    std::uint32_t terms{0U};  ///< coefficients behind these are zero
+    std::uint32_t terms{0U};  ///< the coefficients after these are zero
     std::array<Fixed, Size> coefficients{};
 
     constexpr Offset offset(const Fixed x) const noexcept {
@@ -69,7 +69,8 @@ struct FixedPolynomial {
         return Offset{is_within ? (distance << (spare_bits - reach)) : UINT64_MAX, x < centre};
     }
 
-    /// Horner's scheme. Each sum is right to 2^-38, times what is left of it at the end.
+    /// Returns the value by Horner's scheme. Each sum has an error of at most 2^-38, which the following
+    /// multiplications by a fraction reduce.
     constexpr Fixed value(const Offset& at) const noexcept {
         Fixed sum{0};
         for (std::size_t i = terms; i > 0U; --i) {
@@ -81,7 +82,7 @@ struct FixedPolynomial {
     constexpr Fixed value(const Fixed x) const noexcept { return value(offset(x)); }
 };
 
-/// Σ c[i]·xⁱ, whose coefficients behind `terms` are zero, about the middle of `from`…`to`.
+/// Returns Σ c[i]·xⁱ as a polynomial about the middle of `from`…`to`; the coefficients after `terms` are zero.
 template <std::size_t Size>
 constexpr FixedPolynomial<Size> fixed_polynomial(std::array<double, Size> c, const std::size_t terms, const double from,
                                                  const double to) noexcept {
@@ -97,7 +98,7 @@ constexpr FixedPolynomial<Size> fixed_polynomial(std::array<double, Size> c, con
     double scale{1.0};
     for (std::size_t i = 0U; i < terms; ++i) {
         for (std::size_t j = terms - 1U; j > i; --j) {
-            c[j - 1U] += c[j] * centre;  // divides by (x − centre): the remainder is the next coefficient
+            c[j - 1U] += c[j] * centre;  // divides by (x − centre); the remainder is the next coefficient
         }
         made.coefficients[i] = to_fixed(c[i] * scale);
         scale *= unit;

@@ -8,14 +8,14 @@
 namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
-    if (settling_left_ > 1U) {  // the last one of these is settled
+    if (settling_left_ > 1U) {  // the last of these conversions is settled
         --settling_left_;
         return;
     }
     const double size = std::fabs(input_uv);
     const double full_scale = circuit.gains[step_].full_scale_uv;
     static_assert(implements<req::TCS_IN_003>);
-    if (!(size < full_scale)) {  // a NaN is nothing that can be read either
+    if (!(size < full_scale)) {  // NaN counts as overdriven
         const bool lowest = (step_ + 1U) == ConverterCircuit::gain_count;
         open_ = lowest;
         if (!lowest) {
@@ -30,7 +30,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
     static_assert(implements<req::TCS_IN_004>);
     for (std::size_t finer = 0U; finer < step_; ++finer) {
         if (size <= (circuit.gains[finer].full_scale_uv * circuit.raise_fraction)) {
-            choose(finer, circuit);  // which ends the search
+            choose(finer, circuit);  // ends the search, because step_ is now `finer`
         }
     }
 }

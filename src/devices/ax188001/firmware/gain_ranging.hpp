@@ -1,5 +1,5 @@
-// A converter for small voltages that chooses its gain by itself (AX188001, 1.1): the highest at which the voltage
-// fits, which is the finest resolution. After each change its filter must settle.
+// A converter for small voltages that selects its own gain (AX188001, 1.1): the highest one that the voltage does not
+// overdrive, which gives the finest resolution. After each change its filter must settle.
 #pragma once
 
 #include <array>
@@ -13,27 +13,28 @@ struct ConverterGain {
     double full_scale_uv{0.0};
 };
 
-/// What describes the converter; the device fills it from the register.
+/// The parameters of the converter; the device takes them from the requirements register.
 struct ConverterCircuit {
     static constexpr std::size_t gain_count = 3U;
     std::array<ConverterGain, gain_count> gains{};  ///< highest gain first
-    double codes{1.0};                              ///< steps on either side of 0 V
-    double raise_fraction{1.0};                     ///< of a full scale: below it that gain may be used again
+    double codes{1.0};                              ///< steps on each side of 0 V
+    double raise_fraction{1.0};                     ///< of a full scale: at or below it, the converter returns to that
+                                                    ///< gain
     std::uint8_t settling_conversions{0U};
 };
 
 class GainRanging {
   public:
-    /// Highest gain, settled, 0 V read.
+    /// Resets to the highest gain, settled, with a reading of 0 V.
     void reset() noexcept { *this = GainRanging{}; }
-    /// Starts the filter anew, as a change of its frequency does.
+    /// Restarts the filter, as a change of its frequency does.
     void unsettle(const ConverterCircuit& circuit) noexcept { settling_left_ = circuit.settling_conversions; }
-    /// One conversion, one update period long, of `input_uv`.
+    /// Converts `input_uv` once; a conversion takes one update period.
     void convert(double input_uv, const ConverterCircuit& circuit) noexcept;
 
-    /// The last voltage that was read while the filter was settled and the converter not overdriven.
+    /// Returns the last voltage read while the filter was settled and the converter not overdriven.
     double microvolts() const noexcept { return microvolts_; }
-    /// Overdriven at the lowest gain: no thermocouple gives such a voltage.
+    /// Returns whether the converter is overdriven at the lowest gain: no thermocouple gives such a voltage.
     bool is_open() const noexcept { return open_; }
     std::uint8_t gain(const ConverterCircuit& circuit) const noexcept { return circuit.gains[step_].gain; }
 

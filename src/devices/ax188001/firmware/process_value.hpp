@@ -1,4 +1,4 @@
-// From field values, which are physical, to process values, which are sent (AX188001, 1.1).
+// Converts field values (physical units) to process values (sent on the bus) (AX188001, 1.1).
 #pragma once
 
 #include <array>
@@ -7,22 +7,22 @@
 
 namespace canproof::ax188001 {
 
-/// process value = field value · factor + offset
+/// The scaling: process value = field value · factor + offset.
 struct Scaling {
     double factor{1.0};
     double offset{0.0};
 };
 
-/// The nearest whole number, halves away from zero, held at the ends of 16 bits.
+/// Returns the process value: rounded to nearest, halves away from zero, and saturated to 16 bits.
 std::int16_t process_value(double field_value, const Scaling& scaling) noexcept;
 
-/// Values that mean something other than a measurement.
+/// Values with a meaning other than a measurement.
 struct ReservedValues {
     std::int16_t disabled{0};
     std::int16_t open{0};
 };
 
-/// As process_value, but a measurement that falls on a reserved value is moved up by one.
+/// Returns the process value of a measurement; one that equals a reserved value is increased by one.
 std::int16_t measured_process_value(double field_value, const Scaling& scaling,
                                     const ReservedValues& reserved) noexcept;
 
@@ -31,7 +31,7 @@ struct Measurement {
     bool valid{false};
 };
 
-/// Mean of the valid ones; not valid when none is.
+/// Returns the mean of the valid measurements; not valid when there is none.
 template <std::size_t Count>
 Measurement average(const std::array<Measurement, Count>& all) noexcept {
     double sum{0.0};

@@ -10,17 +10,18 @@ namespace canproof::ax188001 {
 
 namespace {
 
-// Newton's method doubles the digits with each step; halving the interval instead gains at least one bit a step, and
-// 64 of them bring the widest interval below the steps of the numbers.
+// Newton's method doubles the number of correct digits with each step. Bisection, its fallback, gains at least one bit
+// per step: 64 steps reduce the widest interval below the unit of the numbers.
 constexpr std::size_t most_steps = 64U;
-/// A step as short as this lands within its own thousandth: slopes in single precision are as good as that.
+/// A step this short has an error below a thousandth of its length, because the slopes in single precision are that
+/// accurate.
 constexpr Fixed close_enough = to_fixed(1e-5);
 
-/// A curve at a temperature.
+/// The value and the derivatives of a curve at a temperature.
 struct CurvePoint {
     Fixed mv{0};
     float slope{0.0F};      ///< mV/°C
-    float curvature{0.0F};  ///< mV/°C², without the exponential term, which bends the curve little
+    float curvature{0.0F};  ///< mV/°C², without the exponential term, whose curvature is small
 };
 
 const ReferencePiece& reference_piece_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
@@ -36,7 +37,7 @@ Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
     constexpr std::uint32_t reach = 10U;  // 1024 °C
     constexpr std::uint32_t whole_place = 56U;
     constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
-    constexpr std::uint32_t negligible = 40U;  // less than a step
+    constexpr std::uint32_t negligible = 40U;  // smaller than one unit
     const std::uint64_t distance = magnitude(celsius - term.centre);
     if ((distance >> (fixed_places + reach)) != 0U) {
         return 0;
@@ -48,7 +49,7 @@ Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
     return (whole < negligible) ? static_cast<Fixed>(magnitude(term.mv_of_rest.value(rest)) >> whole) : 0;
 }
 
-/// Horner's scheme, for the slope and for the slope's slope.
+/// Computes the slope and the curvature by Horner's scheme.
 CurvePoint slopes_at(const ReferencePiece& piece, const Offset& at) noexcept {
     constexpr std::uint32_t single_places = 32U;
     constexpr float step = 1.0F / 4294967296.0F;  // 2^-32
@@ -81,17 +82,16 @@ Fixed mv_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
     return curve_at(curve, celsius).mv;
 }
 
-/// How far it is to where a parabola through this point is zero, which lies `excess` above that; by the slope alone
-/// where there is no such place. Beside a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope alone would
-/// lead half of the way each time.
+/// Returns the distance to the root of a parabola through this point, which lies `excess` above the wanted value. Uses
+/// only the slope if the parabola has no root. Near a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope
+/// alone would cover half of the distance per step.
 float way_to_root(const float excess, const CurvePoint& point) noexcept {
     const float inner = (point.slope * point.slope) - (2.0F * point.curvature * excess);
     const float both = (inner > 0.0F) ? (point.slope + std::sqrt(inner)) : (2.0F * point.slope);
     return (-2.0F * excess) / both;
 }
 
-/// Of any double. What lies far outside of every thermocouple's voltages and temperatures is held where the numbers
-/// end.
+/// Converts any double; values far outside the voltages and temperatures of every thermocouple are clamped.
 Fixed held(const double value) noexcept {
     constexpr double most = 4.0e6;
     return to_fixed(lesser(greater(value, -most), most));
@@ -102,7 +102,7 @@ Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
     return (raised > high) ? high : raised;
 }
 
-/// By the inverse function.
+/// Returns the temperature by the inverse function.
 Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     std::size_t at{0U};
     while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {
@@ -112,7 +112,7 @@ Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     return piece.celsius.value(clamped(mv, piece.begin, piece.end));
 }
 
-/// Where a root is looked for. An end that is still the range's may be the answer itself.
+/// The interval that contains a root. An end that is still the end of the range may be the result itself.
 struct Bracket {
     Fixed low{0};
     Fixed high{0};
@@ -156,7 +156,7 @@ double exact_celsius(const ThermocoupleCurve& curve, const double mv) noexcept {
             bracket.low_is_end = false;
         }
         const float way = way_to_root(rough(excess), point);
-        // Not `way > …`: NaN is not within reach either.
+        // This form of the comparison is also false for NaN.
         const bool within_reach = std::fabs(way) <= rough(bracket.high - bracket.low);
         Fixed next = within_reach ? (guess + to_fixed(way)) : bracket.high;
         const bool inside = within_reach && (next >= bracket.low) && (next <= bracket.high);

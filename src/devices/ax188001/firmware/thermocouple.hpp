@@ -1,6 +1,7 @@
-// Thermocouples: from temperature to voltage and back by the reference and inverse functions of the ITS-90 (AX188001,
-// 1.1). In fixed point: the polynomials of degree 14 lose too much in single precision, and double is dear without an
-// FPU for it. Slopes only steer: they are in single precision. No library function but rounding-free ones is called.
+// Thermocouples: converts temperature to voltage and back by the reference and inverse functions of the ITS-90
+// (AX188001, 1.1). It uses fixed point: single precision is too coarse for polynomials of degree 14, and double
+// precision is slow without an FPU for it. Slopes are in single precision, because they only steer the search. All
+// library functions called are exact or correctly rounded.
 #pragma once
 
 #include <array>
@@ -10,26 +11,27 @@
 
 namespace canproof::ax188001 {
 
-/// a0·exp(a1·(t − a2)²), a1 negative; type K only. As a power of two: a0·2^−whole·2^−rest.
+/// The exponential term a0·exp(a1·(t − a2)²) with negative a1; type K only. Computed as a power of two:
+/// a0·2^−whole·2^−rest.
 struct ExponentialTerm {
-    static constexpr std::size_t powers = 12U;  ///< 2^−rest errs by 7e-15
+    static constexpr std::size_t powers = 12U;  ///< the error of 2^−rest is 7e-15
     Fixed centre{0};
-    std::uint64_t halvings{0U};  ///< at 1024 °C from the centre, as a fraction of 256
+    std::uint64_t halvings{0U};  ///< the exponent of 2 at 1024 °C from the centre, as a fraction of 256
     float bend{0.0F};            ///< 2·a1
     FixedPolynomial<powers> mv_of_rest{};
 };
 
-/// Σ c[i]·tⁱ in mV with the reference junction at 0 °C, for t from `begin` to `end`.
+/// A piece of the reference function: Σ c[i]·tⁱ in mV with the reference junction at 0 °C, for t from `begin` to `end`.
 struct ReferencePiece {
     static constexpr std::size_t size = 15U;
     Fixed begin{0};  ///< °C
     Fixed end{0};    ///< °C
     FixedPolynomial<size> mv{};
-    std::array<float, size> slope{};  ///< mV/°C, by the powers of what `mv` is taken at
+    std::array<float, size> slope{};  ///< mV/°C, coefficients for the same argument as `mv`
     const ExponentialTerm* exponential{nullptr};
 };
 
-/// Σ d[i]·Eⁱ in °C, approximate, for E from `begin` to `end`.
+/// A piece of the inverse function: Σ d[i]·Eⁱ in °C, approximate, for E from `begin` to `end`.
 struct InversePiece {
     static constexpr std::size_t size = 11U;
     Fixed begin{0};  ///< mV
@@ -37,7 +39,7 @@ struct InversePiece {
     FixedPolynomial<size> celsius{};
 };
 
-/// How many coefficients there are up to the last that is not zero.
+/// Returns the number of coefficients up to the last one that is not zero.
 template <std::size_t Size>
 constexpr std::size_t terms_of(const std::array<double, Size>& coefficients) noexcept {
     std::size_t terms{Size};
@@ -67,7 +69,7 @@ constexpr InversePiece inverse_piece(const double from_mv, const double to_mv,
                         fixed_polynomial(coefficients, terms_of(coefficients), from_mv, to_mv)};
 }
 
-/// The parameters as the ITS-90 gives them.
+/// Makes the term from the parameters of the ITS-90.
 constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_per_c2, const double a2_c) noexcept {
     constexpr double natural_logarithm_of_2 = 0.69314718055994530942;
     constexpr double root_of_2 = 1.41421356237309504880;
@@ -81,7 +83,7 @@ constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_p
     term.bend = static_cast<float>(2.0 * a1_per_c2);
     term.mv_of_rest.centre = to_fixed(0.5);
     term.mv_of_rest.terms = ExponentialTerm::powers;
-    double coefficient = a0_mv / root_of_2;  // 2^-rest about the rest 1/2: (-ln 2)^i / i!
+    double coefficient = a0_mv / root_of_2;  // series of 2^-rest about rest = 1/2: (-ln 2)^i / i!
     for (std::size_t i = 0U; i < ExponentialTerm::powers; ++i) {
         term.mv_of_rest.coefficients[i] = to_fixed(coefficient);
         coefficient *= -natural_logarithm_of_2 / static_cast<double>(i + 1U);
@@ -89,7 +91,7 @@ constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_p
     return term;
 }
 
-/// One type of thermocouple. The pieces ascend; each begins where the one before it ends, or inside it.
+/// The curve of one type of thermocouple. The pieces ascend; each begins at the end of the one before or inside it.
 struct ThermocoupleCurve {
     static constexpr std::size_t most_reference_pieces = 3U;
     static constexpr std::size_t most_inverse_pieces = 4U;
@@ -97,28 +99,29 @@ struct ThermocoupleCurve {
     std::size_t reference_count{0U};
     std::array<InversePiece, most_inverse_pieces> inverse{};
     std::size_t inverse_count{0U};
-    Fixed lowest{0};   ///< °C; from here to `highest` the voltage rises with the temperature
+    Fixed lowest{0};   ///< °C; from here to `highest` the voltage increases with the temperature
     Fixed highest{0};  ///<
 
     constexpr double lowest_c() const noexcept { return from_fixed(lowest); }
     constexpr double highest_c() const noexcept { return from_fixed(highest); }
 };
 
-/// Voltage in mV at `celsius`, reference junction at 0 °C, to 1e-10 mV. Beyond the type's range the nearest piece is
-/// continued, to at most twice its length.
+/// Returns the voltage in mV at `celsius` with the reference junction at 0 °C, to 1e-10 mV. Beyond the type's range the
+/// nearest piece continues, to at most twice its length.
 double reference_mv(const ThermocoupleCurve& curve, double celsius) noexcept;
 
-/// Slope of reference_mv in mV/°C, in single precision.
+/// Returns the slope of reference_mv in mV/°C, in single precision.
 double reference_slope(const ThermocoupleCurve& curve, double celsius) noexcept;
 
-/// Temperature in °C by the inverse function, good to 0.06 °C within its range; beyond it the value at its end.
+/// Returns the temperature in °C by the inverse function, with an error of at most 0.06 °C within its range; beyond it
+/// the value at its end.
 double approximate_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
-/// Temperature in °C at which reference_mv gives `mv`, from `lowest` to `highest`: exact to 1e-6 °C. A voltage beyond
-/// that range gives its end.
+/// Returns the temperature in °C, from `lowest` to `highest`, at which reference_mv returns `mv`, exact to 1e-6 °C. A
+/// voltage beyond that range gives the end of the range.
 double exact_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
-/// The exponential term in mV at `celsius`, to 1e-11 mV.
+/// Returns the exponential term in mV at `celsius`, to 1e-11 mV.
 double exponential_mv(const ExponentialTerm& term, double celsius) noexcept;
 
 }  // namespace canproof::ax188001

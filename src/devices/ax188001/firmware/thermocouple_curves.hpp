@@ -1,4 +1,4 @@
-// The eight types of thermocouple that the AX188001 knows (1.1, Table 1), made of the register's tables.
+// The eight types of thermocouple of the AX188001 (1.1, Table 1), built from the tables of the requirements register.
 #pragma once
 
 #include "devices/ax188001/firmware/thermocouple.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::ax188001 {
 
-/// The functions of one type; they lie in flash.
+/// Returns the functions of one type; they lie in flash.
 const ThermocoupleCurve& thermocouple_curve(generated::ax188001::SensorType type) noexcept;
 
 }  // namespace canproof::ax188001

@@ -1,5 +1,5 @@
-// The reference functions of the AX188001's thermocouples in long double: what the firmware's fixed point is measured
-// by.
+// The reference functions of the AX188001's thermocouples in long double. The firmware's fixed point is compared with
+// them.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// mV at `celsius`, of a type that has a row. Beyond its range the first or last piece is continued.
+/// Returns the mV at `celsius`; the type must have a row. Beyond its range the first or last piece continues.
 inline long double reference_mv_exactly(generated::ax188001::SensorType type, long double celsius) {
     namespace own = generated::ax188001;
     const own::reference_function::Row* piece = nullptr;

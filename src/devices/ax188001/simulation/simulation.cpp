@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t memory_size = 1024;  // two banks of parameters, and LSS at the end
+constexpr std::size_t memory_size = 1024;  // two banks of parameters, and the settings of LSS at the end
 
 ax188001::FactoryData factory_data(const FactoryValues& values) {
     ax188001::FactoryData data;
@@ -23,7 +23,7 @@ class Ax188001Simulation final
   public:
     explicit Ax188001Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// As if LSS had stored it; the bit rate stays.
+    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax188001;
         LssStore store{memory_};
@@ -32,7 +32,7 @@ class Ax188001Simulation final
         store.store(configuration);
     }
     void power_on(Instant now) override {
-        // The wires are of the types that are stored: another unit reads them from the same memory.
+        // The wires have the stored types. A second unit reads these from the same memory.
         TransmitQueue nowhere;
         ax188001::Device reader{memory_, nowhere, {}};
         reader.power_on(inputs_, now);

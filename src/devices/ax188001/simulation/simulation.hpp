@@ -1,4 +1,4 @@
-// The AX188001 as the host runs it.
+// The simulated AX188001.
 #pragma once
 
 #include <memory>

@@ -30,14 +30,15 @@ constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorT
 constexpr double sixteenths = 16.0;  // as shipped: 7130h = 16 T + 4368
 constexpr double offset = 4368.0;
 
-/// An AX188001 alone on a bus with one thermocouple, asked over SDO.
+/// An AX188001 alone on a bus with one thermocouple; the plots read it over SDO.
 class Bench {
   public:
     explicit Bench(SensorType type) : curve_{thermocouple_curve(type)} {
         device_.power_on(inputs_, now_);
         ask(fmt::format("67F#2B106101{:02X}000000", static_cast<int>(type)));
     }
-    /// 6100h:1 when the hot junction has been at `celsius` for as long as the manual lets the channel take.
+    /// Returns 6100h:1 input field value after the hot junction has been at `celsius` for the settling time that the
+    /// manual allows.
     double settled_field_value(double celsius) {
         const double mv =
             reference_mv(curve_, celsius) - reference_mv(curve_, static_cast<double>(inputs_.cold_junction));
@@ -54,7 +55,7 @@ class Bench {
     }
 
   private:
-    /// The answer to an SDO request; emergency messages that came before it are passed over.
+    /// Sends an SDO request and returns the answer; emergency messages before it are skipped.
     Frame ask(const std::string& request) {
         device_.receive(parse_frame(request, "figure"), now_);
         Frame last{};
@@ -90,7 +91,7 @@ std::string emergency_word(const Frame& frame) {
                                  : "shutdown";
 }
 
-/// Error of `inversion`, which gives °C for mV, from `lowest(type)` to the end of each type's range.
+/// Plots the error of `inversion`, which converts mV to °C, from `lowest(type)` to the end of each type's range.
 LinePlot error_plot(const char* title, double (*inversion)(const ThermocoupleCurve&, double),
                     double (*lowest)(const ThermocoupleCurve&)) {
     LinePlot plot{title, "temperature / °C", "error / °C", {}, {}};
@@ -112,7 +113,7 @@ LinePlot error_plot(const char* title, double (*inversion)(const ThermocoupleCur
 }  // namespace
 
 LinePlot conversion_error_plot() {
-    // B has no slope to speak of below 42 degC.
+    // Type B has almost no slope below 42 °C.
     return error_plot("AX188001: error of the linearisation alone (0.02 °C allowed)", exact_celsius,
                       [](const ThermocoupleCurve& curve) { return curve.lowest_c() > 0.0 ? 42.0 : curve.lowest_c(); });
 }
@@ -127,7 +128,7 @@ LinePlot channel_error_plot() {
     LinePlot plot{"AX188001: field value less hot junction (1 °C promised)", "hot junction / °C", "error / °C", {}, {}};
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
-        // Where half a step of the converter, 0.3 uV here, is worth less than a degree.
+        // The lowest temperature at which half a step of the converter (0.3 µV here) is less than a degree.
         const double low = type == SensorType::b ? 50.0 : curve.lowest_c();
         Bench bench{type};
         Curve drawn{name, {}};

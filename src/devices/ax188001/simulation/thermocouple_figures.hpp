@@ -1,4 +1,4 @@
-// What the AX188001 does, drawn: how far its conversion is from the ITS-90, how far the whole channel is from the hot
+// Plots of the AX188001: the error of its conversion against the ITS-90, the error of the whole channel against the hot
 // junction, and a ramp through all limits with a wire that breaks.
 #pragma once
 
@@ -6,17 +6,18 @@
 
 namespace canproof::host {
 
-/// Error in °C of the inversion alone, for each type over its range.
+/// Plots the error in °C of the inversion alone, for each type over its range.
 LinePlot conversion_error_plot();
 
-/// Error in °C of the published inverse functions by themselves: why their result is only where the inversion begins.
+/// Plots the error in °C of the published inverse functions alone. It shows why their result is only the start of the
+/// inversion.
 LinePlot inverse_error_plot();
 
-/// Error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
+/// Plots the error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
 LinePlot channel_error_plot();
 
-/// A ramp at 10 °C a second through all limits and back, the wire broken for nine seconds: hot junction, process value
-/// as TPDO1 carries it, and each emergency message.
+/// Plots a ramp at 10 °C per second through all limits and back, with the wire broken for nine seconds: hot junction,
+/// process value in TPDO1, and each emergency message.
 LinePlot ramp_plot();
 
 }  // namespace canproof::host

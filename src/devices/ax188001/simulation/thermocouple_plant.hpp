@@ -1,4 +1,4 @@
-// The physical world of the AX188001: two thermocouples, each between its hot junction and the module's terminals.
+// The plant of the AX188001: two thermocouples, each between its hot junction and the module's terminals.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@ namespace canproof::host {
 
 class ThermocouplePlant {
   public:
-    /// A stimulus was set: whichever of tcN_celsius and tcN_microvolts came last drives the terminals.
+    /// Notes that a stimulus was set: the latest of tcN_celsius (or tcN_wire) and tcN_microvolts drives the terminals.
     void stimulus(const std::string& name);
-    /// Puts the voltages that the driven thermocouples make into `inputs`. `configured` is what 6110h says of each
-    /// channel, the wire's type where tcN_wire is 0. True when a voltage changed.
+    /// Puts the voltages of the driven thermocouples into `inputs`. `configured` is the type in 6110h of each channel;
+    /// the wire has that type where tcN_wire is 0. Returns true when a voltage changed.
     bool drive(ax188001::Inputs& inputs,
                const std::array<ax188001::SensorType, ax188001::channel_count>& configured) const;
 

@@ -1,4 +1,4 @@
-// The AX188001 as it is flashed onto an STM32F405.
+// The AX188001 as an image that is flashed onto an STM32F405.
 #include "devices/ax188001/target/wiring.hpp"
 #include "target/image/image.hpp"
 
@@ -7,20 +7,14 @@ namespace {
 using namespace canproof;
 
 // Its table of bit rates has 800 kbit/s.
-stm32f405::Chip chip{stm32f405::core_160_mhz};
-stm32f405::JournalRam<1024> ram;
-stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},
-                                   Slots<std::uint32_t>{ram.changed}};
-TransmitQueue queue;
-ax188001::Device device{memory, queue, ax188001::FactoryData{}};
-ax188001::Wiring wiring{chip};
+target::DeviceImage<ax188001::Device, ax188001::Wiring, ax188001::FactoryData, 1024> image{stm32f405::core_160_mhz};
 
 }  // namespace
 
 extern "C" void can_received() {
-    chip.can.drain();
+    image.drain();
 }
 
 extern "C" void image_main() {
-    target::run_image(device, queue, wiring, chip, memory);
+    image.run();
 }

@@ -1,5 +1,5 @@
-// How the AX188001's terminals meet the pins of its STM32F405. Its manual names the microcontroller and no pins, and
-// converters of 16 bits beside it: this board with the chip's own 12 bits is ours (src/target/stm32f405/README.md).
+// Connects the AX188001's terminals to the pins of its STM32F405. The manual names the microcontroller and 16-bit
+// converters but no pins; this board with the chip's own 12-bit converter is our own (src/target/stm32f405/README.md).
 #pragma once
 
 #include "devices/ax188001/firmware/ax188001.hpp"
@@ -25,18 +25,18 @@ class Wiring {
         chip_.analog_in.advance();
         inputs.tc_microvolts[0] = microvolts(0);
         inputs.tc_microvolts[1] = microvolts(1);
-        inputs.tc_open[0] = !chip_.port_b.is_high(0);  // comparators that pull down
+        inputs.tc_open[0] = !chip_.port_b.is_high(0);  // comparators pull the pin low on an open circuit
         inputs.tc_open[1] = !chip_.port_b.is_high(1);
-        inputs.cold_junction = (chip_.analog_in.share(2) * 330.0F) - 50.0F;  // 10 mV a degree, 0.5 V at 0
-        inputs.supply = chip_.analog_in.share(3) * 132.0F;                   // divided by 40
+        inputs.cold_junction = (chip_.analog_in.share(2) * 330.0F) - 50.0F;  // 10 mV per degree, 0.5 V at 0 °C
+        inputs.supply = chip_.analog_in.share(3) * 132.0F;                   // a divider by 40
         inputs.cpu_temperature = chip_.analog_in.chip_temperature();
     }
 
-    /// Gain and filter are those of converters that this board does not have.
+    /// Does nothing: gain and filter belong to converters that this board does not have.
     void drive(const Outputs&) {}
 
   private:
-    /// An amplifier of 33 around 1.65 V: -50 to 50 mV.
+    /// Returns a thermocouple voltage in µV: an amplifier with a gain of 33 around 1.65 V, -50 to 50 mV.
     float microvolts(std::size_t channel) const { return (chip_.analog_in.share(channel) - 0.5F) * 100000.0F; }
 
     stm32f405::Chip& chip_;

@@ -18,13 +18,13 @@ namespace field = generated::cbx_ao412::field;
 namespace index = generated::cbx_ao412::index;
 using own::IndicatorState;
 
-constexpr std::uint32_t autostart_enabled = 8U;  // 1F80h, 7.9.22
+constexpr std::uint32_t autostart_enabled = 8U;  // value of 1F80h NMT startup (7.9.22)
 constexpr std::uint32_t max_node_id = 0x7FU;
 
 static_assert(implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> && implements<req::AO4_STORE_001>);
 constexpr const NodeProfile& profile = own::profile;
 
-// 4.3.1: reference times the gain of the differential amplifier.
+// Full scale: the reference times the gain of the differential amplifier (4.3.1).
 static_assert(implements<req::AO4_AOUT_001>);
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
                                    own::dac_steps, own::codes_per_step};
@@ -51,7 +51,7 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
                             time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
 
-/// Red LEDs begin one flash after the green ones (3.2.1, note).
+/// Returns the shift of the red LEDs: they begin one flash after the green ones (3.2.1, note).
 static_assert(implements<req::AO4_LED_006>);
 Duration red_shift() noexcept {
     return pattern_of(IndicatorState::blinking).on;
@@ -100,7 +100,8 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     drive_leds(now);
 }
 
-/// 7.9.4: a stored set that could not be used is an internal software error as well, until the next reset.
+/// Reports internal faults. A stored set that could not be used also counts as an internal software error until the
+/// next reset (7.9.4).
 static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010>);
 void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
@@ -120,7 +121,7 @@ Instant Device::next_deadline() const noexcept {
 
 static_assert(implements<req::AO4_PROG_001>);
 AbortCode Device::check_access(const EntryRef& entry) {
-    // 7.12: program data can be loaded in the boot loader only, and the application is running.
+    // Program data can be loaded only in the boot loader, but the application is running (7.12).
     return (entry.index == index::program_data) ? AbortCode::device_state : AbortCode::none;
 }
 
@@ -145,7 +146,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::analogue_output_error_value:
             break;  // no output changes at once
         default:
-            break;  // -Wswitch-enum asks for a label of each parameter
+            break;  // -Wswitch-enum demands a label for each parameter
     }
 }
 
@@ -220,7 +221,7 @@ void Device::apply_error_mode(const std::uint8_t number) noexcept {
         const auto bits = static_cast<std::uint32_t>(objects_.get(field::o6444_analogue_output_error_value[number]));
         command_output(number, static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> 16U)));
     } else {
-        drive_output(number);  // keep; a reset may have loaded another calibration
+        drive_output(number);  // keeps the value; a reset may have loaded another calibration
     }
 }
 
@@ -235,8 +236,9 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
     drive_output(number);
 }
 
-/// The voltage is kept in outputs_; it depends on driven_, 2404h and 2405h alone. Whatever changes one of them, the
-/// loading of a stored set among it, calls this.
+/// Computes the voltage of an output and keeps it in outputs_. It depends only on driven_, 2404h calibration offset and
+/// 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call this
+/// function.
 static_assert(implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];

@@ -17,17 +17,17 @@ using Outputs = generated::cbx_ao412::Outputs;
 
 constexpr std::uint32_t output_count = 4U;
 
-/// Version strings of a unit, in ASCII, zeros behind.
+/// A version string of a unit in ASCII, padded with zeros.
 using VersionText = std::array<std::uint8_t, 8U>;
 
-/// What belongs to one unit and left the factory with it. 7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2.
+/// Values of one unit, set in the factory. 7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2.
 struct FactoryData {
-    VersionText hardware_version{};            ///< 1009h; empty: as the register has it
-    VersionText software_version{};            ///< 100Ah; empty: as the register has it
-    std::uint32_t software_date{11285U};       ///< 1F52h:1, days since 1984-01-01
-    std::uint32_t software_time{0U};           ///< 1F52h:2, ms since midnight
-    std::uint32_t revision{0x00020004U};       ///< 1018h:3, major and minor revision
-    std::uint32_t serial_number{0xC1C20105U};  ///< 1018h:4, lot letters with bit 7 set, then BCD
+    VersionText hardware_version{};            ///< 1009h hardware version; empty: as in the requirements register
+    VersionText software_version{};            ///< 100Ah software version; empty: as in the requirements register
+    std::uint32_t software_date{11285U};       ///< 1F52h:1 software date, days since 1984-01-01
+    std::uint32_t software_time{0U};           ///< 1F52h:2 software time, ms since midnight
+    std::uint32_t revision{0x00020004U};       ///< 1018h:3 revision number, major and minor
+    std::uint32_t serial_number{0xC1C20105U};  ///< 1018h:4 serial number, lot letters with bit 7 set, then BCD
     std::array<std::int16_t, output_count> offset{};
     std::array<std::int16_t, output_count> gain{};
 };
@@ -37,23 +37,23 @@ class Device final : private Application {
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
     /// Reads the coding switches and starts. With an invalid node-ID the node is not switched on: it stays in
-    /// initialising, where it is silent, and only the LEDs work.
+    /// initialising, where it sends nothing, and only the LEDs work.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The physical inputs as they are from `now` on. The switches are read at power-on only.
+    /// Sets the physical inputs from `now` on. The switches are read at power-on only.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
-    /// bit/s by Table 11, as the switch stood at power-on.
+    /// Returns the bit rate in bit/s by Table 11 and the position of the switch at power-on.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_id_; }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
-    /// What an output holds: a value in the unit of 6411h, or 0 V whatever the calibration.
+    /// The setting of an output: a value in the unit of 6411h write analogue output, or 0 V whatever the calibration.
     struct Driven {
         bool on{false};
         std::int16_t value{0};
@@ -67,14 +67,14 @@ class Device final : private Application {
     void communication_failed(bool failed, Instant now) override;
 
     void put_version(std::uint16_t index, const VersionText& text) noexcept;
-    /// The software or a part of the hardware has failed.
+    /// Returns whether the software or a part of the hardware has failed.
     bool has_internal_fault() const noexcept { return inputs_.internal_fault || inputs_.hardware_fault; }
     void watch_internal_faults(Instant now) noexcept;
     void set_failed(bool communication, bool internal) noexcept;
     void command_outputs() noexcept;
-    /// Output `number` (1…4) goes to `value`, in the unit of 6411h, until it is told otherwise.
+    /// Sets output `number` (1…4) to `value`, in the unit of 6411h, until the next command.
     void command_output(std::uint8_t number, std::int16_t value) noexcept;
-    /// Sets the voltage of what the output holds, by the calibration as it is now.
+    /// Sets the voltage of an output from its setting and the present calibration.
     void drive_output(std::uint8_t number) noexcept;
     void apply_error_mode(std::uint8_t number) noexcept;
     void drive_leds(Instant now) noexcept;

@@ -1,15 +1,15 @@
-// From a 16-bit value to the voltage of a 12-bit-and-sign output (CAN-CBX-AO412, 4.3.1, 7.10.2.2, 7.11).
+// Converts a 16-bit value to the voltage of an output with 12 bits and sign (CAN-CBX-AO412, 4.3.1, 7.10.2.2, 7.11).
 #pragma once
 
 #include <cstdint>
 
 namespace canproof::cbx_ao412 {
 
-/// What describes the output circuit; the device fills it from the register.
+/// The parameters of the output circuit; the device takes them from the requirements register.
 struct VoltageOutputCircuit {
-    float full_scale_v{0.0F};        ///< voltage that 32768 would stand for
-    std::int32_t steps{0};           ///< steps from 0 to full scale; the largest output is one less
-    std::int32_t codes_per_step{0};  ///< input values that fall on one step
+    float full_scale_v{0.0F};        ///< voltage of the value 32768, which no output reaches
+    std::int32_t steps{0};           ///< steps from 0 to full scale; the largest output step is one less
+    std::int32_t codes_per_step{0};  ///< input values per step
 };
 
 struct OutputCalibration {
@@ -17,11 +17,12 @@ struct OutputCalibration {
     float offset_v{0.0F};
 };
 
-/// The converter step, -(steps - 1)…steps - 1: the value corrected by gain and offset, rounded half a step up, clamped.
+/// Returns the converter step, -(steps - 1)…steps - 1: the value corrected by gain and offset, rounded to nearest
+/// (halves up) and clamped.
 std::int32_t output_step(std::int16_t value, const VoltageOutputCircuit& circuit,
                          const OutputCalibration& calibration) noexcept;
 
-/// Volts at the terminal for a step.
+/// Returns the voltage at the terminal for a step, in V.
 float step_voltage(std::int32_t step, const VoltageOutputCircuit& circuit) noexcept;
 
 }  // namespace canproof::cbx_ao412

@@ -5,8 +5,8 @@
 
 namespace canproof::host {
 
-/// CBX-AO412: the telegrams of its manual (7.10.2.3), then a staircase by RPDO, replayed; its outputs as replay wrote
-/// them.
+/// Plots a replay of the telegrams in the manual (7.10.2.3) followed by a staircase by RPDO: the output voltages that
+/// the replay recorded.
 LinePlot analog_outputs_plot();
 
 }  // namespace canproof::host

@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t eeprom_size = 256 * 4;  // the manual promises at least 256 bytes (2.2); two banks need more
+constexpr std::size_t eeprom_size = 256 * 4;  // the manual guarantees at least 256 bytes (2.2); two banks need more
 
 cbx_ao412::FactoryData factory_data(const FactoryValues& values) {
     cbx_ao412::FactoryData data;
@@ -37,7 +37,7 @@ class CbxAo412Simulation final
         inputs_.switch_low = static_cast<std::uint8_t>(value % 16);
         return true;
     }
-    /// Switches at no node-ID give none.
+    /// Returns the node-ID of the switches; none when their position is not a node-ID.
     std::uint8_t node_id() const override {
         const int at_switches = device_.node_id();
         return NodeId{NodeId::is_one(at_switches) ? at_switches : NodeId::none}.value();

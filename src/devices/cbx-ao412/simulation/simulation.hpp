@@ -1,4 +1,4 @@
-// The CBX-AO412 as the host runs it.
+// The simulated CAN-CBX-AO412.
 #pragma once
 
 #include <memory>

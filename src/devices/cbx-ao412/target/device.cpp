@@ -1,4 +1,4 @@
-// The CAN-CBX-AO412 as it is flashed onto an STM32F405.
+// The CAN-CBX-AO412 as an image that is flashed onto an STM32F405.
 #include "devices/cbx-ao412/target/wiring.hpp"
 #include "target/image/image.hpp"
 
@@ -7,20 +7,14 @@ namespace {
 using namespace canproof;
 
 // Its table of bit rates has 800 kbit/s.
-stm32f405::Chip chip{stm32f405::core_160_mhz};
-stm32f405::JournalRam<1024> ram;
-stm32f405::ParameterJournal memory{chip.flash, stm32f405::parameter_sectors(), MutableBytes{ram.bytes},
-                                   Slots<std::uint32_t>{ram.changed}};
-TransmitQueue queue;
-cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};
-cbx_ao412::Wiring wiring{chip};
+target::DeviceImage<cbx_ao412::Device, cbx_ao412::Wiring, cbx_ao412::FactoryData, 1024> image{stm32f405::core_160_mhz};
 
 }  // namespace
 
 extern "C" void can_received() {
-    chip.can.drain();
+    image.drain();
 }
 
 extern "C" void image_main() {
-    target::run_image(device, queue, wiring, chip, memory);
+    image.run();
 }

@@ -1,5 +1,5 @@
-// How the CAN-CBX-AO412's terminals meet the pins of an STM32F405. Its manual names another microcontroller and no
-// pins: this board is ours (src/target/stm32f405/README.md).
+// Connects the CAN-CBX-AO412's terminals to the pins of an STM32F405. The manual names another microcontroller and no
+// pins; this board is our own (src/target/stm32f405/README.md).
 #pragma once
 
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
@@ -16,7 +16,7 @@ class Wiring {
 
     void start() {
         for (std::uint32_t pin = 0; pin < 12; ++pin) {
-            chip_.port_c.pull_up(pin);  // three coding switches that close to ground
+            chip_.port_c.pull_up(pin);  // three coding switches, which connect to ground when closed
         }
         for (const std::uint32_t pin : {12U, 13U, 14U, 15U}) {
             chip_.port_b.configure(pin, stm32f405::PinMode::output);
@@ -27,7 +27,7 @@ class Wiring {
         chip_.port_a.configure(7, stm32f405::PinMode::alternate, 2);
         chip_.analog_out.start();
         chip_.pulses_3.start();
-        chip_.pulses_3.set_frequency(20000.0F);  // 12 bits of 80 MHz
+        chip_.pulses_3.set_frequency(20000.0F);  // 80 MHz / 20 kHz = 4000 steps, nearly 12 bits
         drive(Outputs{});
     }
 
@@ -51,7 +51,7 @@ class Wiring {
     }
 
   private:
-    /// An amplifier makes -10.24 to 10.24 V of 0 to 3.3 V.
+    /// Returns the duty or DAC share for a voltage: an amplifier converts 0…3.3 V to -10.24…10.24 V.
     static float share(float volts) { return (volts + 10.24F) / 20.48F; }
 
     stm32f405::Chip& chip_;

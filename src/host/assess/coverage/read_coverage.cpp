@@ -22,8 +22,6 @@ namespace canproof::host {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// Start and end of a region. Lines and columns count from 1; the end is one column after the last character.
 struct Region {
     unsigned line{0};
@@ -41,7 +39,7 @@ struct Region {
     }
 };
 
-Region region_of(const Json& values) {
+Region region_of(const nlohmann::json& values) {
     return {values.at(0), values.at(1), values.at(2), values.at(3)};
 }
 
@@ -84,7 +82,7 @@ struct Ways {
 
 class FileReader {
   public:
-    FileReader(const Json& source, std::string name, std::vector<std::string> lines)
+    FileReader(const nlohmann::json& source, std::string name, std::vector<std::string> lines)
         : source_{source}, lines_{std::move(lines)} {
         made_.file = std::move(name);
     }
@@ -119,7 +117,7 @@ class FileReader {
     /// Sets the executions of each line: those of the busiest region that starts on it, otherwise those of the region
     /// that continues from the line before.
     void read_lines() {
-        const Json& segments = source_.at("segments");
+        const nlohmann::json& segments = source_.at("segments");
         std::size_t at = 0;
         bool counts = false;
         unsigned long long wrapped = 0;
@@ -129,7 +127,7 @@ class FileReader {
             unsigned long long most = counts ? wrapped : 0;
             const bool reached = counts;
             for (bool first = true; at < segments.size() && segments[at].at(0).get<unsigned>() == line; ++at) {
-                const Json& segment = segments[at];
+                const nlohmann::json& segment = segments[at];
                 const bool has_count = segment.at(3);
                 const bool entry = segment.at(4);
                 const bool gap = segment.size() > 5 && segment.at(5).get<bool>();
@@ -235,7 +233,7 @@ class FileReader {
         return conditions;
     }
 
-    const Json& source_;
+    const nlohmann::json& source_;
     std::vector<std::string> lines_;
     std::vector<Region> silent_;  ///< bodies of functions that were never called
     FileCoverage made_;
@@ -277,10 +275,10 @@ std::string readable(std::string name) {
 using Functions = std::map<std::string, std::map<Region, std::pair<unsigned long long, std::string>>>;
 
 /// Returns the executions and the name of each function, by file and region of the body.
-Functions functions_of(const Json& data) {
+Functions functions_of(const nlohmann::json& data) {
     Functions all;
     for (const auto& function : data.at("functions")) {
-        const Json& regions = function.at("regions");
+        const nlohmann::json& regions = function.at("regions");
         if (regions.empty()) {
             continue;
         }
@@ -302,8 +300,8 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
     }
     std::vector<FileCoverage> files;
     try {
-        const Json document = Json::parse(in);
-        const Json& data = document.at("data").at(0);
+        const nlohmann::json document = nlohmann::json::parse(in);
+        const nlohmann::json& data = document.at("data").at(0);
         const Functions functions = functions_of(data);
         for (const auto& source : data.at("files")) {
             const std::filesystem::path path = source.at("filename").get<std::string>();
@@ -317,7 +315,7 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
             files.push_back(FileReader{source, name, lines_of(root / name, file, age)}.read(
                 known == functions.end() ? Functions::mapped_type{} : known->second));
         }
-    } catch (const Json::exception& error) {
+    } catch (const nlohmann::json::exception& error) {
         throw InputError{fmt::format("{} is no export of llvm-cov ({}); measure again", file.string(), error.what())};
     }
     if (std::all_of(files.begin(), files.end(), [](const FileCoverage& one) { return one.is_host(); })) {

@@ -14,7 +14,7 @@ namespace canproof::host {
 namespace {
 
 /// The place of a mutant in a source, and the name of its function without the class.
-struct Place {
+struct FunctionPlace {
     std::size_t line{0};
     std::size_t number{0};
     std::string function;
@@ -22,7 +22,7 @@ struct Place {
 
 using Words = std::set<std::string>;
 
-Place place_of(const AlteredCell& mutant) {
+FunctionPlace place_of(const AlteredCell& mutant) {
     const auto comma = mutant.cell.rfind(", line ");
     const std::string function = mutant.cell.substr(0, comma);
     const auto colons = function.rfind("::");
@@ -58,7 +58,7 @@ class Sources {
         for (std::size_t at = first; at != 0 && at <= last; ++at) {
             add_calls(lines(file)[at - 1], called);
         }
-        for (const Place& place : places_[file]) {
+        for (const FunctionPlace& place : places_[file]) {
             if (place.line >= first && place.line <= last) {
                 numbers.insert(place.number);
             }
@@ -85,7 +85,7 @@ class Sources {
         if (found == places_.end()) {
             return called;
         }
-        for (const Place& place : found->second) {
+        for (const FunctionPlace& place : found->second) {
             if (names.count(place.function) != 0) {
                 numbers.insert(place.number);
                 add_calls(lines(file)[place.line - 1], called);
@@ -110,7 +110,7 @@ class Sources {
     }
 
     std::filesystem::path root_;
-    std::map<std::string, std::vector<Place>> places_;
+    std::map<std::string, std::vector<FunctionPlace>> places_;
     std::map<std::string, std::vector<std::string>> lines_;
 };
 

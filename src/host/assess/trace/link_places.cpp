@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-const std::string statement = "static_assert(implements<";
+const std::string link_start = "static_assert(implements<";
 
 std::string trimmed(const std::string& line) {
     const auto first = line.find_first_not_of(' ');
@@ -46,7 +46,7 @@ bool can_do(const std::string& code) {
 std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines) {
     std::vector<std::string> all;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!begins(trimmed(lines[i]), statement)) {
+        if (!begins(trimmed(lines[i]), link_start)) {
             continue;
         }
         const std::size_t first = i + 1;
@@ -54,7 +54,7 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
         bool inside = false;  // inside a statement that has not ended
         for (; i < lines.size(); ++i) {
             const std::string code = trimmed(lines[i]);
-            if (!inside && !begins(code, statement) && !begins(code, "//")) {
+            if (!inside && !begins(code, link_start) && !begins(code, "//")) {
                 break;
             }
             links += links_of(code);

@@ -1,5 +1,5 @@
-// Single-precision trigonometry against the double-precision functions of the C library: the errors that
-// angle_math.hpp states.
+// Compares the single-precision trigonometry with the double-precision functions of the C library, within the errors
+// that angle_math.hpp states.
 #include "devices/ax060805/firmware/angle_math.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-TEST(AngleMath, ArctangentIsWithin30MicrodegreesAllRound) {
+TEST(AngleMath, ArctangentErrsByAtMost30Microdegrees) {
     verifies<req::INC_ANGLE_012>();
     double worst = 0.0;
     for (int step = 0; step < 720000; ++step) {
@@ -45,7 +45,7 @@ TEST(AngleMath, ArctangentOfTheAxesIsExact) {
     EXPECT_EQ(atan2_degrees(0.0F, 0.0F), 0.0F);
 }
 
-TEST(AngleMath, SineAndCosineAreWithinTwoTenMillionths) {
+TEST(AngleMath, SineAndCosineErrByAtMostTwoTenMillionths) {
     verifies<req::INC_ANGLE_012>();
     double worst = 0.0;
     for (int step = -360000; step <= 360000; ++step) {
@@ -71,7 +71,7 @@ TEST(AngleMath, SineAndCosineOfQuarterTurnsAreExact) {
     }
 }
 
-TEST(AngleMath, ExponentialIsWithinFourTenMillionths) {
+TEST(AngleMath, ExponentialErrsByAtMostFourTenMillionths) {
     verifies<req::INC_FILTER_002>();
     double worst = 0.0;
     for (int step = 0; step <= 4000; ++step) {

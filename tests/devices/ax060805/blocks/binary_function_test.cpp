@@ -1,4 +1,5 @@
-// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), by hand from the manual.
+// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), calculated by hand from the
+// manual.
 #include "devices/ax060805/firmware/binary_function.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float
 
-/// The result of an operation that must be defined.
+/// Returns the result of an operation that must be defined.
 float result(int operation, float x, float y) {
     const Signal signal = apply_binary(static_cast<std::uint8_t>(operation), x, y);
     EXPECT_EQ(signal.kind, SignalKind::continuous) << operation << " of " << x << " and " << y;
@@ -64,12 +65,12 @@ TEST(SignalConversion, DiscreteToContinuousKeepsTheValueToSinglePrecision) {
     EXPECT_EQ(as_continuous(undefined_signal()), 0.0F);
 }
 
-TEST(UnaryFunctions, AreThoseOfTable9) {
+TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     verifies<req::INC_BIN_003, req::INC_T9>();
     EXPECT_EQ(apply_unary(0, -2.5F), -2.5F);
     EXPECT_EQ(apply_unary(1, 0.0F), 1.0F);
     EXPECT_EQ(apply_unary(1, 0.9F), 1.0F);   // 0 as an integer
-    EXPECT_EQ(apply_unary(1, -7.0F), 1.0F);  // likewise
+    EXPECT_EQ(apply_unary(1, -7.0F), 1.0F);  // 0 as an integer
     EXPECT_EQ(apply_unary(1, 1.0F), 0.0F);
     EXPECT_EQ(apply_unary(1, 300.5F), 0.0F);
     EXPECT_EQ(apply_unary(2, 0.0F), all_bits);
@@ -77,10 +78,10 @@ TEST(UnaryFunctions, AreThoseOfTable9) {
     EXPECT_EQ(apply_unary(2, 5.0e9F), 0.0F);           // ~FFFFFFFFh
     EXPECT_EQ(apply_unary(3, -2.5F), 2.5F);
     EXPECT_EQ(apply_unary(3, 2.5F), 2.5F);
-    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: left alone
+    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: the value is unchanged
 }
 
-TEST(BinaryFunctions, ArithmeticOfTable10) {
+TEST(BinaryFunctions, ArithmeticFollowsTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_TRUE(is_undefined(0, 1.0F, 2.0F));
     EXPECT_EQ(result(1, 1.5F, -4.0F), -2.5F);
@@ -93,7 +94,7 @@ TEST(BinaryFunctions, ArithmeticOfTable10) {
     EXPECT_TRUE(is_undefined(255, 1.0F, 2.0F));
 }
 
-TEST(BinaryFunctions, MaximumAndMinimumOfTable10) {
+TEST(BinaryFunctions, MaximumAndMinimumFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(6, 2.0F, -3.0F), 2.0F);
     EXPECT_EQ(result(6, -3.0F, 2.0F), 2.0F);
@@ -101,7 +102,7 @@ TEST(BinaryFunctions, MaximumAndMinimumOfTable10) {
     EXPECT_EQ(result(7, -3.0F, 2.0F), -3.0F);
 }
 
-TEST(BinaryFunctions, ComparisonsOfTable10) {
+TEST(BinaryFunctions, ComparisonsFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     struct Row {
         int operation;
@@ -130,7 +131,7 @@ TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
     EXPECT_EQ(result(15, 4.0F, 2.0F), 1.0F);  // logical, although 4 & 2 is 0
 }
 
-TEST(BinaryFunctions, BitsOfTable10) {
+TEST(BinaryFunctions, BitOperationsFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(16, 12.0F, 10.7F), 14.0F);  // 1100b | 1010b
     EXPECT_EQ(result(17, 12.0F, 10.7F), 8.0F);
@@ -147,7 +148,7 @@ TEST(BinaryFunctions, DivisionAndModulusByZeroGiveZero) {
         EXPECT_EQ(result(4, x, -0.0F), 0.0F);
         EXPECT_EQ(result(5, x, 0.0F), 0.0F);
         EXPECT_EQ(result(5, x, 0.9F), 0.0F);   // 0 as an integer
-        EXPECT_EQ(result(5, x, -3.0F), 0.0F);  // likewise
+        EXPECT_EQ(result(5, x, -3.0F), 0.0F);  // 0 as an integer
     }
 }
 
@@ -163,7 +164,7 @@ TEST(BinaryFunctions, ShiftsBy32AndMoreGiveZero) {
     EXPECT_EQ(result(20, 4294967040.0F, 5.0e9F), 0.0F);
 }
 
-TEST(BinaryFunctions, WhatIsNoNumberMakesTheOutputUndefined) {
+TEST(BinaryFunctions, NanInputOrResultMakesTheOutputUndefined) {
     verifies<req::INC_BIN_007>();
     for (int operation = 0; operation <= 20; ++operation) {
         EXPECT_TRUE(is_undefined(operation, no_number, 1.0F)) << operation;
@@ -176,7 +177,7 @@ TEST(BinaryFunctions, WhatIsNoNumberMakesTheOutputUndefined) {
     EXPECT_EQ(result(3, -infinite, 2.0F), -infinite);
 }
 
-TEST(FunctionBlocks, FollowEquation4) {
+TEST(FunctionBlocks, FunctionBlockFollowsEquation4) {
     verifies<req::INC_BIN_001>();
     FunctionBlock block;
     block.inputs[0] = input(continuous_signal(-10.0F));
@@ -191,7 +192,7 @@ TEST(FunctionBlocks, FollowEquation4) {
     EXPECT_EQ(result.continuous, 90.25F);
 }
 
-TEST(FunctionBlocks, AnUndefinedInputTakesItsDefaultOrMakesTheOutputUndefined) {
+TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
     verifies<req::INC_BIN_002, req::INC_SIG_002>();
     FunctionBlock block;
     block.operation = 1;
@@ -201,13 +202,13 @@ TEST(FunctionBlocks, AnUndefinedInputTakesItsDefaultOrMakesTheOutputUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
     block.inputs[1].has_default = true;
     EXPECT_EQ(evaluate(block).continuous, 42.0F);
-    block.inputs[1].source = continuous_signal(1.0F);  // a signal goes before its default
+    block.inputs[1].source = continuous_signal(1.0F);  // a signal takes precedence over its default
     EXPECT_EQ(evaluate(block).continuous, 3.0F);
     block.inputs[0].source = undefined_signal();
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(FunctionBlocks, TheDefaultPassesUnaryFunctionScaleAndOffset) {
+TEST(FunctionBlocks, DefaultPassesUnaryFunctionScaleAndOffset) {
     verifies<req::INC_BIN_002>();
     FunctionBlock block;
     block.operation = 1;
@@ -219,7 +220,7 @@ TEST(FunctionBlocks, TheDefaultPassesUnaryFunctionScaleAndOffset) {
     EXPECT_EQ(evaluate(block).continuous, 7.0F);  // |-3| * 2 + 1
 }
 
-TEST(FunctionBlocks, AnUndefinedOutputScaleResultIsUndefined) {
+TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
     verifies<req::INC_BIN_007>();
     FunctionBlock block;
     block.operation = 1;
@@ -229,7 +230,7 @@ TEST(FunctionBlocks, AnUndefinedOutputScaleResultIsUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(CountValue, IsScaledOffsetAndRounded) {
+TEST(CountValue, CountIsScaledOffsetAndRounded) {
     verifies<req::INC_FV_001>();
     EXPECT_EQ(count_value(44.4F, {1, 0.0F}), 44);
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
@@ -239,7 +240,7 @@ TEST(CountValue, IsScaledOffsetAndRounded) {
     EXPECT_EQ(count_value(-1.0F, {1000, 0.0F}), -1000);
 }
 
-TEST(CountValue, SaturatesAtInteger16) {
+TEST(CountValue, CountSaturatesAtInteger16) {
     verifies<req::INC_FV_002>();
     EXPECT_EQ(count_value(32.767F, {1000, 0.0F}), 32767);
     EXPECT_EQ(count_value(40.0F, {1000, 0.0F}), 32767);
@@ -252,15 +253,15 @@ TEST(CountValue, SaturatesAtInteger16) {
 
 TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     verifies<req::INC_RPDO_001>();
-    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count is one unit
-    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten are one
-    EXPECT_EQ(value_of_count(250, {10, 50.0F}), 3.0F);     // a hundred
-    EXPECT_EQ(value_of_count(250, {500, 0.0F}), 125.0F);   // two
+    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count per unit
+    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten counts per unit
+    EXPECT_EQ(value_of_count(250, {10, 50.0F}), 3.0F);     // a hundred counts per unit
+    EXPECT_EQ(value_of_count(250, {500, 0.0F}), 125.0F);   // two counts per unit
     EXPECT_EQ(value_of_count(-32768, {1000, 0.0F}), -32768.0F);
     EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }
 
-TEST(CountValue, MillisecondsAreWholeAndBounded) {
+TEST(CountValue, MillisecondsAreIntegersAndClamped) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_EQ(whole_milliseconds(31.83F), 32U);
     EXPECT_EQ(whole_milliseconds(31.4F), 31U);

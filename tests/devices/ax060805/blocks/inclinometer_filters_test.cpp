@@ -18,7 +18,7 @@ using namespace ax060805;
 
 constexpr Duration period = milliseconds(5);
 
-/// What the filter gives after each sample.
+/// Returns the output of the filter after each sample.
 std::vector<float> outputs(AngleFilter& filter, const std::vector<float>& samples) {
     std::vector<float> all;
     for (const float sample : samples) {
@@ -36,17 +36,17 @@ AngleFilter filter_of(AngleFilterKind kind, std::uint16_t samples) {
 
 }  // namespace
 
-TEST(LowPass, CoefficientIsOneLessExpOfMinus2PiFT) {
+TEST(LowPass, CoefficientIsOneMinusExpOfMinus2PiFT) {
     verifies<req::INC_FILTER_002>();
     EXPECT_NEAR(low_pass_coefficient(5.0F, period), 0.145364F, 1e-6F);   // 2 pi 5 0.005 = 0.157080
     EXPECT_NEAR(low_pass_coefficient(50.0F, period), 0.792120F, 1e-6F);  // 1.570796
     EXPECT_NEAR(low_pass_coefficient(1.0F, period), 0.030928F, 1e-6F);   // 0.031416
 }
 
-TEST(LowPass, CoversThatShareOfTheRestAtEachSample) {
+TEST(LowPass, OutputMovesByTheCoefficientTimesTheDifference) {
     verifies<req::INC_FILTER_002, req::INC_FILTER_005>();
     LowPass filter;
-    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken as it is
+    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken unchanged
     const Vector3 second = filter.update({3.0F, -5.0F, 0.0F}, 0.5F);
     EXPECT_EQ(second.x, 2.0F);
     EXPECT_EQ(second.y, -3.0F);
@@ -54,14 +54,14 @@ TEST(LowPass, CoversThatShareOfTheRestAtEachSample) {
     EXPECT_EQ(filter.update({3.0F, -5.0F, 0.0F}, 0.5F).x, 2.5F);
 }
 
-TEST(LowPass, CoefficientOneLetsSamplesPass) {
+TEST(LowPass, CoefficientOnePassesSamplesUnchanged) {
     verifies<req::INC_FILTER_004>();
     LowPass filter;
     filter.update({1.0F, 0.0F, 0.0F}, 1.0F);
     EXPECT_EQ(filter.update({0.3F, 0.0F, 0.0F}, 1.0F).x, 0.3F);
 }
 
-TEST(LowPass, RestartTakesTheNextSampleAsItIs) {
+TEST(LowPass, RestartTakesTheNextSampleUnfiltered) {
     verifies<req::INC_FILTER_005>();
     LowPass filter;
     filter.update({1.0F, 0.0F, 0.0F}, 0.1F);
@@ -69,7 +69,7 @@ TEST(LowPass, RestartTakesTheNextSampleAsItIs) {
     EXPECT_EQ(filter.update({-1.0F, 0.0F, 0.0F}, 0.1F).x, -1.0F);
 }
 
-TEST(LowPass, At5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
+TEST(LowPass, OutputAt5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
     verifies<req::INC_FILTER_003>();
     LowPass filter;
     const float share = low_pass_coefficient(5.0F, period);
@@ -85,13 +85,13 @@ TEST(LowPass, At5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
     }
 }
 
-TEST(LowPass, DelayIsTheTimeConstant) {
+TEST(LowPass, FilterDelayIsTheTimeConstant) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_NEAR(low_pass_delay_ms(5.0F), 31.831F, 0.001F);  // 1000 / 31.4159
     EXPECT_NEAR(low_pass_delay_ms(50.0F), 3.1831F, 0.0001F);
 }
 
-TEST(AngleFilter, NoneGivesTheLatestSample) {
+TEST(AngleFilter, NoFilterGivesTheLatestSample) {
     verifies<req::INC_AVG_007>();
     AngleFilter filter = filter_of(AngleFilterKind::none, 10);
     EXPECT_EQ(outputs(filter, {10.0F, -179.5F, 33.25F}), (std::vector<float>{10.0F, -179.5F, 33.25F}));
@@ -110,30 +110,30 @@ TEST(AngleFilter, MovingAverageOfOneSampleIsThatSample) {
     EXPECT_EQ(outputs(filter, {5.0F, -5.0F, 90.0F}), (std::vector<float>{5.0F, -5.0F, 90.0F}));
 }
 
-TEST(AngleFilter, RepeatingGivesTheMeanOfABlockUntilTheNextIsFull) {
+TEST(AngleFilter, RepeatingFilterGivesTheMeanOfABlockUntilTheNextBlockIsFull) {
     verifies<req::INC_AVG_003>();
     AngleFilter filter = filter_of(AngleFilterKind::repeating, 3);
     EXPECT_EQ(outputs(filter, {3.0F, 6.0F, 9.0F, 12.0F, 15.0F, 18.0F, -90.0F}),
               (std::vector<float>{3.0F, 4.5F, 6.0F, 6.0F, 6.0F, 15.0F, 15.0F}));
 }
 
-TEST(AngleFilter, AveragesTheShortWayRound) {
+TEST(AngleFilter, AverageTakesTheShortWayAcross180Degrees) {
     verifies<req::INC_AVG_006>();
     AngleFilter moving = filter_of(AngleFilterKind::moving_average, 2);
     EXPECT_EQ(outputs(moving, {179.0F, -179.0F, -177.0F}), (std::vector<float>{179.0F, 180.0F, -178.0F}));
     AngleFilter repeating = filter_of(AngleFilterKind::repeating, 2);
-    EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 is 190
+    EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 equals 190
 }
 
-TEST(AngleFilter, HalfATurnIsPositive) {
+TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     verifies<req::INC_AVG_006, req::INC_ANGLE_013>();
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
-    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // either way round is as short: by +180, 90 to 270
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // both ways are equally short: by +180, 90 to 270
 }
 
-TEST(AngleFilter, TurnsForEverWithoutLosingItsPlace) {
+TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
     verifies<req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
     for (int sample = 0; sample < 20000; ++sample) {
@@ -147,19 +147,19 @@ TEST(AngleFilter, TurnsForEverWithoutLosingItsPlace) {
     }
 }
 
-TEST(AngleFilter, RestartForgets) {
+TEST(AngleFilter, RestartDropsEarlierSamples) {
     verifies<req::INC_AVG_007>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 4);
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
-    for (int round = 0; round < 2; ++round) {  // the second time behind a whole block
+    for (int round = 0; round < 2; ++round) {  // the second time after a whole block
         filter.restart(AngleFilterKind::repeating, 2);
         EXPECT_EQ(outputs(filter, {8.0F, 10.0F, 50.0F}), (std::vector<float>{8.0F, 9.0F, 9.0F}));
     }
 }
 
-TEST(AngleFilter, AWindowOf64ForgetsTheSampleBefore) {
+TEST(AngleFilter, WindowOf64DropsTheSampleBeforeIt) {
     verifies<req::INC_AVG_001, req::INC_AVG_002>();
     for (const int samples : {63, 64}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -173,16 +173,16 @@ TEST(AngleFilter, AWindowOf64ForgetsTheSampleBefore) {
     }
 }
 
-TEST(AngleFilter, WhatDoesNotDivideByARunIsNotLost) {
+TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
     verifies<req::INC_AVG_002>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
         filter.add(sample % 50 == 0 ? 0.000049F : 0.0F);
     }
-    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree, the nearest is 1
+    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree; the nearest value is 1
 }
 
-TEST(AngleFilter, LongWindowsAverageAConstantToItself) {
+TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
     verifies<req::INC_AVG_002>();
     for (const int samples : {65, 128, 1000, 60000}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -193,7 +193,7 @@ TEST(AngleFilter, LongWindowsAverageAConstantToItself) {
     }
 }
 
-TEST(AngleFilter, WindowOf128FollowsARampWithinARunsWidth) {
+TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
     verifies<req::INC_AVG_002>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {
@@ -205,14 +205,14 @@ TEST(AngleFilter, WindowOf128FollowsARampWithinARunsWidth) {
     }
 }
 
-TEST(AngleFilter, ALongWindowTurnsForEverToo) {
+TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_002, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
-    const int step = 7;  // more than 64 turns, 23,040 degrees, for the first time with sample 3292, within a run
+    const int step = 7;  // exceeds 64 turns, 23,040 degrees, for the first time at sample 3292, within a run
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The mean of the samples from n - 999 to n, a run's share of which may lie 8 samples beside.
+            // The mean of the samples from n - 999 to n; the share of a run may be off by 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }
@@ -235,12 +235,12 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, NeedsNoMoreMemoryForALongWindow) {
+TEST(AngleFilter, LongWindowNeedsNoMoreMemory) {
     verifies<req::INC_AVG_002>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
 }
 
-TEST(AngleFilter, DelaysByHalfTheWindow) {
+TEST(AngleFilter, FilterDelayIsHalfTheWindow) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::none, 10, 10), 0.0F);
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 10, 10), 45.0F);
@@ -248,7 +248,7 @@ TEST(AngleFilter, DelaysByHalfTheWindow) {
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 1, 1000), 0.0F);
 }
 
-TEST(AngleFilter, NoSamplesCountAsOne) {
+TEST(AngleFilter, WindowOfZeroSamplesCountsAsOne) {
     verifies<req::INC_AVG_001, req::INC_LATENCY_001>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
     EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));
@@ -256,7 +256,7 @@ TEST(AngleFilter, NoSamplesCountAsOne) {
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 0, 100), 0.0F);
 }
 
-TEST(AngleFilter, AMachineMayTurnForEverEitherWay) {
+TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     verifies<req::INC_AVG_006>();
     for (const float step : {120.0F, -120.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
@@ -273,9 +273,9 @@ TEST(AngleFilter, AMachineMayTurnForEverEitherWay) {
     }
 }
 
-/// After 1,400,000 samples of a third of a turn a block of 60,000 would come to 1.4e6 * 1.2e8 * 6e4 = 1e19
-/// microdegrees, which 63 bits do not hold: whole turns are taken out before.
-TEST(AngleFilter, ABlockOf60000IsRightAfterHalfAMillionTurns) {
+/// After 1,400,000 samples of a third of a turn the sum of a block of 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19
+/// microdegrees, which exceeds 63 bits: whole turns are removed before.
+TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);
@@ -283,7 +283,7 @@ TEST(AngleFilter, ABlockOf60000IsRightAfterHalfAMillionTurns) {
         for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks
             filter.add(stands[i % 3U]);
         }
-        // 0, 120, 240, … 59,999 * 120: their mean is 3,599,940 degrees, 10,000 turns less 60.
+        // The mean of 0, 120, 240, … 59,999 * 120 is 3,599,940 degrees, 10,000 turns minus 60 degrees.
         EXPECT_EQ(filter.output(), -60.0F * side);
     }
 }
@@ -300,7 +300,7 @@ TEST(AngleFilter, HalfAMicrodegreeIsRoundedAwayFromZero) {
             repeating.add(0.0F);
             repeating.add(0.0F);
             repeating.add(0.0F);
-            repeating.add(side * 1.0e-6F);  // a quarter
+            repeating.add(side * 1.0e-6F);  // the mean is a quarter of a microdegree
             EXPECT_EQ(repeating.output(), 0.0F) << block;
         }
     }

@@ -1,4 +1,4 @@
-// Angles from gravity by the formulae of the AX060805's manual (2.1.3 to 2.1.6, 3.4), worked out by hand.
+// Angles from gravity by the formulae of the AX060805 manual (2.1.3 to 2.1.6, 3.4), calculated by hand.
 #include "devices/ax060805/firmware/tilt.hpp"
 
 #include <gtest/gtest.h>
@@ -60,21 +60,21 @@ void expect_near(const Vector3& vector, const Vector3& expected) {
 
 }  // namespace
 
-TEST(Tilt, EveryQuadrantByEquation2) {
+TEST(Tilt, TiltAnglesFollowEquation2InEveryQuadrant) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_006, req::INC_ANGLE_013>();
     for (const auto& one : cases) {
         expect_near(tilt_angles(one.gravity), one.tilt, one.position);
     }
 }
 
-TEST(Tilt, GravityAngleByEquation2) {
+TEST(Tilt, GravityAngleFollowsEquation2) {
     verifies<req::INC_ANGLE_004, req::INC_ANGLE_006>();
     for (const auto& one : cases) {
         EXPECT_NEAR(gravity_angle(one.gravity), one.gravity_angle, close) << one.position;
     }
 }
 
-TEST(Tilt, EulerAnglesByEquation3) {
+TEST(Tilt, EulerAnglesFollowEquation3) {
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_006>();
     for (const auto& one : cases) {
         expect_near(euler_angles(one.gravity), one.euler, one.position);
@@ -87,7 +87,7 @@ TEST(Tilt, GravityIsTheAccelerationReversed) {
     expect_near(gravity, Vector3{-0.25F, 0.5F, 1.0F});
 }
 
-TEST(Tilt, JumpsToTheSupplementWhereGzChangesItsSign) {
+TEST(Tilt, TiltAngleJumpsToItsSupplementWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007, req::INC_ANGLE_003>();
     // pitch atan2(0.5, ±0.866), roll atan2(0.866, ±0.5)
     expect_near(tilt_angles({-0.5F, half_root_3, 1e-6F}), {30.0F, 60.0F}, "just above");
@@ -97,7 +97,7 @@ TEST(Tilt, JumpsToTheSupplementWhereGzChangesItsSign) {
 }
 
 // 0.00005 degrees are 8.7e-7 of gravity
-TEST(Tilt, HalfATurnIsPlus180OnEitherSideOfIt) {
+TEST(Tilt, HalfATurnIsPlus180DegreesFromEitherSide) {
     verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
     for (const float across : {0.0F, -0.0F, 1e-10F, -1e-10F, 8e-7F, -8e-7F}) {
         EXPECT_EQ(tilt_angles({across, 0.0F, -1.0F}).pitch, 180.0F) << across;
@@ -111,7 +111,7 @@ TEST(Tilt, HalfATurnIsPlus180OnEitherSideOfIt) {
     EXPECT_LT(euler_angles({0.0F, 1e-6F, -1.0F}).roll, 180.0F);
 }
 
-TEST(Tilt, GimbalLockIsTheConeAboutTheVertical) {
+TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
     verifies<req::INC_ANGLE_008>();
     // sin 1° = 0.0174524
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 1.0F));
@@ -119,9 +119,9 @@ TEST(Tilt, GimbalLockIsTheConeAboutTheVertical) {
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, -0.0174F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0176F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({0.0F, 0.0F, 1.0F}, 1.0F));
-    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is of angle, not of g
+    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is defined by an angle, not by g
     EXPECT_FALSE(in_gimbal_lock({-0.5F, 0.0089F, 0.0F}, 1.0F));  // 0.5 sin 1° = 0.00873
-    EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of nothing holds nothing
+    EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of 0 degrees contains nothing
 }
 
 TEST(Tilt, RollIsUndoneBeforePitch) {
@@ -134,7 +134,7 @@ TEST(Tilt, RollIsUndoneBeforePitch) {
     expect_near(undo_rotation({0.1F, -0.2F, 0.3F}, {0.0F, 0.0F}), {0.1F, -0.2F, 0.3F});
 }
 
-TEST(AngleRange, HalfTurnsAreGivenAsTheyAre) {
+TEST(AngleRange, HalfTurnRangeKeepsTheAngle) {
     verifies<req::INC_RANGE_001>();
     for (const float angle : {-180.0F, -90.0F, -0.25F, 0.0F, 135.0F, 180.0F}) {
         EXPECT_EQ(in_span(angle, {-180, 180}), angle);
@@ -153,7 +153,7 @@ TEST(AngleRange, FullTurnAdds360ToNegativeAngles) {
     EXPECT_EQ(in_span(-1e-9F, full), 0.0F);  // 360 does not occur
 }
 
-TEST(AngleRange, RightAngleFoldsBothSidesAndTheBack) {
+TEST(AngleRange, RightAngleRangeGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_001>();
     const AngleSpan right{0, 90};
     EXPECT_EQ(in_span(30.0F, right), 30.0F);

@@ -1,4 +1,4 @@
-// The figures of the AX060805 show what its manual promises (2.1.4, 2.1.5, 5.1.2).
+// Checks that the figures of the AX060805 show the properties of its manual (2.1.4, 2.1.5, 5.1.2).
 #include "devices/ax060805/simulation/inclinometer_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using canproof::test::verifies;
 
-/// The curve's value at `x`.
+/// Returns the value of the curve at `x`.
 double at(const Curve& curve, double x) {
     const auto nearest = std::min_element(curve.points.begin(), curve.points.end(), [x](const auto& a, const auto& b) {
         return std::fabs(a.first - x) < std::fabs(b.first - x);
@@ -23,7 +23,7 @@ double at(const Curve& curve, double x) {
     return nearest->second;
 }
 
-/// The plot's three angles at that second of the tumble; its filter lags by less than a degree.
+/// Checks the three angles of the plot at that second of the tumble; its filter lags by less than a degree.
 void expect_angles(const LinePlot& plot, double second, double pitch, double roll, double gravity) {
     EXPECT_NEAR(at(plot.curves[0], second), pitch, 1.0) << second;
     EXPECT_NEAR(at(plot.curves[1], second), roll, 1.0) << second;
@@ -32,7 +32,7 @@ void expect_angles(const LinePlot& plot, double second, double pitch, double rol
 
 }  // namespace
 
-TEST(InclinometerFigures, TheTumblePassesAllOrientations) {
+TEST(InclinometerFigures, TumbleCoversAllOrientations) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
@@ -59,7 +59,7 @@ TEST(InclinometerFigures, EulerPitchStaysWithin90Degrees) {
     expect_angles(plot, 42.5, 30.0, 35.26, 45.0);
 }
 
-TEST(InclinometerFigures, SinglePrecisionIsWithin100Microdegrees) {
+TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
     verifies<req::INC_ANGLE_012>();
     const LinePlot plot = angle_error_plot();
     double worst = 0.0;
@@ -70,10 +70,10 @@ TEST(InclinometerFigures, SinglePrecisionIsWithin100Microdegrees) {
         }
     }
     EXPECT_LT(worst, 100.0);
-    EXPECT_GT(worst, 0.0);  // it is the error of something
+    EXPECT_GT(worst, 0.0);  // the error is not zero
 }
 
-TEST(InclinometerFigures, ThePitchHasSettledAt5HzAfter200Milliseconds) {
+TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {
     verifies<req::INC_FILTER_003, req::INC_FILTER_002>();
     const LinePlot plot = settling_plot();
     ASSERT_EQ(plot.curves.size(), 3U);

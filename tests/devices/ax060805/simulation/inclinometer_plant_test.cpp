@@ -1,4 +1,4 @@
-// The simulated AX060805 by its signals: attitude, noise, supply (3.9, 5.1.1).
+// The simulated AX060805: effects of its signals attitude, noise and supply (3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The plant alone: what a stimulus makes of the inputs.
+/// The plant alone: effects of a stimulus on the inputs.
 class InclinometerPlantTest : public testing::Test {
   protected:
     void expect_felt(float x, float y, float z) {
@@ -28,7 +28,7 @@ class InclinometerPlantTest : public testing::Test {
         inputs.*input = value;
         plant.stimulus(name, inputs);
     }
-    /// Root mean square of the X axis over many samples.
+    /// Returns the root mean square of the X axis over many samples.
     double scatter() {
         double sum = 0.0;
         constexpr int samples = 20000;
@@ -43,7 +43,7 @@ class InclinometerPlantTest : public testing::Test {
     host::InclinometerPlant plant;
 };
 
-/// Frames of a simulated device from one time to another.
+/// Returns the frames of a simulated device until a time.
 Frames frames_until(host::SimulatedDevice& device, Instant end) {
     Frames all;
     while (device.next_deadline() <= end) {
@@ -57,7 +57,7 @@ Frames frames_until(host::SimulatedDevice& device, Instant end) {
 
 }  // namespace
 
-TEST_F(InclinometerPlantTest, PitchAndRollMakeAccelerations) {
+TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_PITCH, req::INC_S_ROLL>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
@@ -65,7 +65,7 @@ TEST_F(InclinometerPlantTest, PitchAndRollMakeAccelerations) {
     expect_felt(0.5F, -0.8660254F, 0.0F);
 }
 
-TEST_F(InclinometerPlantTest, AQuaternionMakesAccelerations) {
+TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
              req::INC_S_ATTITUDE_Z>();
     // 30 degrees about Y: (cos 15, 0, sin 15, 0), nose up
@@ -77,17 +77,17 @@ TEST_F(InclinometerPlantTest, AQuaternionMakesAccelerations) {
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);
     expect_felt(0.0F, -1.0F, 0.0F);
-    // about the vertical: nothing changes
+    // a turn about the vertical changes nothing
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
     expect_felt(0.0F, 0.0F, -1.0F);
-    // no rotation at all
+    // an invalid quaternion: no rotation
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
     expect_felt(0.0F, 0.0F, -1.0F);
 }
 
-TEST_F(InclinometerPlantTest, WhatCameLastMakesTheAccelerations) {
+TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
     verifies<req::INC_PLANT_001>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     set(&ax060805::Inputs::acceleration_y, "acceleration_y", 0.25F);
@@ -102,8 +102,8 @@ TEST_F(InclinometerPlantTest, WhatCameLastMakesTheAccelerations) {
 TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_T62, req::INC_K_RESOLUTION_FACTOR, req::INC_K_RATED_CUT_OFF,
              req::INC_S_NOISE>();
-    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter of share 0.145364, which leaves
-    // sqrt(0.145364 / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
+    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364
+    // / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
     const std::vector<std::pair<std::uint16_t, double>> parts{
         {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
         {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};
@@ -129,7 +129,7 @@ TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
     EXPECT_NE(first[0], first[1]);
 }
 
-TEST_F(InclinometerPlantTest, TheProtectionCircuitTakes800mV) {
+TEST_F(InclinometerPlantTest, ProtectionCircuitTakes800mV) {
     verifies<req::INC_PLANT_003, req::INC_K_SUPPLY_DROP, req::INC_S_CONNECTOR>();
     set(&ax060805::Inputs::connector_voltage, "connector_voltage", 12.0F);
     EXPECT_NEAR(inputs.supply_voltage, 11.2F, 1e-5F);
@@ -137,7 +137,7 @@ TEST_F(InclinometerPlantTest, TheProtectionCircuitTakes800mV) {
     EXPECT_EQ(inputs.supply_voltage, 0.0F);
 }
 
-TEST(InclinometerSimulation, SendsTheAngleOfItsStimulus) {
+TEST(InclinometerSimulation, SimulationSendsTheAngleOfItsStimulus) {
     verifies<req::INC_PLANT_001, req::INC_S_PITCH>();
     const auto device = host::make_device("ax060805");
     ASSERT_NE(device, nullptr);
@@ -151,7 +151,7 @@ TEST(InclinometerSimulation, SendsTheAngleOfItsStimulus) {
     EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");  // 30, 0, 30
 }
 
-TEST(InclinometerSimulation, ItsPitchScattersByTheRatedResolution) {
+TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {
     verifies<req::INC_PLANT_002>();
     const auto device = host::make_device("ax060805");
     device->power_on(Instant{});

@@ -1,5 +1,4 @@
-// What the sensor of a simulated AX060805 does beside measuring (5.1.1, Table 62), and what a part number brings as a
-// name.
+// Errors of the sensor of a simulated AX060805 (5.1.1, Table 62), and the effect of a part number as a device name.
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <gmock/gmock.h>
@@ -58,19 +57,19 @@ std::string refusal(const std::string& name, const std::string& given) {
 
 }  // namespace
 
-TEST(SensorErrors, AUnitAsShippedHasNone) {
+TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
     verifies<req::INC_PLANT_004>();
     expect_felt(with_errors(level, SensorErrors{}, 85.0), 0.0, 0.0, -1.0);
     expect_felt(with_errors({0.5F, -0.25F, 0.75F}, SensorErrors{}, -40.0), 0.5, -0.25, 0.75);
 }
 
-TEST(SensorErrors, TheInitialErrorTiltsALevelUnit) {
+TEST(SensorErrors, InitialErrorTiltsALevelUnit) {
     verifies<req::INC_PLANT_004>();
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);  // sin 2
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
 }
 
-TEST(SensorErrors, TheDriftIsThatOfTheTableAtMinus40) {
+TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
     verifies<req::INC_PLANT_004, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
@@ -78,7 +77,7 @@ TEST(SensorErrors, TheDriftIsThatOfTheTableAtMinus40) {
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);     // sin (3.5 * 60 / 65)
 }
 
-TEST(SensorErrors, TheNonLinearityIsGreatestBetweenTheFixedPoints) {
+TEST(SensorErrors, NonLinearityIsLargestBetweenTheFixedPoints) {
     verifies<req::INC_PLANT_004>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
@@ -90,7 +89,7 @@ TEST(SensorErrors, TheNonLinearityIsGreatestBetweenTheFixedPoints) {
     }
 }
 
-TEST(SensorErrors, AnAxisFeelsAShareOfTheNext) {
+TEST(SensorErrors, CrossAxisErrorAddsAShareOfTheNextAxis) {
     verifies<req::INC_PLANT_004>();
     const SensorErrors errors{0.0, 0.0, 0.0, 3.5};
     expect_felt(with_errors(level, errors, 25.0), 0.0, -0.035, -1.0);
@@ -98,8 +97,8 @@ TEST(SensorErrors, AnAxisFeelsAShareOfTheNext) {
     expect_felt(with_errors({0.0F, 1.0F, 0.0F}, errors, 25.0), 0.035, 1.0, 0.0);
 }
 
-/// Table 62: the errors of a unit are at most those of its part number.
-TEST(SensorErrors, TheirLimitsAreThoseOfThePartNumber) {
+/// Table 62: the errors of a unit do not exceed those of its part number.
+TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     verifies<req::INC_PLANT_004, req::INC_T62, req::INC_K_INITIAL_ACCURACY>();
     for (const char* first :
          {"sensor_initial_error=2", "sensor_drift=-3.5", "sensor_nonlinearity=0.7", "sensor_cross_axis=3.5"}) {
@@ -119,16 +118,16 @@ TEST(SensorErrors, TheirLimitsAreThoseOfThePartNumber) {
     EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
 }
 
-/// 4030h and 4040h: pitch and roll, one count a degree as shipped (4.3.7).
-TEST(SensorErrors, TheDeviceMeasuresThem) {
+/// 4030h and 4040h: pitch and roll, one count per degree by default (4.3.7).
+TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
     EXPECT_EQ(chosen.device->objects()->read(0x4030, 0), 2U);
     EXPECT_EQ(device_with("ax060805").device->objects()->read(0x4030, 0), 0U);
 }
 
-/// 25 to 85 degC moves the drift of 3 degrees by 3 * 60 / 65 = 2.77 degrees.
-TEST(SensorErrors, TheDriftFollowsTheTemperatureOfTheSensor) {
+/// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
+TEST(SensorErrors, DriftFollowsTheTemperatureOfTheSensor) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
     chosen.device->set_input("noise_of", 0.0, Instant{});
@@ -137,7 +136,7 @@ TEST(SensorErrors, TheDriftFollowsTheTemperatureOfTheSensor) {
     EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0483134, 1e-6);
 }
 
-TEST(PartNumbers, ThatOfAnInclinometerBringsItsNoise) {
+TEST(PartNumbers, PartNumberOfAnInclinometerSetsItsNoise) {
     verifies<req::INC_PLANT_005>();
     const std::vector<std::pair<const char*, double>> names{
         {"ax060805", 0.0}, {"AX060805@5", 0.0}, {"ax060835", 60835.0}, {"AX060840", 60840.0}, {"ax060841@5", 60841.0}};
@@ -149,7 +148,7 @@ TEST(PartNumbers, ThatOfAnInclinometerBringsItsNoise) {
     EXPECT_EQ(input_of(device_with("ax060841"), "acceleration_x"), input_of(device_with("ax060841"), "acceleration_x"));
 }
 
-TEST(PartNumbers, OfTheManualsCoversAreNames) {
+TEST(PartNumbers, PartNumbersOnTheManualCoversAreDeviceNames) {
     for (const char* name : {"ax060805", "ax060835", "ax060840", "ax060841", "ax130751", "ax130771", "AX130771@9",
                              "ax188001", "cbx-ao412", "c.3040.02"}) {
         EXPECT_EQ(device_with(name).name, name);

@@ -1,4 +1,4 @@
-// The analogue output block of AX130751, 1.3, and the order of Figure 4.
+// The analogue output block of the AX130751, 1.3, and the priorities of Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "devices/ax130751/firmware/current_loop.hpp"
@@ -21,14 +21,14 @@ const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // 5 V/s
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
 constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // control, override, fault
 
-/// Shutdown, an input in error, overridden: which of them are there.
+/// Returns the drive for the conditions shutdown, input in error and overridden.
 OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool overridden, EnableAction enable) {
     return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
 }
 
 }  // namespace
 
-TEST(OutputPriority, ShutdownBeforeOverrideBeforeEnableBeforeError) {
+TEST(OutputPriority, ShutdownPrecedesOverrideThenEnableThenError) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_029>();
     const auto fault = FaultAction::fault_value;
     EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);
@@ -47,7 +47,7 @@ TEST(OutputPriority, ShutdownBeforeOverrideBeforeEnableBeforeError) {
     EXPECT_EQ(chosen(false, false, fault, false, EnableAction::run), OutputDrive::control);
 }
 
-TEST(AnalogueOutput, ControlRampsAndTheTargetIsThereAtOnce) {
+TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_017, req::AOR_OUT_018>();
     AnalogueOutput output;
     const auto first = output.advance(OutputDrive::control, demand, volts, slow, at(0));
@@ -57,7 +57,7 @@ TEST(AnalogueOutput, ControlRampsAndTheTargetIsThereAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(800)).value, 4.0);
 }
 
-TEST(AnalogueOutput, OverrideFaultAndShutOffStep) {
+TEST(AnalogueOutput, OverrideFaultAndShutOffSetTheValueAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_009, req::AOR_OUT_014, req::AOR_OUT_015>();
     AnalogueOutput output;
     output.advance(OutputDrive::control, demand, volts, none, at(0));
@@ -68,7 +68,7 @@ TEST(AnalogueOutput, OverrideFaultAndShutOffStep) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shutdown, demand, volts, slow, at(5)).value, 0.0);
 }
 
-TEST(AnalogueOutput, BackUnderControlItRampsFromWhereItStands) {
+TEST(AnalogueOutput, ReturnToControlRampsFromThePresentValue) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
@@ -76,7 +76,7 @@ TEST(AnalogueOutput, BackUnderControlItRampsFromWhereItStands) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
 }
 
-TEST(AnalogueOutput, RampOffFallsAndKeepStops) {
+TEST(AnalogueOutput, RampOffLowersTheValueAndKeepFreezesIt) {
     verifies<req::AOR_OUT_009>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
@@ -89,7 +89,7 @@ TEST(AnalogueOutput, RampOffFallsAndKeepStops) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::keep, demand, volts, slow, at(900)).value, 1.0);
 }
 
-TEST(AnalogueOutput, StaysInTheRangeOfItsType) {
+TEST(AnalogueOutput, OutputStaysInTheRangeOfItsType) {
     verifies<req::AOR_OUT_016>();
     AnalogueOutput output;
     const AnalogueDemand far{11.0, -12.0, 99.0};
@@ -101,7 +101,7 @@ TEST(AnalogueOutput, StaysInTheRangeOfItsType) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::keep, far, {0.0, 1.0}, none, at(0)).value, 1.0);
 }
 
-TEST(AnalogueOutput, AFrequencyIsOffOrAtLeastFiftyHertz) {
+TEST(AnalogueOutput, FrequencyIsOffOrAtLeastFiftyHertz) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_015>();
     AnalogueOutput output;
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {0.0, 0.0, 0.0}, hertz, none, at(0)).value, 0.0);
@@ -110,7 +110,7 @@ TEST(AnalogueOutput, AFrequencyIsOffOrAtLeastFiftyHertz) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {-7.0, 0.0, 0.0}, hertz, none, at(0)).value, 0.0);
 }
 
-TEST(AnalogueOutput, ResetIsOff) {
+TEST(AnalogueOutput, ResetPutsTheOutputOff) {
     verifies<req::AOR_OUT_023>();
     AnalogueOutput output;
     output.advance(OutputDrive::control, demand, volts, none, at(0));
@@ -118,7 +118,7 @@ TEST(AnalogueOutput, ResetIsOff) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(1)).value, 0.0);
 }
 
-TEST(CurrentLoop, IsLimitedByItsVoltage) {
+TEST(CurrentLoop, CurrentIsLimitedByTheLoopVoltage) {
     verifies<req::AOR_OUT_019>();
     EXPECT_DOUBLE_EQ(loop_current(20.0, 250.0, 14.0, 1000.0), 20.0);
     EXPECT_DOUBLE_EQ(loop_current(20.0, 700.0, 14.0, 1000.0), 20.0);   // 700 Ohm * 20 mA = 14 V, just reached

@@ -1,4 +1,4 @@
-// The digital output block of AX130751, 1.2; polarities as Table 1 prints them.
+// The digital output block of the AX130751, 1.2; polarities as in Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -18,7 +18,7 @@ constexpr SwitchPolarity latched{Row{SwitchDrive::keep, SwitchDrive::change},
 constexpr SwitchPolarity blinking{Row{SwitchDrive::off, SwitchDrive::blink}, Row{SwitchDrive::off, SwitchDrive::blink}};
 constexpr auto control = OutputDrive::control;
 
-/// An output whose control is a row of characters, a millisecond each: # ON, . OFF.
+/// An output with its control as a row of characters, one per millisecond: # ON, . OFF.
 class DigitalOutputTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const SwitchPolarity& polarity, OutputDrive drive = control,
@@ -42,32 +42,32 @@ class DigitalOutputTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(DigitalOutputTest, NormalFollowsAndInverseOpposes) {
+TEST_F(DigitalOutputTest, NormalPolarityFollowsTheControlAndInverseOpposesIt) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##.#", normal), "..##.#");
     EXPECT_EQ(run("..##.#", inverse), "##..#.");
 }
 
-TEST_F(DigitalOutputTest, LatchedChangesWithEachOffToOn) {
+TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
-TEST_F(DigitalOutputTest, BlinksWhileOnBeginningWithOn) {
+TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileOnStartingWithOn) {
     verifies<req::AOR_DO_004>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
-TEST_F(DigitalOutputTest, KnowsWhenItWillChangeByItself) {
+TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
     verifies<req::AOR_DO_004>();
     EXPECT_EQ(output.next_change(), never);
     run("#", blinking);  // ON at 0 ms, for 3 ms
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // 2 and 3 ms: it begins anew with ON at 2 ms
+    run("##", blinking);  // 2 and 3 ms: it restarts with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);
@@ -79,7 +79,7 @@ TEST_F(DigitalOutputTest, LogicStateIsBeforePolarity) {
     EXPECT_FALSE(logic(false, inverse));
 }
 
-TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
+TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
     verifies<req::AOR_DO_006, req::AOR_DO_005>();
     EXPECT_EQ(run(".", inverse), "#");
     EXPECT_EQ(run("..", inverse, OutputDrive::shut_off), "..");
@@ -91,7 +91,7 @@ TEST_F(DigitalOutputTest, PolarityDoesNotApplyToOtherDrives) {
     EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
 }
 
-TEST_F(DigitalOutputTest, LogicStateOfOtherDrivesIsTheirs) {
+TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
     verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_005>();
     const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
         return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;
@@ -109,7 +109,7 @@ TEST_F(DigitalOutputTest, LogicStateOfOtherDrivesIsTheirs) {
     EXPECT_TRUE(logic_of(OutputDrive::keep, false, false)) << "as before";
 }
 
-TEST_F(DigitalOutputTest, KeepsItsState) {
+TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
     verifies<req::AOR_DO_005, req::AOR_DO_006>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
@@ -117,7 +117,7 @@ TEST_F(DigitalOutputTest, KeepsItsState) {
     EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
 }
 
-TEST_F(DigitalOutputTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     verifies<req::AOR_DO_008>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");

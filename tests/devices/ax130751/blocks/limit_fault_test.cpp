@@ -1,4 +1,4 @@
-// Faults with hysteresis of AX130751, 1.8.
+// Faults with hysteresis of the AX130751, 1.8.
 #include "devices/ax130751/firmware/limit_fault.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -10,14 +10,14 @@ namespace {
 
 using namespace ax130751;
 
-/// Under-voltage below 8 V until 13 V: thresholds as shipped.
+/// Advances an under-voltage fault with the default thresholds: below 8 V until 13 V.
 bool under(LimitFault& fault, double volts, bool enabled = true) {
     return fault.advance(enabled, volts < 8.0, volts >= 13.0);
 }
 
 }  // namespace
 
-TEST(LimitFault, BeginsBeyondTheLimitAndEndsWithTheHysteresis) {
+TEST(LimitFault, FaultBeginsBeyondTheLimitAndEndsAtTheHysteresis) {
     verifies<req::AOR_DIAG_002>();
     LimitFault fault;
     EXPECT_FALSE(under(fault, 12.0));
@@ -28,7 +28,7 @@ TEST(LimitFault, BeginsBeyondTheLimitAndEndsWithTheHysteresis) {
     EXPECT_FALSE(under(fault, 8.0));
 }
 
-TEST(LimitFault, GoesWithItsDetection) {
+TEST(LimitFault, FaultEndsWhenItsDetectionIsSwitchedOff) {
     verifies<req::AOR_DIAG_005>();
     LimitFault fault;
     EXPECT_TRUE(under(fault, 5.0));

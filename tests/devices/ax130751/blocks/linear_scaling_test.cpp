@@ -1,4 +1,4 @@
-// The straight line of AX130751, Figures 2 and 3, and integers with decimal digits.
+// Linear scaling of the AX130751, Figures 2 and 3, and integers with decimal digits.
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 
 #include "devices/ax130751/firmware/block_signal.hpp"
@@ -10,9 +10,9 @@ namespace canproof::test {
 
 using namespace ax130751;
 
-TEST(LinearScaling, RisesBetweenItsPointsAndHoldsOutside) {
+TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     verifies<req::AOR_OUT_003>();
-    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA a volt
+    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA per volt
     EXPECT_DOUBLE_EQ(scale(-3.0, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(0.5, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(1.5, joystick), 8.0);
@@ -21,7 +21,7 @@ TEST(LinearScaling, RisesBetweenItsPointsAndHoldsOutside) {
     EXPECT_DOUBLE_EQ(scale(9.0, joystick), 20.0);
 }
 
-TEST(LinearScaling, FallsWhenTheFirstValueIsTheLarger) {
+TEST(LinearScaling, OutputFallsWhenTheFirstValueIsTheLarger) {
     verifies<req::AOR_OUT_004>();
     const LinearScaling inverse{0.0, 100.0, 10.0, -10.0};
     EXPECT_DOUBLE_EQ(scale(-1.0, inverse), 10.0);
@@ -31,7 +31,7 @@ TEST(LinearScaling, FallsWhenTheFirstValueIsTheLarger) {
     EXPECT_DOUBLE_EQ(scale(101.0, inverse), -10.0);
 }
 
-TEST(LinearScaling, ItsEndsAreWithin) {
+TEST(LinearScaling, EndsOfTheScalingCountAsWithin) {
     verifies<req::AOR_OUT_006>();
     const LinearScaling scaling{1.0, 2.0, 0.0, 1.0};
     EXPECT_EQ(position_of(0.999, scaling), ScalingPosition::below);
@@ -40,7 +40,7 @@ TEST(LinearScaling, ItsEndsAreWithin) {
     EXPECT_EQ(position_of(2.001, scaling), ScalingPosition::above);
 }
 
-TEST(DecimalDigits, DivideTheInteger) {
+TEST(DecimalDigits, DigitsDivideTheInteger) {
     verifies<req::AOR_OUT_005>();
     EXPECT_DOUBLE_EQ(physical_value(1234, 0), 1234.0);
     EXPECT_DOUBLE_EQ(physical_value(1234, 1), 123.4);
@@ -58,7 +58,7 @@ TEST(DecimalDigits, EqualValuesAreEqualWhateverTheirDigits) {
     }
 }
 
-TEST(DecimalDigits, BackToTheNearestIntegerAndNoFurtherThanSixteenBits) {
+TEST(DecimalDigits, ProcessValueIsTheNearestIntegerWithin16Bits) {
     verifies<req::AOR_LT_008>();
     EXPECT_EQ(process_value(12.344, 2), 1234);
     EXPECT_EQ(process_value(12.345, 1), 123);
@@ -74,7 +74,7 @@ TEST(DecimalDigits, BackToTheNearestIntegerAndNoFurtherThanSixteenBits) {
     EXPECT_EQ(process_value(-327.69, 2), -32768);
 }
 
-TEST(DigitalReading, HysteresisOfFigure1) {
+TEST(DigitalReading, HysteresisFollowsFigure1) {
     verifies<req::AOR_DO_002>();
     DigitalReading input;
     const auto read = [&input](double value) { return input.read({value, 1.0, 4.0, SignalState::valid}); };
@@ -94,7 +94,7 @@ TEST(DigitalReading, ZeroAndOneAreOffAndOn) {
     EXPECT_FALSE(input.read({0.0, 0.0, 1.0, SignalState::valid}));
 }
 
-TEST(DigitalReading, WithEqualLimitsOffAtThemAndOnAbove) {
+TEST(DigitalReading, EqualLimitsGiveOffAtTheLimitAndOnAbove) {
     verifies<req::AOR_DO_002>();
     DigitalReading input;
     EXPECT_FALSE(input.read({0.0, 0.0, 0.0, SignalState::valid}));
@@ -102,7 +102,7 @@ TEST(DigitalReading, WithEqualLimitsOffAtThemAndOnAbove) {
     EXPECT_FALSE(input.read({0.0, 0.0, 0.0, SignalState::valid}));
 }
 
-TEST(DigitalReading, ErrorLeavesItAndNotAvailableIsOff) {
+TEST(DigitalReading, ErrorKeepsTheReadingAndNotAvailableIsOff) {
     verifies<req::AOR_OUT_008>();
     DigitalReading input;
     EXPECT_TRUE(input.read({9.0, 0.0, 1.0, SignalState::valid}));

@@ -26,7 +26,7 @@ ConditionResult compare(double a, std::uint8_t comparison, double b) {
     return evaluate(LogicCondition{value(a), value(b), comparison});
 }
 
-/// A function whose first condition has the given outcome; the others are not used.
+/// Returns a function whose first condition has the given result; its other conditions are not used.
 LogicFunction function(std::uint8_t logical, ConditionResult first) {
     LogicFunction made;
     made.logical = logical;
@@ -36,14 +36,14 @@ LogicFunction function(std::uint8_t logical, ConditionResult first) {
     return made;
 }
 
-/// The index of the function that is chosen of A, B and C.
+/// Returns the index of the function that is chosen among A, B and C.
 std::size_t chosen(const std::array<LogicFunction, logic_functions>& functions) {
     return select_function([&](std::size_t number) { return functions[number]; });
 }
 
 }  // namespace
 
-TEST(LogicBlock, ComparisonsOfTable16) {
+TEST(LogicBlock, ComparisonsFollowTable16) {
     verifies<req::AOR_T16, req::AOR_LOGIC_001>();
     //              <    =    >
     const std::array<std::array<ConditionResult, 3>, 6> expected{{
@@ -61,7 +61,7 @@ TEST(LogicBlock, ComparisonsOfTable16) {
     }
 }
 
-TEST(LogicBlock, ResultsOfTable17) {
+TEST(LogicBlock, ConditionResultsFollowTable17) {
     verifies<req::AOR_T17, req::AOR_E_CONDITION, req::AOR_LOGIC_002>();
     EXPECT_EQ(evaluate({value(1), value(2), 0}), no);
     EXPECT_EQ(evaluate({value(2), value(2), 0}), yes);
@@ -78,7 +78,7 @@ TEST(LogicBlock, ResultsOfTable17) {
     EXPECT_EQ(static_cast<int>(na), 3);
 }
 
-TEST(LogicBlock, OperatorsOfTables18And19) {
+TEST(LogicBlock, OperatorsFollowTables18And19) {
     verifies<req::AOR_T18, req::AOR_T19, req::AOR_LOGIC_004>();
     for (const auto a : all) {
         for (const auto b : all) {
@@ -95,7 +95,7 @@ TEST(LogicBlock, OperatorsOfTables18And19) {
     }
 }
 
-TEST(LogicBlock, TheFirstFunctionThatHoldsIsChosen) {
+TEST(LogicBlock, FirstTrueFunctionIsChosen) {
     verifies<req::AOR_LOGIC_003>();
     EXPECT_EQ(chosen({function(1, yes), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(1, no), function(1, yes), function(0, na)}), 1U);
@@ -110,18 +110,18 @@ TEST(LogicBlock, TheFirstFunctionThatHoldsIsChosen) {
     EXPECT_EQ(looked_at, 2U) << "C has no turn";
 }
 
-TEST(LogicBlock, WithoutConditionsAndHolds) {
+TEST(LogicBlock, AndWithoutConditionsIsTrue) {
     verifies<req::AOR_LOGIC_004>();
     EXPECT_EQ(chosen({function(1, na), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);
 }
 
-TEST(LogicBlock, WithoutADefaultTableAIsIt) {
+TEST(LogicBlock, TableAIsChosenWithoutADefault) {
     verifies<req::AOR_LOGIC_005>();
     EXPECT_EQ(chosen({function(1, no), function(1, no), function(1, no)}), 0U);
 }
 
-TEST(LogicBlock, OutputIsAPercentageOfTheTablesLimits) {
+TEST(LogicBlock, OutputIsAPercentageOfTheLimitsOfTheTable) {
     verifies<req::AOR_LOGIC_007>();
     EXPECT_DOUBLE_EQ(percentage_of_limits({30.0, 0.0, 100.0, SignalState::valid}), 30.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({-50.0, -200.0, 400.0, SignalState::valid}), 25.0);

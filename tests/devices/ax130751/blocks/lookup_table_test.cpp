@@ -14,7 +14,7 @@ constexpr auto ramp = PointResponse::ramp;
 constexpr auto jump = PointResponse::jump;
 constexpr auto ignore = PointResponse::ignore;
 
-/// X and Y 0, 10 … 100, as shipped (3.4.44, 3.4.45).
+/// Returns the default points: X and Y are 0, 10 … 100 (3.4.44, 3.4.45).
 LookupPoints defaults(PointResponse response) {
     LookupPoints points;
     for (std::size_t i = 0; i < lookup_points; ++i) {
@@ -25,7 +25,8 @@ LookupPoints defaults(PointResponse response) {
     return points;
 }
 
-/// Intervals in ms: up to 100 in 20 ms, stay for 30 ms, jump to 40 for 50 ms; the rest is ignored.
+/// Returns a profile with intervals in ms: to 100 in 20 ms, constant for 30 ms, jump to 40 for 50 ms; the other points
+/// are ignored.
 LookupPoints short_profile() {
     LookupPoints profile;
     profile.x = {0.0, 20e3, 30e3, 50e3};
@@ -47,7 +48,7 @@ Instant at(std::uint64_t ms) {
 
 }  // namespace
 
-TEST(LookupTable, RampsOfFigure6) {
+TEST(LookupTable, RampsFollowFigure6) {
     verifies<req::AOR_LT_001, req::AOR_LT_002>();
     const auto points = defaults(ramp);
     EXPECT_DOUBLE_EQ(lookup(-5.0, points), 0.0);
@@ -59,7 +60,7 @@ TEST(LookupTable, RampsOfFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
-TEST(LookupTable, StepsOfFigure6) {
+TEST(LookupTable, StepsFollowFigure6) {
     verifies<req::AOR_LT_003>();
     const auto points = defaults(jump);
     EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
@@ -70,10 +71,10 @@ TEST(LookupTable, StepsOfFigure6) {
     EXPECT_DOUBLE_EQ(lookup(101.0, points), 100.0);
 }
 
-TEST(LookupTable, FromTheFirstIgnoredPointOnNoneCounts) {
+TEST(LookupTable, PointsFromTheFirstIgnoredOnAreUnused) {
     verifies<req::AOR_LT_004>();
     auto points = defaults(ramp);
-    points.response[5] = ignore;  // point 6 at 50; 7 to 11 still say ramp
+    points.response[5] = ignore;  // point 6 at 50; 7 to 11 are still of type ramp
     EXPECT_DOUBLE_EQ(lookup(35.0, points), 35.0);
     EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
     EXPECT_DOUBLE_EQ(lookup(41.0, points), 40.0);
@@ -82,7 +83,7 @@ TEST(LookupTable, FromTheFirstIgnoredPointOnNoneCounts) {
     EXPECT_DOUBLE_EQ(lookup(50.0, points), 0.0);
 }
 
-TEST(LookupTable, PointsOfEqualXStandUpright) {
+TEST(LookupTable, PointsOfEqualXGiveAJump) {
     verifies<req::AOR_LT_005>();
     auto points = defaults(ramp);
     points.x[3] = 20.0;  // points 3 and 4 at X = 20
@@ -93,9 +94,9 @@ TEST(LookupTable, PointsOfEqualXStandUpright) {
     EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
 }
 
-TEST(LookupTable, JoystickDeadbandOfFigure7) {
+TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
     verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_004>();
-    // Nothing up to 2 V, 10 % just below it, 40 % at 1 V, 100 % at 0 V: the falling side of the stick.
+    // Nothing up to 2 V, 10 % just below 2 V, 40 % at 1 V, 100 % at 0 V: the falling side of the joystick.
     LookupPoints points;
     points.x = {0.0, 1.0, 2.0, 2.0, 5.0};
     points.y = {100.0, 40.0, 10.0, 0.0, 0.0};
@@ -107,7 +108,7 @@ TEST(LookupTable, JoystickDeadbandOfFigure7) {
     EXPECT_DOUBLE_EQ(lookup(4.0, points), 0.0);
 }
 
-TEST(LookupTable, LimitsAreTheLeastAndTheGreatestYOfAllPoints) {
+TEST(LookupTable, LimitsAreTheLowestAndTheHighestYOfAllPoints) {
     verifies<req::AOR_LT_006, req::AOR_LT_007>();
     auto points = defaults(ramp);
     points.response[2] = ignore;
@@ -116,7 +117,7 @@ TEST(LookupTable, LimitsAreTheLeastAndTheGreatestYOfAllPoints) {
     EXPECT_DOUBLE_EQ(lookup_limits(points).greatest, 100.0);
 }
 
-TEST(LookupTable, IntervalsFollowEachOther) {
+TEST(LookupTable, TimeIntervalsFollowEachOther) {
     verifies<req::AOR_LT_011, req::AOR_LT_012>();
     const auto profile = short_profile();
     EXPECT_DOUBLE_EQ(after(0, profile), 0.0);
@@ -129,7 +130,7 @@ TEST(LookupTable, IntervalsFollowEachOther) {
     EXPECT_EQ(profile_length(profile).us, 100'000U);
 }
 
-TEST(LookupTable, PointOneIsTheStartWhateverItsX) {
+TEST(LookupTable, ProfileStartsAtPoint1WhateverItsX) {
     verifies<req::AOR_LT_014>();
     auto profile = short_profile();
     profile.x[0] = 7e3;
@@ -138,7 +139,7 @@ TEST(LookupTable, PointOneIsTheStartWhateverItsX) {
     EXPECT_EQ(profile_length(profile).us, 100'000U);
 }
 
-TEST(LookupTable, RepeatedRoundsEndWithTheLastPoint) {
+TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
     verifies<req::AOR_LT_013>();
     const auto profile = short_profile();  // 100 ms
     EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
@@ -149,7 +150,7 @@ TEST(LookupTable, RepeatedRoundsEndWithTheLastPoint) {
     EXPECT_DOUBLE_EQ(after(1'000'010, profile, true), 50.0);
 }
 
-TEST(LookupTable, TenDaysRunExactly) {
+TEST(LookupTable, ProfileOfTenDaysIsExact) {
     verifies<req::AOR_LT_011>();
     auto profile = defaults(ramp);
     profile.x.fill(86'400'000e3);
@@ -160,17 +161,17 @@ TEST(LookupTable, TenDaysRunExactly) {
     EXPECT_DOUBLE_EQ(after((9 * day) + (day / 4), profile), 92.5);
     EXPECT_DOUBLE_EQ(after(10 * day, profile), 100.0);
     EXPECT_DOUBLE_EQ(after((1000 * day) + (day / 10), profile, true), 1.0);
-    // A microsecond before the end of the last stretch: 100 - 10 / 8.64e10
+    // A microsecond before the end of the last interval: 100 - 10 / 8.64e10
     EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile, false), 100.0);
 }
 
-TEST(LookupTable, WithNothingButIgnoredPointsTheFirstHolds) {
+TEST(LookupTable, Point1AppliesWhenAllOtherPointsAreIgnored) {
     verifies<req::AOR_LT_013>();
     EXPECT_DOUBLE_EQ(after(77, defaults(ignore), true), 0.0);
     EXPECT_EQ(profile_length(defaults(ignore)).us, 0U);
 }
 
-TEST(LookupTable, WithoutSourceItIsZeroAndNotAvailable) {
+TEST(LookupTable, TableWithoutSourceIsZeroAndNotAvailable) {
     verifies<req::AOR_LT_015>();
     LookupTable table;
     const LookupConfig config{LookupAxis::data, false, defaults(ramp)};
@@ -180,7 +181,7 @@ TEST(LookupTable, WithoutSourceItIsZeroAndNotAvailable) {
     EXPECT_EQ(output.state, SignalState::not_available);
 }
 
-TEST(LookupTable, AnErrorIsHandedOnWithTheLastValue) {
+TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
     verifies<req::AOR_LT_016>();
     LookupTable table;
     const LookupConfig config{LookupAxis::data, false, defaults(ramp)};
@@ -190,7 +191,7 @@ TEST(LookupTable, AnErrorIsHandedOnWithTheLastValue) {
     EXPECT_EQ(output.state, SignalState::error);
 }
 
-TEST(LookupTable, OnStartsTheProfileAndOffStopsIt) {
+TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
     verifies<req::AOR_LT_010, req::AOR_LT_012>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, short_profile()};
@@ -210,7 +211,7 @@ TEST(LookupTable, OnStartsTheProfileAndOffStopsIt) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, RepeatRunsOnUntilOff) {
+TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
     verifies<req::AOR_LT_013>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, true, short_profile()};
@@ -221,7 +222,7 @@ TEST(LookupTable, RepeatRunsOnUntilOff) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, BackInTimeResponseAProfileBeginsAnew) {
+TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
     verifies<req::AOR_LT_010>();
     LookupTable table;
     const LookupConfig timed{LookupAxis::time, false, short_profile()};
@@ -233,7 +234,7 @@ TEST(LookupTable, BackInTimeResponseAProfileBeginsAnew) {
     EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(22)).value, 50.0);
 }
 
-TEST(LookupTable, AnErrorEndsAProfile) {
+TEST(LookupTable, InputErrorEndsAProfile) {
     verifies<req::AOR_LT_016>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, short_profile()};

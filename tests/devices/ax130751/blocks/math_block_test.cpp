@@ -1,4 +1,4 @@
-// Math blocks of AX130751, 1.7: the eighteen operators of Table 21 and how functions are chained.
+// Math blocks of the AX130751, 1.7: the eighteen operators of Table 21 and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -17,7 +17,7 @@ constexpr std::uint8_t divided_by = 15;
 constexpr std::uint8_t minimum = 16;
 constexpr std::uint8_t maximum = 17;
 
-/// A percentage as an input, 0 to 100 % scaled, as shipped.
+/// Returns an input in percent, scaled 0 to 100 % by default.
 MathInput percent(double value, double gain = 1.0) {
     return {{value, 0.0, 100.0, SignalState::valid}, 0.0, 100.0, gain, 0};
 }
@@ -34,7 +34,7 @@ double run(const std::array<MathInput, 4>& inputs, const std::array<std::uint8_t
 
 }  // namespace
 
-TEST(MathBlock, OperatorsOfTable21) {
+TEST(MathBlock, OperatorsFollowTable21) {
     verifies<req::AOR_T21, req::AOR_MATH_003>();
     struct Row {
         int number;
@@ -75,7 +75,7 @@ TEST(MathBlock, OperatorsOfTable21) {
     EXPECT_DOUBLE_EQ(apply_operator(17, 0.25, 0.5), 0.5);
 }
 
-TEST(MathBlock, HalfScaleIsTrue) {
+TEST(MathBlock, HalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_003, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);
@@ -97,7 +97,7 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
     EXPECT_DOUBLE_EQ(fraction(4.0, 5.0, 5.0), 0.0);
 }
 
-TEST(MathBlock, AFractionHasStepsOfAMillionth) {
+TEST(MathBlock, FractionHasStepsOfAMillionth) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_003>();
     const auto fraction = [](double value) {
         return math_fraction({{value, 0.0, 0.0, SignalState::valid}, 0.0, 1.0, 1.0, 0});
@@ -110,7 +110,7 @@ TEST(MathBlock, AFractionHasStepsOfAMillionth) {
     EXPECT_EQ(fraction(0.99999951), 1.0);
 }
 
-TEST(MathBlock, ResultsEndAtABillion) {
+TEST(MathBlock, ResultIsClampedAtABillion) {
     verifies<req::AOR_MATH_002, req::AOR_MATH_004>();
     // 1 / 0.000001 / d, with a sign: an input of 1 / a million is 0.0001 percent.
     const auto quotient = [](double divisor, double gain) {
@@ -123,7 +123,7 @@ TEST(MathBlock, ResultsEndAtABillion) {
     EXPECT_EQ(quotient(0.000999, -1.0), -1.0e9);
 }
 
-TEST(MathBlock, EqualInputsAreEqualAfterDifferentScalings) {
+TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
     verifies<req::AOR_MATH_003>();
     for (int tenth = 0; tenth <= 1000; ++tenth) {
         const MathInput a{{physical_value(tenth, 1), 0.0, 0.0, SignalState::valid}, 0.0, 100.0, 1.0, 0};
@@ -132,7 +132,7 @@ TEST(MathBlock, EqualInputsAreEqualAfterDifferentScalings) {
     }
 }
 
-TEST(MathBlock, JoystickAndPotentiometerOfTheManual) {
+TEST(MathBlock, JoystickAndPotentiometerFollowTheManual) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
     // 75 % of the scale by input 1, 25 % by input 2
     const auto sum = [](double joystick, double potentiometer) {
@@ -144,60 +144,60 @@ TEST(MathBlock, JoystickAndPotentiometerOfTheManual) {
     EXPECT_DOUBLE_EQ(sum(40, 60), 0.45);  // 0.3 + 0.15
 }
 
-TEST(MathBlock, FunctionsWorkOnTheResultBeforeThem) {
+TEST(MathBlock, EachFunctionUsesThePreviousResult) {
     verifies<req::AOR_MATH_002>();
     // ((0.2 + 0.6) * 0.5) - 0.1 = 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), percent(50), percent(10)}, {plus, times, minus}), 0.3);
 }
 
-TEST(MathBlock, DivisionByZeroIsZero) {
+TEST(MathBlock, DivisionByZeroGivesZero) {
     verifies<req::AOR_MATH_004>();
     EXPECT_EQ(run({percent(50), percent(0), unused, unused}, {divided_by, plus, plus}), 0.0);
     EXPECT_DOUBLE_EQ(run({percent(50), percent(0), percent(25), unused}, {divided_by, plus, plus}), 0.25);
 }
 
-TEST(MathBlock, ANegativeDifferenceIsZero) {
+TEST(MathBlock, NegativeDifferenceIsClampedToZero) {
     verifies<req::AOR_MATH_005>();
     EXPECT_EQ(run({percent(20), percent(50), unused, unused}, {minus, plus, plus}), 0.0);
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), percent(40), unused}, {minus, plus, plus}), 0.4);
 }
 
-TEST(MathBlock, UnlessAnInputHasANegativeGain) {
+TEST(MathBlock, NegativeGainKeepsANegativeDifference) {
     verifies<req::AOR_MATH_005>();
     // -0.2 - 0.5 = -0.7; + 0.9 = 0.2
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);
     // -0.2 - -0.5 = 0.3
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50, -1), unused, unused}, {minus, plus, plus}), 0.5 - 0.2);
-    // gain of input 1 does not reach function 2: (−0.2 + 0.3) − 0.5 is held at 0
+    // the gain of input 1 does not affect function 2: (−0.2 + 0.3) − 0.5 is clamped to 0
     EXPECT_EQ(run({percent(20, -1), percent(30), percent(50), unused}, {plus, minus, plus}), 0.0);
 }
 
-TEST(MathBlock, ANegativeChainGoesOnWithItsSign) {
+TEST(MathBlock, NegativeResultKeepsItsSignThroughTheChain) {
     verifies<req::AOR_MATH_005>();
-    // -0.2 - 0.5 = -0.7; times 0.5, no difference, is -0.35; + 0.9
+    // -0.2 - 0.5 = -0.7; times 0.5, not a difference, is -0.35; + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(50), percent(90)}, {minus, times, plus}), 0.9 - 0.35);
     // -0.7 - -0.2 = -0.5, a difference with a negative gain; + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(20, -1), percent(90)}, {minus, minus, plus}),
                      0.9 - 0.5);
 }
 
-TEST(MathBlock, AGainOfZeroIsNotNegative) {
+TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
     verifies<req::AOR_MATH_005>();
-    // 0 - 0.5 is held at 0; 0 + 0.9
+    // 0 - 0.5 is clamped to 0; 0 + 0.9
     EXPECT_EQ(run({percent(20, 0), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9);
-    // -0.2 - 0.5 = -0.7; -0.7 - 0 is held at 0; 0 + 0.9
+    // -0.2 - 0.5 = -0.7; -0.7 - 0 is clamped to 0; 0 + 0.9
     EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
 }
 
-TEST(MathBlock, OrItIsFedBackWithANegativeGain) {
+TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
-    // function 1: 0.2 - 0.5 = -0.3, as chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
+    // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 it is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
 }
 
-TEST(MathBlock, AnErrorCountsAsZero) {
+TEST(MathBlock, InputInErrorCountsAsZero) {
     verifies<req::AOR_MATH_006>();
     MathInput failed = percent(80);
     failed.signal.state = SignalState::error;
@@ -205,7 +205,7 @@ TEST(MathBlock, AnErrorCountsAsZero) {
     EXPECT_DOUBLE_EQ(run({failed, percent(30), unused, unused}, {17, plus, plus}), 0.3);
 }
 
-TEST(MathBlock, FunctionsWithoutBothInputsArePassedOver) {
+TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
     verifies<req::AOR_MATH_007>();
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), unused, percent(10)}, {plus, times, plus}), 0.6);
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), percent(50), unused}, {plus, times, times}), 0.25);
@@ -214,9 +214,9 @@ TEST(MathBlock, FunctionsWithoutBothInputsArePassedOver) {
     EXPECT_FALSE(MathBlock{}.advance({{unused, unused, unused, unused}, {plus, plus, plus}}).done);
 }
 
-TEST(MathBlock, ALaterFunctionCountsWithItsLastValue) {
+TEST(MathBlock, LaterFunctionIsReadWithItsLastValue) {
     verifies<req::AOR_MATH_009>();
-    // Input 1 is the block's own function 3, which adds 0.1 for each cycle: a counter.
+    // Input 1 is function 3 of the same block, which adds 0.1 in each cycle: a counter.
     MathBlock block;
     const MathConfig config{{result_of(3), percent(10), unused, percent(0)}, {plus, plus, plus}};
     EXPECT_DOUBLE_EQ(block.advance(config).value, 0.1);
@@ -226,17 +226,17 @@ TEST(MathBlock, ALaterFunctionCountsWithItsLastValue) {
     EXPECT_DOUBLE_EQ(block.advance(config).value, 0.1);
 }
 
-TEST(MathBlock, AnEarlierFunctionCountsWithThisCyclesValue) {
+TEST(MathBlock, EarlierFunctionIsReadWithTheValueOfThisCycle) {
     verifies<req::AOR_MATH_009>();
     // function 1 = 0.6; function 2 = 0.6 * 0.5 = 0.3; function 3 = 0.3 + function 1 = 0.9
     EXPECT_DOUBLE_EQ(run({percent(60), percent(0), percent(50), result_of(1)}, {plus, times, plus}), 0.9);
 }
 
-TEST(MathBlock, AMovingFunction1MovesTheNextCycle) {
+TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
-    // Function 1 = itself + 0.1; the others are not used.
+    // Function 1 = function 1 + 0.1; the other functions are not used.
     const MathConfig counts{{result_of(1), percent(10), unused, unused}, operators};
     EXPECT_DOUBLE_EQ(block.advance(counts).value, 0.1);
     EXPECT_FALSE(block.is_settled());
@@ -247,10 +247,10 @@ TEST(MathBlock, AMovingFunction1MovesTheNextCycle) {
     EXPECT_TRUE(block.is_settled());
 }
 
-TEST(MathBlock, AMovingFunction2MovesTheNextCycle) {
+TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the greater of function 2 and 0.5; function 2 = that + input 3.
+    // Function 1 = the larger of function 2 and 0.5; function 2 = function 1 + input 3.
     const auto config = [](double third) {
         return MathConfig{{result_of(2), percent(50), percent(third), unused}, {maximum, plus, plus}};
     };
@@ -262,10 +262,10 @@ TEST(MathBlock, AMovingFunction2MovesTheNextCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7) << "0.6 + 0.1";
 }
 
-TEST(MathBlock, AMovingFunction3MovesTheNextCycle) {
+TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the greater of function 3 and 0.5; function 2 = that; function 3 = that + input 4.
+    // Function 1 = the larger of function 3 and 0.5; function 2 = function 1; function 3 = function 2 + input 4.
     const auto config = [](double fourth) {
         return MathConfig{{result_of(3), percent(50), percent(0), percent(fourth)}, {maximum, plus, plus}};
     };
@@ -277,11 +277,11 @@ TEST(MathBlock, AMovingFunction3MovesTheNextCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7);
 }
 
-TEST(MathBlock, ADifferenceThatMovesBelow0MovesTheNextCycle) {
+TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = that - input 3; function 3 = that +
-    // function 1.
+    // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = function 1 - input 3; function 3 = function
+    // 2 + function 1.
     const auto config = [](double third) {
         return MathConfig{{result_of(2, -1.0), percent(20), percent(third), result_of(1)}, {minimum, minus, plus}};
     };
@@ -294,10 +294,10 @@ TEST(MathBlock, ADifferenceThatMovesBelow0MovesTheNextCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(30)).value, 0.1) << "0.1 of 0.1; 0.1 - 0.3; 0 + 0.1";
 }
 
-TEST(MathBlock, ADifferenceThatGetsItsSignMovesTheNextCycle) {
+TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = function 2 + 0.2; function 2 = that less 0.5: first a difference, held at 0, then a sum.
+    // Function 1 = function 2 + 0.2; function 2 = function 1 - 0.5: first as a difference, clamped to 0, then as a sum.
     const MathConfig difference{{result_of(2), percent(20), percent(50), unused}, {plus, minus, plus}};
     const MathConfig sum{{result_of(2), percent(20), percent(50, -1.0), unused}, {plus, plus, plus}};
     EXPECT_DOUBLE_EQ(block.advance(difference).value, 0.0);
@@ -308,9 +308,9 @@ TEST(MathBlock, ADifferenceThatGetsItsSignMovesTheNextCycle) {
     EXPECT_DOUBLE_EQ(block.advance(sum).value, -0.1 - 0.5) << "function 1 = -0.3 + 0.2";
 }
 
-TEST(MathBlock, AFunctionThatIsNoLongerDoneFeedsBack0) {
+TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_009>();
-    // Function 1 = function 2 + 0.1; function 2 = that + input 3, which then is not used.
+    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3, which is not used later.
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
     const MathConfig whole{{result_of(2), percent(10), percent(20), unused}, operators};
@@ -331,9 +331,9 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
-TEST(MathBlock, AFunctionThatIsNotThereIsNoInput) {
+TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheOwnSignal) {
     verifies<req::AOR_MATH_002>();
-    // There are three functions: 4 reads the input's own signal, 0 of 100 here.
+    // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);
 }
 

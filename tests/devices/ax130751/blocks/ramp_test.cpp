@@ -1,4 +1,4 @@
-// Ramps of AX130751, 2330h and 2331h.
+// Ramps of the AX130751, 2330h and 2331h.
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -19,7 +19,7 @@ const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace
 
-TEST(Ramp, PassesTheSpanInTheTimeUp) {
+TEST(Ramp, RampCrossesTheSpanInTheTimeUp) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(100)), 0.0);
@@ -29,16 +29,16 @@ TEST(Ramp, PassesTheSpanInTheTimeUp) {
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(9000)), 10.0);
 }
 
-TEST(Ramp, PassesItInTheOtherTimeDown) {
+TEST(Ramp, RampCrossesTheSpanInTheTimeDown) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     ramp.set(10.0);
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(0)), 10.0);
-    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 a second
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 per second
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 
-TEST(Ramp, APartOfTheSpanTakesAPartOfTheTime) {
+TEST(Ramp, PartOfTheSpanTakesThatPartOfTheTime) {
     verifies<req::AOR_OUT_013>();
     Ramp ramp;
     ramp.set(4.0);
@@ -47,7 +47,7 @@ TEST(Ramp, APartOfTheSpanTakesAPartOfTheTime) {
     EXPECT_DOUBLE_EQ(ramp.follow(5.0, slow, at(100)), 5.0);
 }
 
-TEST(Ramp, ANewTargetIsTakenUpWhereItStands) {
+TEST(Ramp, NewTargetIsApproachedFromThePresentValue) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));
@@ -56,7 +56,7 @@ TEST(Ramp, ANewTargetIsTakenUpWhereItStands) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(600)), 0.0);
 }
 
-TEST(Ramp, NewTimesApplyFromNowOn) {
+TEST(Ramp, NewRampTimesApplyAtOnce) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));
@@ -75,9 +75,10 @@ TEST(Ramp, NewTimesApplyFromNowOn) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(740)), 4.0);
 }
 
-TEST(Ramp, HowOftenItIsAskedDoesNotMatter) {
+TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
-    const RampTimes odd{10.0, milliseconds(7000), milliseconds(7000)};  // 10 / 7000 a millisecond: no binary number
+    const RampTimes odd{10.0, milliseconds(7000),
+                        milliseconds(7000)};  // 10 / 7000 per millisecond: not representable in binary
     Ramp often;
     Ramp once;
     often.follow(10.0, odd, at(0));
@@ -89,14 +90,14 @@ TEST(Ramp, HowOftenItIsAskedDoesNotMatter) {
     EXPECT_EQ(often.value_at(at(6000)), 60000.0 / 7000.0) << "to the last bit";
 }
 
-TEST(Ramp, NoTimeOrNoSpanSteps) {
+TEST(Ramp, RampWithoutTimeOrSpanSteps) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(7.0, {10.0, milliseconds(0), milliseconds(500)}, at(0)), 7.0);
     EXPECT_DOUBLE_EQ(ramp.follow(3.0, {0.0, milliseconds(1000), milliseconds(500)}, at(0)), 3.0);
 }
 
-TEST(Ramp, HoldStopsIt) {
+TEST(Ramp, HoldFreezesTheRamp) {
     verifies<req::AOR_OUT_009>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));

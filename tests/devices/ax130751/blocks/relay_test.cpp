@@ -1,4 +1,4 @@
-// The relay block of AX130751, 1.4; polarities as Table 10 prints them.
+// The relay block of the AX130751, 1.4; polarities as in Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -24,7 +24,7 @@ constexpr RelayPolarity never_unlatched{{Row{keep, change}, Row{keep, keep}}, Un
 constexpr RelayPolarity inverse_latched{{Row{keep, keep}, Row{change, keep}}, UnlatchEffect::to_on};
 constexpr RelayPolarity toggle{{Row{off, blink}, Row{off, blink}}, UnlatchEffect::ignored};
 
-/// A relay whose inputs are rows of characters, a millisecond each: # ON, . OFF.
+/// A relay with its inputs as rows of characters, one per millisecond: # ON, . OFF.
 class RelayTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const RelayPolarity& polarity, const std::string& unlatch = "",
@@ -45,31 +45,31 @@ class RelayTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(RelayTest, NotImplementedNormalInverse) {
+TEST_F(RelayTest, RelayFollowsThePolaritiesNotImplementedNormalAndInverse) {
     verifies<req::AOR_RELAY_002>();
     EXPECT_EQ(run(".##.", not_implemented), "....");
     EXPECT_EQ(run(".##.", normal), ".##.");
     EXPECT_EQ(run(".##.", inverse), "#..#");
 }
 
-TEST_F(RelayTest, LatchedChangesWhenTheControlGoesOn) {
+TEST_F(RelayTest, LatchedRelayChangesWhenTheControlGoesOn) {
     verifies<req::AOR_RELAY_003>();
     EXPECT_EQ(run("..##..#.#.", latched), "..####..##");
 }
 
-TEST_F(RelayTest, InverseLatchedRestsOnAndChangesWhenTheControlGoesOff) {
+TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
     verifies<req::AOR_RELAY_004>();
     EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
 }
 
-TEST_F(RelayTest, TogglesWhileOnBeginningWithOn) {
+TEST_F(RelayTest, TogglingRelayTogglesWhileOnStartingWithOn) {
     verifies<req::AOR_RELAY_008>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
     EXPECT_EQ(run(".####", toggle), ".####");
 }
 
-TEST_F(RelayTest, TogglingBeginsWithOnAlsoForARelayThatIsOn) {
+TEST_F(RelayTest, TogglingStartsWithOnForARelayThatIsOnToo) {
     verifies<req::AOR_RELAY_008>();
     EXPECT_EQ(run("###", normal), "###");
     EXPECT_EQ(run("####", toggle), "##..");
@@ -83,35 +83,37 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
 
 TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
     verifies<req::AOR_RELAY_005>();
-    // ON since 0; unlatched from 2 to 3; control still ON: nothing. OFF at 6, ON at 7: latches again.
+    // ON since 0; unlatched from 2 to 3; control still ON: no change. OFF at 6, ON at 7: latches again.
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
-TEST_F(RelayTest, EdgesDuringUnlatchingDoNotCount) {
+TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005>();
-    // Goes ON at 3 while unlatched and stays ON: not ON until it has been OFF at 6 and ON at 7.
+    // The control goes ON at 3 while unlatched and stays ON: the relay stays OFF until the control was OFF at 6 and ON
+    // at 7.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
-TEST_F(RelayTest, AControlThatGoesOnAsUnlatchingEndsDoesNotCount) {
+TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
     verifies<req::AOR_RELAY_005>();
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
 
-TEST_F(RelayTest, AControlAtRestNeedsNoWaiting) {
+TEST_F(RelayTest, ControlThatIsOffAtUnlatchingLatchesAtItsNextEdge) {
     verifies<req::AOR_RELAY_005>();
     EXPECT_EQ(run("#...#", latched, ".##.."), "#...#");
 }
 
 TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     verifies<req::AOR_RELAY_006>();
-    // Falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: nothing until it was ON at 6 and goes OFF at 7.
+    // The control falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: no change until it was ON at 6 and goes OFF
+    // at 7.
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
-TEST_F(RelayTest, ALatchThatIsChosenAgainWaitsForNothing) {
+TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
-    // Unlatched when another polarity is chosen; chosen again, it takes the first edge.
+    // Unlatched when another polarity is chosen; chosen again, the latch accepts the first edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -120,14 +122,14 @@ TEST_F(RelayTest, ALatchThatIsChosenAgainWaitsForNothing) {
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
-TEST_F(RelayTest, ALatchThatIsChosenWhileUnlatchedIsDeafAtOnce) {
+TEST_F(RelayTest, LatchChosenDuringUnlatchingIgnoresEdges) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
     EXPECT_EQ(run(".", normal, "#"), ".");
     EXPECT_EQ(run("#.#", latched, "###"), "...");
     EXPECT_EQ(run(".#.", inverse_latched, "###"), "###");
 }
 
-TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
+TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
     verifies<req::AOR_RELAY_007>();
     EXPECT_EQ(run(".##.", normal, "####"), ".##.");
     EXPECT_EQ(run(".##.", inverse, "####"), "#..#");
@@ -135,7 +137,7 @@ TEST_F(RelayTest, UnlatchMeansNothingElsewhere) {
     EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
 }
 
-TEST_F(RelayTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
+TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     verifies<req::AOR_RELAY_017>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
@@ -150,20 +152,20 @@ TEST_F(RelayTest, ALatchRemembersAndDoesNotCountHiddenEdges) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, DisabledIsOffWhateverThePolarity) {
+TEST_F(RelayTest, DisabledRelayIsOffWhateverThePolarity) {
     verifies<req::AOR_RELAY_009>();
     EXPECT_EQ(run("..", inverse, "", OutputDrive::shut_off), "..");
     EXPECT_EQ(run("..", inverse), "##");
     EXPECT_EQ(run("##", inverse, "", OutputDrive::keep), "##");
 }
 
-TEST_F(RelayTest, OverrideTakesItsState) {
+TEST_F(RelayTest, OverrideSetsItsState) {
     verifies<req::AOR_RELAY_010>();
     EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
     EXPECT_EQ(run("##", normal, "", OutputDrive::override_value, false), "..");
 }
 
-TEST_F(RelayTest, ErrorAndShutdownAreOff) {
+TEST_F(RelayTest, ErrorAndShutdownPutTheRelayOff) {
     verifies<req::AOR_RELAY_011>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run("#", normal, "", OutputDrive::fault_value), ".");
@@ -171,13 +173,13 @@ TEST_F(RelayTest, ErrorAndShutdownAreOff) {
     EXPECT_EQ(run("#", inverse, "", OutputDrive::shutdown), ".");
 }
 
-TEST_F(RelayTest, DelaysOfBothWays) {
+TEST_F(RelayTest, DelaysApplyToOnAndOff) {
     verifies<req::AOR_RELAY_012>();
     times = {milliseconds(3), milliseconds(2), milliseconds(2)};
     EXPECT_EQ(run(".#####.....", normal), "....####...");
 }
 
-TEST_F(RelayTest, ADelayOfADayIsExact) {
+TEST_F(RelayTest, DelayOfADayIsExact) {
     verifies<req::AOR_RELAY_012>();
     times = {milliseconds(86'400'000), milliseconds(86'400'000), milliseconds(2)};
     now = Instant{} + milliseconds(5);
@@ -186,7 +188,7 @@ TEST_F(RelayTest, ADelayOfADayIsExact) {
     EXPECT_EQ(run("##", normal), ".#");
 }
 
-TEST_F(RelayTest, AWishThatGoesAwayIsForgotten) {
+TEST_F(RelayTest, CommandThatEndsDuringItsDelayIsDropped) {
     verifies<req::AOR_RELAY_013>();
     times = {milliseconds(3), milliseconds(3), milliseconds(2)};
     EXPECT_EQ(run("##.##.###.", normal), "..........");
@@ -211,14 +213,14 @@ TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
     EXPECT_EQ(run("###", normal), "..#");
 }
 
-TEST_F(RelayTest, DelaysPutOffTogglingAsAWhole) {
+TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     verifies<req::AOR_RELAY_015>();
     times = {milliseconds(4), milliseconds(4), milliseconds(1)};
-    //                                    control ON at 0: begins at 4; OFF at 8: goes on to 12
+    // control ON at 0: starts at 4; OFF at 8: continues to 12
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 
-TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
+TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     verifies<req::AOR_RELAY_012>();
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = milliseconds(5);
@@ -234,9 +236,9 @@ TEST_F(RelayTest, KnowsWhenItWillChangeByItself) {
     EXPECT_EQ(relay.next_change(), never);
 }
 
-TEST_F(RelayTest, RampingOffIsOff) {
+TEST_F(RelayTest, RampOffPutsTheRelayOff) {
     verifies<req::AOR_RELAY_012>();
-    // A relay has no ramp: what ramps an output off switches it off, with its delay.
+    // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
     times.off_delay = milliseconds(2);
     EXPECT_EQ(run("##", normal), "##");
     EXPECT_EQ(run("####", normal, "", OutputDrive::ramp_off), "##..");

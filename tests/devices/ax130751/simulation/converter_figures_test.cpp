@@ -1,4 +1,4 @@
-// The figures of the AX130751 show what its manual's examples say.
+// Checks that the figures of the AX130751 show the examples of its manual.
 #include "devices/ax130751/simulation/converter_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ double at(const Curve& curve, double x) {
 
 }  // namespace
 
-TEST(ConverterFigures, TheJoystickHasADeadbandAndTwoMirroredSlopesOnEachSide) {
+TEST(ConverterFigures, JoystickHasADeadbandAndTwoMirroredSlopesOnEachSide) {
     const LinePlot plot = joystick_plot();
     ASSERT_EQ(plot.curves.size(), 2U);
     for (const double outward : {0.0, 25.0, 30.0, 50.0}) {
@@ -31,7 +31,7 @@ TEST(ConverterFigures, TheJoystickHasADeadbandAndTwoMirroredSlopesOnEachSide) {
     EXPECT_NEAR(at(plot.curves[0], 100.0), 10.0, 0.001);
 }
 
-TEST(ConverterFigures, ThePotentiometerMovesTheJoysticksRangeByAQuarter) {
+TEST(ConverterFigures, PotentiometerShiftsTheRangeOfTheJoystickByAQuarter) {
     const LinePlot plot = trimmed_joystick_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
     EXPECT_DOUBLE_EQ(at(plot.curves[0], 0.0), 0.0);

@@ -24,7 +24,7 @@ constexpr Instant at(std::uint64_t ms) {
 
 }  // namespace
 
-TEST(DelayedFault, IsToldWhenItHasLasted) {
+TEST(DelayedFault, FaultIsReportedWhenItHasLastedForItsDelay) {
     verifies<req::TCS_LIM_003>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
@@ -37,26 +37,26 @@ TEST(DelayedFault, IsToldWhenItHasLasted) {
     EXPECT_EQ(fault.due(second), never);
 }
 
-TEST(DelayedFault, CountsFromTheFirstMeasurementThatShowsIt) {
+TEST(DelayedFault, DelayRunsFromTheFirstMeasurementThatShowsTheFault) {
     verifies<req::TCS_LIM_003>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
     fault.judge(there, second, at(600));
     EXPECT_EQ(fault.due(second), at(1100));
-    fault.judge(between, second, at(700));  // inside its limit again, if only just
+    fault.judge(between, second, at(700));  // just inside its limit again
     EXPECT_EQ(fault.due(second), never);
     fault.judge(there, second, at(800));
     EXPECT_EQ(fault.due(second), at(1800));
 }
 
-TEST(DelayedFault, WithoutDelayIsToldAtOnce) {
+TEST(DelayedFault, FaultWithoutDelayIsReportedAtOnce) {
     verifies<req::TCS_LIM_011>();
     DelayedFault fault;
     fault.judge(there, Duration{}, at(5));
     EXPECT_TRUE(fault.told());
 }
 
-TEST(DelayedFault, ClearsAtOnceButNotBetweenTheThresholds) {
+TEST(DelayedFault, FaultClearsAtOnceButNotBetweenTheThresholds) {
     verifies<req::TCS_LIM_004>();
     DelayedFault fault;
     fault.judge(there, Duration{}, at(0));
@@ -66,7 +66,7 @@ TEST(DelayedFault, ClearsAtOnceButNotBetweenTheThresholds) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(DelayedFault, AnotherDelayCountsFromTheSameBeginning) {
+TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
     verifies<req::TCS_LIM_010>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
@@ -75,7 +75,7 @@ TEST(DelayedFault, AnotherDelayCountsFromTheSameBeginning) {
     EXPECT_TRUE(fault.told());
 }
 
-TEST(DelayedFault, IsForgottenOnDemand) {
+TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
     verifies<req::TCS_LIM_006, req::TCS_LIM_007>();
     DelayedFault fault;
     fault.judge(there, second, at(0));
@@ -88,7 +88,7 @@ TEST(DelayedFault, IsForgottenOnDemand) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(LimitCondition, SetsBeyondAndClearsAtTheThreshold) {
+TEST(LimitCondition, ConditionSetsBeyondAndClearsAtTheThreshold) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_003>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);
     EXPECT_TRUE(high_limit(125.001, 125.0, 124.0).begins);

@@ -27,7 +27,7 @@ class Converter : public testing::Test {
 
 }  // namespace
 
-TEST_F(Converter, RoundsToTheStepOfItsGain) {
+TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
     verifies<req::TCS_IN_002>();
     convert(1000.0);  // 1000 / 0.59605 = 1677.72: step 1678 = 1000.17 uV
     EXPECT_NEAR(adc.microvolts(), 1678 * 19531.25 / 32768, 1e-9);
@@ -37,7 +37,7 @@ TEST_F(Converter, RoundsToTheStepOfItsGain) {
     EXPECT_NEAR(adc.microvolts(), -19531.25 / 32768, 1e-9);
 }
 
-TEST_F(Converter, OverdrivenItLowersItsGainAndSettlesForFourConversions) {
+TEST_F(Converter, OverdriveLowersTheGainAndSettlesForFourConversions) {
     verifies<req::TCS_IN_003>();
     convert(10000.0);
     const double before = adc.microvolts();
@@ -51,7 +51,7 @@ TEST_F(Converter, OverdrivenItLowersItsGainAndSettlesForFourConversions) {
     EXPECT_FALSE(adc.is_open());
 }
 
-TEST_F(Converter, FullScaleItselfOverdrives) {
+TEST_F(Converter, FullScaleCountsAsOverdrive) {
     verifies<req::TCS_IN_003>();
     convert(19531.25);
     EXPECT_EQ(adc.gain(circuit), 64);
@@ -63,7 +63,7 @@ TEST_F(Converter, FullScaleItselfOverdrives) {
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, RaisesItsGainWhenTheVoltageFitsWithTenPercentToSpare) {
+TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     verifies<req::TCS_IN_004>();
     convert(70000.0, 9);
     ASSERT_EQ(adc.gain(circuit), 32);
@@ -71,35 +71,35 @@ TEST_F(Converter, RaisesItsGainWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_EQ(adc.gain(circuit), 32);
     convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that showed it counts
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that shows it counts
     convert(5.0, 3);
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
     EXPECT_NEAR(adc.microvolts(), 5.0, 1.2);
-    EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest
+    EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest gain
 }
 
-TEST_F(Converter, GoesToTheHighestGainInOneStep) {
+TEST_F(Converter, GainRisesToTheHighestInOneStep) {
     verifies<req::TCS_IN_004>();
     convert(70000.0, 9);
     convert(17578.0);  // 90 % of 19531.25 is 17578.125
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, FindsAnOpenCircuitWithTheNinthConversion) {
+TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
     verifies<req::TCS_IN_005, req::TCS_IN_006>();
     convert(0.0);
     convert(100000.0, 8);
     EXPECT_FALSE(adc.is_open());
     convert(100000.0);  // 1 + 4 + 4 conversions of 165 ms: 1485 ms
     EXPECT_TRUE(adc.is_open());
-    EXPECT_EQ(adc.microvolts(), 0.0);  // the last that was read
+    EXPECT_EQ(adc.microvolts(), 0.0);  // the last valid reading
     convert(25000.0);
     EXPECT_FALSE(adc.is_open());
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);
 }
 
-TEST_F(Converter, AnEndWithinSettlingIsSeenAfterIt) {
+TEST_F(Converter, OverdriveThatEndsDuringSettlingIsSeenAfterSettling) {
     verifies<req::TCS_IN_006>();
     convert(100000.0, 5);
     convert(0.0, 3);
@@ -109,7 +109,7 @@ TEST_F(Converter, AnEndWithinSettlingIsSeenAfterIt) {
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, ANewFilterSettlesToo) {
+TEST_F(Converter, NewFilterSettlesToo) {
     verifies<req::TCS_IN_008>();
     convert(1000.0);
     adc.unsettle(circuit);

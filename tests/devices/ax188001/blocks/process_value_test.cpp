@@ -18,7 +18,7 @@ constexpr ReservedValues reserved{-1, -512};
 
 }  // namespace
 
-TEST(ProcessValue, CountsSixteenthsFromAbsoluteZeroAsShipped) {
+TEST(ProcessValue, ProcessValueCountsSixteenthsFromAbsoluteZeroAsShipped) {
     verifies<req::TCS_VAL_002>();
     EXPECT_EQ(process_value(0.0, shipped), 4368);
     EXPECT_EQ(process_value(100.0, shipped), 5968);
@@ -26,14 +26,14 @@ TEST(ProcessValue, CountsSixteenthsFromAbsoluteZeroAsShipped) {
     EXPECT_EQ(process_value(1735.0, shipped), 32128);
 }
 
-TEST(ProcessValue, TenthsOfADegreeFahrenheit) {
+TEST(ProcessValue, ScalingGivesTenthsOfADegreeFahrenheit) {
     verifies<req::TCS_VAL_003>();
     EXPECT_EQ(process_value(0.0, fahrenheit), 320);
     EXPECT_EQ(process_value(100.0, fahrenheit), 2120);
     EXPECT_EQ(process_value(-40.0, fahrenheit), -400);
 }
 
-TEST(ProcessValue, RoundsHalvesAwayFromZero) {
+TEST(ProcessValue, ProcessValueRoundsHalvesAwayFromZero) {
     verifies<req::TCS_VAL_001>();
     const Scaling one{1.0, 0.0};
     EXPECT_EQ(process_value(2.5, one), 3);
@@ -42,7 +42,7 @@ TEST(ProcessValue, RoundsHalvesAwayFromZero) {
     EXPECT_EQ(process_value(0.03125, shipped), 4369);  // half a count
 }
 
-TEST(ProcessValue, IsHeldAtTheEndsOfSixteenBits) {
+TEST(ProcessValue, ProcessValueIsClampedTo16Bits) {
     verifies<req::TCS_VAL_004>();
     EXPECT_EQ(process_value(1820.0, shipped), 32767);
     EXPECT_EQ(process_value(1820.0, Scaling{-1000.0, 0.0}), -32768);
@@ -50,7 +50,7 @@ TEST(ProcessValue, IsHeldAtTheEndsOfSixteenBits) {
     EXPECT_EQ(process_value(-32768.4, Scaling{1.0, 0.0}), -32768);
 }
 
-TEST(ProcessValue, AMeasurementIsNeverAReservedValue) {
+TEST(ProcessValue, MeasurementIsNeverAReservedValue) {
     verifies<req::TCS_VAL_007>();
     // -17.8333 degC is -0.1 °F * 10 = -1; -46.222 degC is -51.2 °F
     EXPECT_EQ(process_value(-321.0 / 18.0, fahrenheit), -1);
@@ -60,7 +60,7 @@ TEST(ProcessValue, AMeasurementIsNeverAReservedValue) {
     EXPECT_EQ(measured_process_value(-833.0 / 18.0, fahrenheit, reserved), -513);
 }
 
-TEST(Average, LeavesOutWhatIsNotValid) {
+TEST(Average, AverageLeavesOutInvalidChannels) {
     verifies<req::TCS_AVG_001>();
     const auto both = average(std::array<Measurement, 2>{{{10.0, true}, {20.0, true}}});
     EXPECT_TRUE(both.valid);

@@ -1,4 +1,4 @@
-// A ramp through all limits, with a wire that breaks, replayed from stimuli: each emergency message at its due time.
+// Replays a ramp through all limits, with an open circuit, from stimuli: each emergency message at its due time.
 #include "host/sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::string replayed(const std::string& log, const std::string& stimuli, double 
     return frames.str();
 }
 
-/// From -32 degC by 10 degC a second, up from second 11 to 42 and down from second 58 to 88.
+/// Returns a ramp from -32 degC by 10 degC per second, up from second 11 to 42 and down from second 58 to 88.
 std::string ramp() {
     std::ostringstream csv;
     csv << "0,tc1_celsius,-32\n";
@@ -57,7 +57,7 @@ std::string ramp() {
 //  61      248 degC, first below 249; read at 370 * 165 = 61.050
 //  74      118 degC, first below 124; read at 449 * 165 = 74.085
 //  88      -22 degC, first below -20; read at 534 * 165 = 88.110 told at 93.110
-TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWire) {
+TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
              req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
     EXPECT_EQ(replayed("", ramp(), 95.0),
@@ -73,7 +73,7 @@ TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWire) {
               "(93.110000) can0 0FF#11F0010120000000\n");
 }
 
-TEST(Ax188001Replay, TheSameEveryTime) {
+TEST(Ax188001Replay, ReplayIsTheSameEveryTime) {
     verifies<req::TCS_IN_001>();
     std::string outputs[2];
     const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";
@@ -81,8 +81,8 @@ TEST(Ax188001Replay, TheSameEveryTime) {
     EXPECT_EQ(outputs[0], outputs[1]);
 }
 
-// 100 degC is 5968 = 1750h; 25 degC 4768 = 12A0h. Each value is that of the last reading before the TPDO.
-TEST(Ax188001Replay, ProcessValuesEachSecond) {
+// 100 degC is 5968 = 1750h; 25 degC is 4768 = 12A0h. Each value is that of the last reading before the TPDO.
+TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_S_CELSIUS>();
     EXPECT_EQ(replayed("(0.500000) can0 000#0100\n", "2.4,tc1_celsius,100\n", 3.6),
               "(0.000000) can0 77F#00\n"
@@ -92,13 +92,13 @@ TEST(Ax188001Replay, ProcessValuesEachSecond) {
               "(3.500000) can0 1FF#5017A012\n");
 }
 
-// The wire is of the type that 6110h is set to, until tc1_wire names another: K's 4.096 mV at 100 degC are 78 degC in
-// J.
-TEST(Ax188001Replay, WiresFollowTheTypeOrTheirOwn) {
+// The wire has the type of 6110h until tc1_wire names another: 4.096 mV of type K at 100 degC are 78 degC in type J.
+TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
-    // Without tc1_wire a K wire at 100 degC, then at 1 V of hum-free microvolts: 0 uV is the cold junction's 25 degC.
+    // Without tc1_wire a K wire at 100 degC, then a voltage of 0 uV without hum: 25 degC, the cold junction
+    // temperature.
     EXPECT_EQ(replayed(to_k + read_pv, "0.5,tc1_celsius,100\n2,tc1_microvolts,0\n", 3.1),
               "(0.000000) can0 77F#00\n"
               "(0.200000) can0 5FF#6010610100000000\n"
@@ -110,7 +110,7 @@ TEST(Ax188001Replay, WiresFollowTheTypeOrTheirOwn) {
     EXPECT_NE(mixed.find("5FF#4B307101AC18"), std::string::npos) << mixed;  // 121.76 * 16 + 4368 = 6316 = 18ACh
 }
 
-TEST(Ax188001Replay, OutputsAreGainAndFilter) {
+TEST(Ax188001Replay, ReplayOutputsAreGainAndFilter) {
     verifies<req::TCS_S_ADC_FILTER, req::TCS_S_ADC_GAIN>();
     std::string outputs;
     replayed("(1.000000) can0 67F#2F20200032000000\n", "2,tc2_microvolts,30000\n", 4.0, &outputs);

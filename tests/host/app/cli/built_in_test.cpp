@@ -17,7 +17,7 @@ namespace canproof::host::test {
 
 namespace {
 
-TEST(BuiltIn, ADeviceAloneIsTheOneOfTheWholeRegister) {
+TEST(BuiltIn, DeviceLoadedAloneEqualsThatOfTheWholeRegister) {
     const LoadResult whole = load_register(embedded_spec());
     ASSERT_TRUE(whole.faults.empty()) << whole.faults.front().text();
     for (const std::string& name : canproof::test::every_device()) {
@@ -32,7 +32,7 @@ TEST(BuiltIn, ADeviceAloneIsTheOneOfTheWholeRegister) {
     }
 }
 
-TEST(BuiltIn, TheWholeRegisterIsTheCheckedOne) {
+TEST(BuiltIn, BuiltInRegisterEqualsTheCheckedRegister) {
     const LoadResult checked = load_register(embedded_spec());
     ASSERT_EQ(built_in_register().parts.size(), checked.content.parts.size());
     for (std::size_t i = 0; i < checked.content.parts.size(); ++i) {
@@ -50,13 +50,13 @@ TEST(BuiltIn, PartNumbersAreFoundInAnyCase) {
     EXPECT_EQ(&device_named("AX060835"), &device_named("ax060805")) << "read once";
 }
 
-TEST(BuiltIn, WhatIsNoDeviceIsRefused) {
+TEST(BuiltIn, UnknownDeviceIsRefused) {
     EXPECT_THROW(device_named("canopen"), InputError);
     EXPECT_THROW(device_named(""), InputError);
     EXPECT_THROW(device_named("ax1307"), InputError);
 }
 
-TEST(BuiltIn, DecisionsHazardsAndReviewsStayInTheirFolder) {
+TEST(BuiltIn, DecisionsHazardsAndReviewsAreNotEmbedded) {
     for (const auto& [path, text] : embedded_spec()) {
         EXPECT_EQ(text.find("[[review]]"), std::string::npos) << path;
         EXPECT_EQ(text.find("[[hazard]]"), std::string::npos) << path;
@@ -66,7 +66,7 @@ TEST(BuiltIn, DecisionsHazardsAndReviewsStayInTheirFolder) {
     EXPECT_EQ(embedded_spec().count("spec/devices/cbx-ao412/device.toml"), 1U);
 }
 
-TEST(BuiltIn, AFileThatNeedsAnotherIsNotReadAlone) {
+TEST(BuiltIn, FileThatNeedsAnotherFileIsRefusedAlone) {
     // Its range is a table of another file.
     const SpecFiles alone{{"spec/devices/box/objects.toml", R"([[object]]
 index = 0x2000

@@ -42,7 +42,7 @@ std::string small_eds() {
 
 }  // namespace
 
-TEST(NodeId, Is1To127Or255) {
+TEST(NodeId, NodeIdIs1To127Or255) {
     for (int number = -1; number <= 257; ++number) {
         const bool is_one = (number >= 1 && number <= 127) || number == 255;
         EXPECT_EQ(NodeId::is_one(number), is_one) << number;
@@ -54,7 +54,7 @@ TEST(NodeId, Is1To127Or255) {
     }
 }
 
-TEST(ChosenDevices, NodeIdOfNoNodeIsRefused) {
+TEST(ChosenDevices, ImpossibleNodeIdIsRefused) {
     const std::string eds = small_eds();
     for (const char* node : {"0", "128", "200", "254", "256", "999", "", "x", "-1", "5x", "0x5", "1000"}) {
         for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
@@ -73,7 +73,7 @@ TEST(ChosenDevices, NodeIdOfNoNodeIsRefused) {
     }
 }
 
-TEST(ChosenDevices, NodeIdsOfNodesAreTaken) {
+TEST(ChosenDevices, NodeIdsFrom1To127AreAccepted) {
     EXPECT_THAT(first_frames(choose_device("ax188001@1")), HasSubstr("701#00"));
     EXPECT_THAT(first_frames(choose_device("ax188001@127")), HasSubstr("77F#00"));
     EXPECT_THAT(first_frames(choose_eds(small_eds() + "@127")), HasSubstr("77F#00"));
@@ -82,7 +82,7 @@ TEST(ChosenDevices, NodeIdsOfNodesAreTaken) {
     EXPECT_EQ(choose_device("ax188001@255").notice, "");
 }
 
-TEST(ChosenDevices, CodingSwitchesTakeAnyValue_AndSayWhereItIsNoNodeId) {
+TEST(ChosenDevices, CodingSwitchesTakeAnyValue_AndAnInvalidNodeIdIsReported) {
     for (int value = 0; value <= 255; ++value) {
         ChosenDevice chosen = choose_device("cbx-ao412@" + std::to_string(value));
         if (value >= 1 && value <= 127) {
@@ -100,7 +100,7 @@ TEST(ChosenDevices, CodingSwitchesTakeAnyValue_AndSayWhereItIsNoNodeId) {
     EXPECT_THROW(choose_device("cbx-ao412@"), InputError);
 }
 
-TEST(ChosenDevices, SwitchesThatAreTurnedBackSayNothing) {
+TEST(ChosenDevices, SwitchesTurnedBackToAValidNodeIdGiveNoNotice) {
     ChosenDevice chosen = choose_device("cbx-ao412@200");
     set_node(chosen, "4");
     EXPECT_EQ(chosen.notice, "");

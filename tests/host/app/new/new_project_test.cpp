@@ -77,7 +77,7 @@ Part small_sheet() {
 
 }  // namespace
 
-TEST(NewProject, IsASoundRegisterWithOneDevice) {
+TEST(NewProject, NewProjectHasAValidRegisterWithOneDevice) {
     const LoadResult loaded = register_of(project_files(project_named("my-box")));
     EXPECT_TRUE(loaded.faults.empty()) << loaded.faults.front().text();
     const Part* const device = loaded.content.part("my-box");
@@ -90,7 +90,7 @@ TEST(NewProject, IsASoundRegisterWithOneDevice) {
     EXPECT_TRUE(loaded.content.part("canopen")->inherited);
 }
 
-TEST(NewProject, LeavesNoMarkToBeFilledIn) {
+TEST(NewProject, TemplatePlaceholdersAreAllReplaced) {
     for (const auto& [path, text] : project_files(project_named("my-box"))) {
         for (const char* mark :
              {"@name@", "@word@", "@prefix@", "@title@", "@Type@", "@emergency@", "@bit_rates@", "@boot_id@"}) {
@@ -100,7 +100,7 @@ TEST(NewProject, LeavesNoMarkToBeFilledIn) {
     }
 }
 
-TEST(NewProject, RefusesNamesThatNoFileOrCppWordCanHave) {
+TEST(NewProject, NamesInvalidForFilesOrCppAreRefused) {
     for (const char* name : {"", "Box", "1box", "-box", "box-", "a--b", "a_b", "../box", "a/b", "int", "canopen",
                              "abcdefghijabcdefghijabcdefghijabcdefghija"}) {
         EXPECT_TRUE(refuses(project_named(name))) << name;
@@ -108,7 +108,7 @@ TEST(NewProject, RefusesNamesThatNoFileOrCppWordCanHave) {
     EXPECT_FALSE(refuses(project_named("box-2")));
 }
 
-TEST(NewProject, RefusesPrefixesThatBeginNoId) {
+TEST(NewProject, PrefixesInvalidForIdsAreRefused) {
     for (const char* prefix : {"CO", "ab", "1A", "A-B", "A B"}) {
         NewProject project = project_named("box");
         project.prefix = prefix;
@@ -116,7 +116,7 @@ TEST(NewProject, RefusesPrefixesThatBeginNoId) {
     }
 }
 
-TEST(NewProject, TakesIdentityAndObjectsFromADataSheet) {
+TEST(NewProject, IdentityAndObjectsComeFromTheDataSheet) {
     NewProject project = project_named("box");
     project.eds = small_sheet();
     const LoadResult loaded = register_of(project_files(project));
@@ -151,13 +151,13 @@ std::string expected_emergency(std::int64_t value, bool node_id) {
     return text.substr(at, text.find(';', at) - at);
 }
 
-TEST(NewProject, ExpectsEmergenciesAsTheDataSheetHasThem) {
+TEST(NewProject, EmergenciesAreExpectedAsInTheDataSheet) {
     EXPECT_EQ(expected_emergency(0x80, true), "return {\"085#\" + bytes}");
     EXPECT_EQ(expected_emergency(0x123, false), "return {\"123#\" + bytes}");
     EXPECT_EQ(expected_emergency(0x80000080, true), "return {}");
 }
 
-TEST(NewProject, KeepsTheBitRateOfTheDataSheetAmongTheUsualOnes) {
+TEST(NewProject, BitRateOfTheDataSheetIsAmongTheBitRates) {
     NewProject project = project_named("box");
     project.eds = small_sheet();
     project.eds->info.bit_rate = 100000;

@@ -100,12 +100,12 @@ const std::string frame = R"({"frame":"000#0103"})";
 
 }  // namespace
 
-TEST_F(Front, SlowClientsKeepNobodyWaiting) {
+TEST_F(Front, SlowClientsDoNotDelayOtherClients) {
     const auto slow = slow_ones(HttpFront::most_connections - 1);
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(Front, ConnectionsAreBounded_AndALateClientStillGetsIn) {
+TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
     EXPECT_TRUE(slow.front()->ended());  // it has been slow for longest
@@ -113,7 +113,7 @@ TEST_F(Front, ConnectionsAreBounded_AndALateClientStillGetsIn) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(Front, RequestThatDripsInEndsAtItsDeadline) {
+TEST_F(Front, SlowRequestEndsAtItsDeadline) {
     TcpClient drip{front.port()};
     ASSERT_TRUE(until([&] { return front.connections() == 1; }));
     EXPECT_EQ(front.next_deadline(), now + HttpFront::request_limit);
@@ -129,7 +129,7 @@ TEST_F(Front, RequestThatDripsInEndsAtItsDeadline) {
     EXPECT_EQ(front.next_deadline(), never);
 }
 
-TEST_F(Front, ClientThatDoesNotReadEndsAtItsDeadline) {
+TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
     answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel holds for it
     const TcpClient deaf{front.port()};
     deaf.say(plain_get);
@@ -142,7 +142,7 @@ TEST_F(Front, ClientThatDoesNotReadEndsAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(Front, ClientThatNeverClosesEndsAtItsDeadline) {
+TEST_F(Front, ClientThatNeverClosesIsClosedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
     ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has all, and keeps its side open
@@ -153,19 +153,19 @@ TEST_F(Front, ClientThatNeverClosesEndsAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(Front, LongResponseArrivesWhole) {
+TEST_F(Front, LongResponseArrivesCompletely) {
     answer.body = std::string(3U * 1024U * 1024U, 'x');
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\n" + answer.body));
 }
 
-TEST_F(Front, RefusalArrivesThoughMoreOfTheRequestIsOnItsWay) {
+TEST_F(Front, RefusalArrivesWhileTheRequestIsStillBeingSent) {
     const std::string heard = exchange("GET /" + std::string(100000, 'a'));
     EXPECT_THAT(heard, StartsWith("HTTP/1.1 414 "));
     EXPECT_THAT(heard, HasSubstr("2048 bytes"));
     EXPECT_EQ(asked, 0);
 }
 
-TEST_F(Front, RangesAreNeverAnswered) {
+TEST_F(Front, RangeHeadersAreIgnored) {
     std::string ranges = "Range: bytes=0-";
     while (ranges.size() < 7900) {
         ranges += ",0-";
@@ -179,7 +179,7 @@ TEST_F(Front, RangesAreNeverAnswered) {
     }
 }
 
-TEST(FrontThatEnds, WaitsForNobody) {
+TEST(FrontThatEnds, ServerThatEndsDoesNotWaitForClients) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
     TcpClient slow{front->port()};
     slow.say("GET /");
@@ -192,7 +192,7 @@ TEST(FrontThatEnds, WaitsForNobody) {
     EXPECT_TRUE(slow.ended());
 }
 
-TEST_F(PanelOverHttp, PageIsServedWithItsPolicy) {
+TEST_F(PanelOverHttp, PageIsServedWithItsContentSecurityPolicy) {
     const std::string page = get("/");
     EXPECT_THAT(page, StartsWith("HTTP/1.1 200 OK\r\n"));
     EXPECT_THAT(page, HasSubstr("\r\nContent-Security-Policy: default-src 'none'; script-src 'self';"));
@@ -203,7 +203,7 @@ TEST_F(PanelOverHttp, PageIsServedWithItsPolicy) {
     EXPECT_THAT(get("/nothing"), StartsWith("HTTP/1.1 404 "));
 }
 
-TEST_F(PanelOverHttp, RangesOfAnyNumberGetThePageOnce) {
+TEST_F(PanelOverHttp, RangeHeadersGetThePageOnce) {
     std::string ranges = "Host: localhost\r\nRange: bytes=0-";
     while (ranges.size() < 7900) {
         ranges += ",0-";
@@ -241,7 +241,7 @@ TEST_F(PanelOverHttp, OversizeIsRefused_AnnouncedOrNot) {
     EXPECT_THAT(get("/"), StartsWith("HTTP/1.1 200 "));
 }
 
-TEST_F(PanelOverHttp, RequestHiddenInARefusedOnesBodyIsNeverPlayed) {
+TEST_F(PanelOverHttp, RequestHiddenInTheBodyOfARefusedRequestIsNotExecuted) {
     const std::string hidden =
         "POST /api/frame HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
         "20\r\n\r\n{\"frame\":\"000#0103\"}";
@@ -253,12 +253,12 @@ TEST_F(PanelOverHttp, RequestHiddenInARefusedOnesBodyIsNeverPlayed) {
     EXPECT_THAT(bench.log.str(), Not(HasSubstr("000#0103")));
 }
 
-TEST_F(PanelOverHttp, NoHttpAtAllEndsTheConnection) {
+TEST_F(PanelOverHttp, InvalidHttpEndsTheConnection) {
     EXPECT_THAT(exchange("\x01\x02\x03\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(get("/"), StartsWith("HTTP/1.1 200 "));
 }
 
-TEST_F(PanelOverHttp, PortThatIsTakenIsRefusedWithTheRemedy) {
+TEST_F(PanelOverHttp, PortInUseIsRefusedWithTheRemedy) {
     try {
         const HttpFront second{[](const PanelRequest&) { return PanelResponse{}; }, front.port()};
         FAIL() << "two panels on one port";

@@ -30,7 +30,7 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 
 }  // namespace
 
-TEST(Panel, OverTheShutdownLimit_EmergencyFrameAndLampAreTold) {
+TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1: no delay
@@ -57,7 +57,7 @@ TEST(Panel, OverTheShutdownLimit_EmergencyFrameAndLampAreTold) {
     EXPECT_EQ(healed.at("lamps").at("error"), "off");
 }
 
-TEST(Panel, LedsAreTheDevicesOwn_EdgeByEdge) {
+TEST(Panel, LedChangesComeFromTheDevice_EdgeByEdge) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(2000);
     // Pre-operational: the green status LED blinks, 200 ms on and 200 ms off (manual, Tables 5 and 7).
@@ -73,7 +73,7 @@ TEST(Panel, LedsAreTheDevicesOwn_EdgeByEdge) {
     EXPECT_EQ(bench.get("/api/state").at("devices").at(0).at("state"), "operational");
 }
 
-TEST(Panel, LentRunLampFlashesByCia303_HoweverSeldomTheLoopLooks) {
+TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_WithRarePolling) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("000#0202"), 200);
@@ -86,7 +86,7 @@ TEST(Panel, LentRunLampFlashesByCia303_HoweverSeldomTheLoopLooks) {
     EXPECT_EQ(bench.get("/api/state").at("devices").at(0).at("lamps").at("run"), "1 flash");
 }
 
-TEST(Panel, InputsShowWhatThePlantMakesOfThem) {
+TEST(Panel, InputsShowTheValuesComputedByThePlant) {
     PanelBench bench{{"ax060805@5"}};
     ASSERT_EQ(bench.stimulate("ax060805@5", "pitch", 90.0), 200);
     bench.run_until(10);
@@ -100,7 +100,7 @@ TEST(Panel, InputsShowWhatThePlantMakesOfThem) {
     }
 }
 
-TEST(Panel, StimulusThatIsNoneIsRefused_AndChangesNothing) {
+TEST(Panel, InvalidStimulusIsRefused_AndChangesNothing) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(100);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc9_celsius", 1.0), 422);
@@ -117,7 +117,7 @@ TEST(Panel, StimulusThatIsNoneIsRefused_AndChangesNothing) {
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n");
 }
 
-TEST(Panel, DeviceIsNamedWithoutItsNodeWhereOnlyOneHasTheName) {
+TEST(Panel, DeviceMayBeNamedWithoutItsNodeIdWhenUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
     EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // README's own request
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
@@ -140,7 +140,7 @@ TEST(Panel, MalformedBodyIsRefused) {
     EXPECT_EQ(bench.post("/api/nothing", "{}").status, 404);
 }
 
-TEST(Panel, ForeignPageChangesNothing) {
+TEST(Panel, RequestOfAForeignPageChangesNothing) {
     PanelBench bench{{"cbx-ao412@3"}};
     PanelRequest request;
     request.method = "POST";
@@ -155,7 +155,7 @@ TEST(Panel, ForeignPageChangesNothing) {
     EXPECT_EQ(frames_of(bench, "NMT").size(), 0U);
 }
 
-TEST(Panel, BusThatIsFullSaysSo_AndTakesFramesAgain) {
+TEST(Panel, FullBusRefusesFrames_AndTakesThemAgainLater) {
     PanelBench bench{{"cbx-ao412@3"}};
     int refused = 0;
     for (int i = 0; i < 5000 && refused == 0; ++i) {
@@ -166,7 +166,7 @@ TEST(Panel, BusThatIsFullSaysSo_AndTakesFramesAgain) {
     EXPECT_EQ(bench.send("123#00"), 200);
 }
 
-TEST(Panel, WhatWasDoneOnThePageReplaysToTheSameFrames) {
+TEST(Panel, ActionsOnThePageReplayToTheSameFrames) {
     PanelBench bench{{"ax188001"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("000#0100"), 200);
@@ -205,13 +205,13 @@ TEST(Panel, WhatWasDoneOnThePageReplaysToTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, SeveralDevices_StimuliNameTheirs) {
+TEST(Panel, SeveralDevices_StimuliNameTheirDevice) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");
 }
 
-TEST(Panel, ReaderGetsWhatItHasNotSeen) {
+TEST(Panel, ReaderGetsOnlyNewChangesAndFrames) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(100);
     const nlohmann::json first = bench.get("/api/state");
@@ -238,7 +238,7 @@ TEST(Panel, LongTrafficIsBounded) {
     EXPECT_GE(state.at("next_frame").get<std::uint64_t>(), 6000U);
 }
 
-TEST(Panel, EveryViewNamesWhatItsDeviceHas) {
+TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
     PanelBench bench{{"ax060805", "ax130751@1", "ax188001@2", "cbx-ao412@3"}};
     const nlohmann::json panel = bench.get("/api/panel");
     for (const auto& device : panel.at("devices")) {
@@ -283,7 +283,7 @@ TEST(Panel, EveryViewNamesWhatItsDeviceHas) {
     }
 }
 
-TEST(Panel, PageAsksForNothingFromElsewhere) {
+TEST(Panel, PageLoadsNothingFromOtherHosts) {
     for (const auto& [name, text] : panel_assets()) {
         for (std::size_t at = text.find("http"); at != std::string::npos; at = text.find("http", at + 1)) {
             // Names of XML are no addresses that anyone asks for.
@@ -300,7 +300,7 @@ TEST(Panel, PageAsksForNothingFromElsewhere) {
     EXPECT_EQ(bench.panel.answer(request).status, 404);
 }
 
-TEST(Panel, TwentyFirstNoticeIsNewToThePageToo) {
+TEST(Panel, TwentyFirstNoticeIsDelivered) {
     PanelBench bench{{"cbx-ao412@3"}};
     for (int i = 0; i < 21; ++i) {
         bench.panel.notice(std::to_string(i));
@@ -311,7 +311,7 @@ TEST(Panel, TwentyFirstNoticeIsNewToThePageToo) {
     EXPECT_EQ(state.at("next_notice"), 21);
 }
 
-TEST(Panel, SimulationThatFallsBehindIsTold_AndRequestsAreAnswered) {
+TEST(Panel, SimulationThatFallsBehindIsReported_AndRequestsAreAnswered) {
     PanelBench bench{{"cbx-ao412@3"}};
     ASSERT_EQ(bench.send("603#2B17100001000000"), 200);  // a heartbeat every millisecond
     bench.run_until(10);
@@ -327,7 +327,7 @@ TEST(Panel, SimulationThatFallsBehindIsTold_AndRequestsAreAnswered) {
     EXPECT_EQ(bench.get("/api/state").at("bus").at("lag_us"), 0);
 }
 
-TEST(PanelRing, KeepsTheNewestAndTheirNumbers) {
+TEST(PanelRing, RingKeepsTheNewestEntriesAndTheirNumbers) {
     Ring<int> ring{3};
     for (int i = 10; i < 15; ++i) {
         ring.push(i);

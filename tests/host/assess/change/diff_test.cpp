@@ -81,11 +81,11 @@ class Repository {
 
 }  // namespace
 
-TEST(RegisterDiff, ARegisterDoesNotDifferFromItself) {
+TEST(RegisterDiff, RegisterDoesNotDifferFromItself) {
     EXPECT_TRUE(compare(read("Opens.", 5, 1), read("Opens.", 5, 1)).empty());
 }
 
-TEST(RegisterDiff, TellsTheTextTheDefaultAndTheCellThatChanged) {
+TEST(RegisterDiff, ChangedTextDefaultAndCellAreListed) {
     const auto changes = compare(read("Opens.", 5, 1), read("Closes.", 6, 2));
     ASSERT_EQ(changes.size(), 3U);
     EXPECT_THAT(change_of("AO4-R-1", changes)->details, ElementsAre("text: Opens. -> Closes."));
@@ -93,7 +93,7 @@ TEST(RegisterDiff, TellsTheTextTheDefaultAndTheCellThatChanged) {
     EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
 }
 
-TEST(RegisterDiff, TellsAnotherAnswer) {
+TEST(RegisterDiff, ChangedTopicAnswerIsListed) {
     Register after = read("Opens.", 5, 1);
     const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
     const auto changes = compare(read("Opens.", 5, 1), after);
@@ -101,7 +101,7 @@ TEST(RegisterDiff, TellsAnotherAnswer) {
     EXPECT_THAT(changes[0].details, ElementsAre(HasSubstr("choice: "), HasSubstr("differs: "), HasSubstr("topic: ")));
 }
 
-TEST(RegisterDiff, TellsWhatCameAndWent) {
+TEST(RegisterDiff, AddedAndRemovedItemsAreListed) {
     Register after = read("Opens.", 5, 1);
     Part& box = const_cast<Part&>(*after.part("box"));
     box.requirements[0].id = "AO4-R-2";
@@ -111,7 +111,7 @@ TEST(RegisterDiff, TellsWhatCameAndWent) {
     EXPECT_EQ(changes[1].kind, ItemChange::Kind::added);
 }
 
-TEST(RegisterDiff, FollowsAStatementByItsMark) {
+TEST(RegisterDiff, StatementIsFollowedByItsMark) {
     const auto read_statements = [](const std::string& text) {
         SpecFiles files = with(items_file, items("Opens.", 5, 1));
         files["spec/manuals/m/1.toml"] = text;
@@ -132,7 +132,7 @@ TEST(RegisterDiff, FollowsAStatementByItsMark) {
     EXPECT_THAT(changes[1].details, ElementsAre("covered: AO4-R-1 -> AO4-OD-2000"));
 }
 
-TEST(Revision, IsReadFromGitAndComparedWithTheFilesAsTheyAre) {
+TEST(Revision, RevisionIsReadFromGitAndComparedWithTheWorkTree) {
     const Repository repository;
     repository.write(items_file, items("Opens.", 7, 1));
     repository.write("src/a.cpp", "// two\n");
@@ -145,13 +145,13 @@ TEST(Revision, IsReadFromGitAndComparedWithTheFilesAsTheyAre) {
     EXPECT_THAT(files_changed_since(repository.root(), "HEAD", {"src"}), ElementsAre("src/a.cpp", "src/new.cpp"));
 }
 
-TEST(Revision, AnUnknownOneIsAnInputError) {
+TEST(Revision, UnknownRevisionIsAnInputError) {
     const Repository repository;
     EXPECT_THROW(spec_files_at(repository.root(), "nowhere"), InputError);
     EXPECT_THROW(spec_files_at(repository.root(), "--upload-pack=x"), InputError);
 }
 
-TEST(Impact, NamesCodeTestsAndOtherItemsOfTouchedFiles) {
+TEST(Impact, ImpactListsCodeTestsAndItemsOfTouchedFiles) {
     const Register after = read("Closes.", 5, 1);
     Evidence evidence;
     evidence.implemented["AO4-R-1"] = {"src/firmware/a.cpp:7"};
@@ -166,7 +166,7 @@ TEST(Impact, NamesCodeTestsAndOtherItemsOfTouchedFiles) {
     EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
 }
 
-TEST(Impact, TellsVerdictsThatDiffer) {
+TEST(Impact, ChangedVerdictsAreListed) {
     Evidence before;
     Evidence after;
     before.verdicts = {{"A", {{"S.A", "test", true}}}, {"B", {{"S.B", "test", true}}}, {"C", {{"S.C", "test", true}}}};

@@ -92,7 +92,7 @@ std::vector<std::string> words(const std::vector<CoverageGap>& gaps) {
 
 }  // namespace
 
-TEST_F(Coverage, TellsWhatNoRunReachedByItsText) {
+TEST_F(Coverage, UnreachedCodeIsListedWithItsText) {
     const auto files = read();
     ASSERT_THAT(files, SizeIs(1));  // nothing but the firmware
     EXPECT_EQ(files[0].file, "src/firmware/base/one.cpp");
@@ -102,7 +102,7 @@ TEST_F(Coverage, TellsWhatNoRunReachedByItsText) {
                             "10 function canproof::idle: never called"));
 }
 
-TEST_F(Coverage, MeasuresTheFirmwareOfADeviceAndNotItsSimulation) {
+TEST_F(Coverage, FirmwareOfADeviceIsMeasuredAndItsSimulationIsNot) {
     const auto renamed = [this](const std::string& to) {
         std::string text = measured;
         const std::string from = "src/firmware/base/one.cpp";
@@ -122,7 +122,7 @@ TEST_F(Coverage, MeasuresTheFirmwareOfADeviceAndNotItsSimulation) {
     EXPECT_THAT(told("measured.json"), HasSubstr("measures no file of the firmware"));
 }
 
-TEST_F(Coverage, HostsBusesAndReplayHaveTheirOwnFigure) {
+TEST_F(Coverage, BusesAndReplayOfTheHostHaveTheirOwnFigure) {
     std::string text = measured;
     const std::string firmware = text.substr(
         text.find("{\"filename\""), text.find("  {\"filename\": \"/elsewhere/tests") - text.find("{\"filename\""));
@@ -150,7 +150,7 @@ TEST_F(Coverage, HostsBusesAndReplayHaveTheirOwnFigure) {
     EXPECT_FALSE(verdict.holds());
 }
 
-TEST_F(Coverage, CountsLinesBranchesConditionsAndFunctions) {
+TEST_F(Coverage, LinesBranchesConditionsAndFunctionsAreCounted) {
     const FileCoverage one = read().at(0);
     // All twelve lines hold code. Run: 1, 2, 5, 6, 7. Line 4 closes what never ran, 9 what never ran to its end.
     EXPECT_EQ(one.line_count().total, 12U);
@@ -165,7 +165,7 @@ TEST_F(Coverage, CountsLinesBranchesConditionsAndFunctions) {
     EXPECT_DOUBLE_EQ(CoverageCount{}.percent(), 100.0);
 }
 
-TEST_F(Coverage, ARecordGivesAGapItsReasonAndAnUnusedOneIsTold) {
+TEST_F(Coverage, RecordGivesAGapItsReasonAndUnusedRecordsAreReported) {
     write("records.toml",
           "[[record]]\nfile = \"src/firmware/\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"always true here\"\n"
           "[[record]]\nfile = \"src/firmware/base/two.cpp\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"gone\"\n"
@@ -180,7 +180,7 @@ TEST_F(Coverage, ARecordGivesAGapItsReasonAndAnUnusedOneIsTold) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
-TEST_F(Coverage, HoldsWithNothingOpenNoUnusedRecordAndNinetyNinePercentOfTheConditions) {
+TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     CoverageVerdict verdict;
     verdict.conditions = {99, 100};
     EXPECT_TRUE(verdict.holds());
@@ -200,7 +200,7 @@ TEST_F(Coverage, HoldsWithNothingOpenNoUnusedRecordAndNinetyNinePercentOfTheCond
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }
 
-TEST_F(Coverage, ARecordOfCodeThatIsGoneIsToldWithoutAMeasurement) {
+TEST_F(Coverage, RecordOfRemovedCodeIsReportedWithoutAMeasurement) {
     const auto record = [](const std::string& file, const std::string& kind, const std::string& code) {
         return CoverageRecord{file, kind, code, "reason", 1};
     };
@@ -231,7 +231,7 @@ TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
     EXPECT_EQ(one.conditions.covered, 1U);
 }
 
-TEST_F(Coverage, AFunctionIsNamedWithoutTemplateArguments) {
+TEST_F(Coverage, FunctionIsNamedWithoutTemplateArguments) {
     // std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&)
     std::string one = measured;
     const std::string idle = "_ZN8canproof12_GLOBAL__N_14idleEv";
@@ -240,7 +240,7 @@ TEST_F(Coverage, AFunctionIsNamedWithoutTemplateArguments) {
     EXPECT_EQ(words(read().at(0).gaps).back(), "10 function canproof::made: never called");
 }
 
-TEST_F(Coverage, BadFilesAreToldWithTheirRemedy) {
+TEST_F(Coverage, InvalidFilesAreReportedWithTheirRemedy) {
     EXPECT_THAT(told("absent.json"), HasSubstr("tests/coverage measures it"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));

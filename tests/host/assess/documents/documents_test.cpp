@@ -193,7 +193,7 @@ class Documents : public ::testing::Test {
 
 }  // namespace
 
-TEST_F(Documents, AnObjectSaysTypeAccessRangeDefaultStorageAndMapping) {
+TEST_F(Documents, ObjectTextHasTypeAccessRangeDefaultStorageAndMapping) {
     EXPECT_EQ(
         item_words(box(), "AO4-OD-2000"),
         "ARRAY. Sub 0 (Highest sub-index): UNSIGNED8, constant, every value of the type, default 2, not stored, is in "
@@ -206,7 +206,7 @@ TEST_F(Documents, AnObjectSaysTypeAccessRangeDefaultStorageAndMapping) {
     EXPECT_EQ(item_words(box(), "AO4-A-001"), "");
 }
 
-TEST_F(Documents, TheSafetyManualNamesWhatTheDeviceDoesNotPrevent) {
+TEST_F(Documents, SafetyManualListsHazardsThatTheDeviceDoesNotPrevent) {
     const Document manual = safety_manual(content_, box());
     EXPECT_THAT(rows_of(manual, "AO4-H-001"),
                 ElementsAre(ElementsAre("The supply is low.", "AO4-A-001"),
@@ -219,7 +219,7 @@ TEST_F(Documents, TheSafetyManualNamesWhatTheDeviceDoesNotPrevent) {
                 ElementsAre(ElementsAre("AO4-K-LIMIT", "9 V", "Least supply.", "M1:1")));
 }
 
-TEST_F(Documents, TheHardwareInterfaceHasEachSignalAsSignalsPrintsIt) {
+TEST_F(Documents, HardwareInterfaceListsEachSignalAsTheSignalsCommand) {
     const Document interface = hardware_interface(box());
     EXPECT_THAT(rows_of(interface, "Inputs"), ElementsAre(ElementsAre("supply", "REAL32", "V", "0 … 60 V", "12",
                                                                       "Supply voltage.", "", "AO4-S-SUPPLY", "M1:1")));
@@ -228,7 +228,7 @@ TEST_F(Documents, TheHardwareInterfaceHasEachSignalAsSignalsPrintsIt) {
                                         "Switched output.", "AO4-H-001", "AO4-S-OUT", "M1:1")));
 }
 
-TEST_F(Documents, TheInterfaceControlDocumentComputesCobIdsAndMappings) {
+TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
     const Document interface = interface_control(content_, box());
     const auto messages = rows_of(interface, "COB-IDs at node-ID 3");
     // 80h + 3, 600h + 3, 580h + 3, 700h + 3
@@ -247,14 +247,14 @@ TEST_F(Documents, TheInterfaceControlDocumentComputesCobIdsAndMappings) {
                 Contains(ElementsAre("2000h:01", "Level 1", "INTEGER16", "rw", "5", "-10 … 10", "tpdo", "yes", "mV")));
 }
 
-TEST_F(Documents, TheErrorMatrixSaysWhichRequirementNamesACode) {
+TEST_F(Documents, ErrorMatrixNamesTheRequirementOfEachCode) {
     const Document matrix = error_matrix(content_, box(), {});
     EXPECT_THAT(rows_of(matrix, "Errors"),
                 ElementsAre(ElementsAre("supply", "3100h", "05h", "", "AO4-A-001", "no lamp", "AO4-T-ERRORS"),
                             ElementsAre("silence", "8130h", "11h", "", "missing", "no lamp", "AO4-T-ERRORS")));
 }
 
-TEST_F(Documents, AFailureModeWithoutARecordIsMissing) {
+TEST_F(Documents, FailureModeWithoutARecordIsListedAsMissing) {
     const Analysis known = analysis(R"([[failure_mode]]
 devices = ["box"]
 signals = ["AO4-S-SUPPLY"]
@@ -282,7 +282,7 @@ mode = "missing"
     EXPECT_EQ(count_missing(made), 14U);
 }
 
-TEST_F(Documents, AnAnalysisThatNamesWhatIsNotThereIsRefusedWithItsLine) {
+TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     const std::string mode = "[[failure_mode]]\ndevices = [\"box\"]\nsignals = [\"AO4-S-SUPPLY\"]\n";
     EXPECT_THAT(refusal(mode + "mode = \"on fire\"\n"),
                 HasSubstr("a.toml:1: a signal like `AO4-S-SUPPLY` has no mode `on fire`; it has: too low, too high"));
@@ -297,7 +297,7 @@ TEST_F(Documents, AnAnalysisThatNamesWhatIsNotThereIsRefusedWithItsLine) {
     EXPECT_EQ(refusal(mode + "mode = \"NaN\"\n"), "");
 }
 
-TEST_F(Documents, ThreatsAreThoseOfServicesThatTheDeviceHas) {
+TEST_F(Documents, ThreatsAreThoseOfTheServicesOfTheDevice) {
     const Analysis known = analysis(R"([[threat]]
 service = "EMCY"
 objects = ["1014h"]
@@ -323,7 +323,7 @@ rest = "Some."
                             ElementsAre("LSS", "FR 2", "Lost.", "AO4-A-001", "Some.")));
 }
 
-TEST_F(Documents, ADocumentIsTheSameAsPageMarkdownAndJson) {
+TEST_F(Documents, DocumentHasTheSameContentAsPageMarkdownAndJson) {
     const Document manual = safety_manual(content_, box());
     const std::string page = document_html(manual, {{"AO4-H-001", "hazards.html#AO4-H-001"}});
     EXPECT_THAT(page, HasSubstr("<a href=\"hazards.html#AO4-H-001\">AO4-H-001</a>"));
@@ -333,7 +333,7 @@ TEST_F(Documents, ADocumentIsTheSameAsPageMarkdownAndJson) {
     EXPECT_EQ(json.at("chapters").at(2).at("tables").at(0).at("rows").at(0).at("Failure"), "The switch is welded.");
 }
 
-TEST(ResidualErrors, FollowTheBinomialDistribution) {
+TEST(ResidualErrors, ResidualErrorsFollowTheBinomialDistribution) {
     // Three bits, each wrong with 1/2: of the eight patterns 3 + 1 have two or more wrong bits.
     EXPECT_DOUBLE_EQ(two_or_more_wrong(3, 0.5), 4.0 / 8.0);
     // Four bits, each wrong with 1/10: 6 * 0.01 * 0.81 + 4 * 0.001 * 0.9 + 0.0001 = 0.0486 + 0.0036 + 0.0001.

@@ -44,7 +44,7 @@ class ExhibitFolder : public ::testing::Test {
     std::filesystem::path root_;
 };
 
-TEST_F(ExhibitFolder, IsReadWithItsFiles) {
+TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
     // Paths compare as text: GoogleTest would print them as lists of themselves.
     ASSERT_EQ(exhibit_folders(root_).size(), 1U);
     EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
@@ -59,7 +59,7 @@ TEST_F(ExhibitFolder, IsReadWithItsFiles) {
     EXPECT_THAT(found.data, ElementsAre("fuzz/data/a"));
 }
 
-TEST_F(ExhibitFolder, IsRefusedWhereItsDescriptionDoesNotFit) {
+TEST_F(ExhibitFolder, ExhibitWithAnInvalidDescriptionIsRefused) {
     EXPECT_THAT(told(R"({"title": "x", "state": "fine", "says": ""})"), HasSubstr("state `fine` is neither"));
     EXPECT_THAT(told(R"({"title": "x"})"), HasSubstr("it needs title, state and says"));
     EXPECT_THAT(told("nothing"), HasSubstr("exhibit.json"));

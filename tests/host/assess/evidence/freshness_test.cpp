@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 }  // namespace
 
-TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
+TEST(Freshness, MeasurementNewerThanItsSourcesIsFresh) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness";
     fs::create_directories(root / "spec");
@@ -40,7 +40,7 @@ TEST(Freshness, IsThatOfAMeasurementAsYoungAsItsSources) {
     EXPECT_EQ(oldest_file(root).string(), "");
 }
 
-TEST(Freshness, IsThatOfContentsOnceAMeasurementWasSeenFresh) {
+TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_contents";
     fs::remove_all(root);
@@ -78,7 +78,7 @@ TEST(Freshness, IsThatOfContentsOnceAMeasurementWasSeenFresh) {
     fs::remove_all(root);
 }
 
-TEST(Freshness, SpeaksOfTheFirmwareOfDevicesToo) {
+TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_devices";
     const fs::path file = "src/devices/ax130751/firmware/ramp.cpp";
@@ -99,7 +99,7 @@ TEST(Freshness, SpeaksOfTheFirmwareOfDevicesToo) {
     fs::remove_all(root);
 }
 
-TEST(Verdicts, AreThoseOfTheLastRun) {
+TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "verdicts";
     EXPECT_EQ(newest_verdicts(root).string(), (root / "build/release/verdicts").string());
@@ -119,7 +119,7 @@ TEST(Verdicts, AreThoseOfTheLastRun) {
     fs::remove_all(root);
 }
 
-TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {
+TEST(ArgumentFile, ProjectArgumentIsValidAndInvalidOnesAreReportedWithTheirLine) {
     const auto file = std::filesystem::path{::testing::TempDir()} / "argument.toml";
     const auto told = [&](const char* text) {
         std::ofstream{file} << text;
@@ -136,7 +136,7 @@ TEST(ArgumentFile, TheOneOfThisProjectIsSoundAndBadOnesAreToldWithTheirLine) {
     std::filesystem::remove(file);
 }
 
-TEST(Techniques, AreReadFromTheFilesOfAFolderAndBadRowsAreToldWithTheirLine) {
+TEST(Techniques, TechniquesAreReadFromAFolderAndInvalidRowsReportedWithTheirLine) {
     const auto folder = std::filesystem::path{::testing::TempDir()} / "techniques";
     std::filesystem::create_directories(folder);
     const auto told = [&](const char* row) {

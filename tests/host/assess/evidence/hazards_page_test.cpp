@@ -39,7 +39,7 @@ class HazardsPage : public testing::Test {
 
 }  // namespace
 
-TEST_F(HazardsPage, NamesWhatPreventsEachFailure) {
+TEST_F(HazardsPage, PageNamesTheRequirementThatPreventsEachFailure) {
     const std::string page = hazards_page(input_);
     EXPECT_THAT(page, HasSubstr("<h2>Device 1</h2>"));
     EXPECT_THAT(page, HasSubstr("<code>D-H-1</code><br>The output is on."));
@@ -50,7 +50,7 @@ TEST_F(HazardsPage, NamesWhatPreventsEachFailure) {
     EXPECT_THAT(page, HasSubstr("not prevented"));
 }
 
-TEST_F(HazardsPage, CountsFailuresByTheStateOfTheirRequirements) {
+TEST_F(HazardsPage, FailuresAreCountedByTheStateOfTheirRequirements) {
     FailureCounts counts = count_failures(input_);
     EXPECT_EQ(counts.hazards, 1U);
     EXPECT_EQ(counts.failures, 2U);
@@ -62,7 +62,7 @@ TEST_F(HazardsPage, CountsFailuresByTheStateOfTheirRequirements) {
     EXPECT_THAT(hazards_page(input_), HasSubstr("open"));
 }
 
-TEST_F(HazardsPage, LeavesOutADeviceWithoutHazards) {
+TEST_F(HazardsPage, DeviceWithoutHazardsIsLeftOut) {
     part_.hazards.clear();
     EXPECT_THAT(hazards_page(input_), Not(HasSubstr("Device 1")));
 }

@@ -28,7 +28,7 @@ std::vector<std::string> keys_of(const std::vector<ExpectedEvidence>& all) {
 
 }  // namespace
 
-TEST(MakeEvidence, IsForWhatIsAbsentOrStaleAndHasACommand) {
+TEST(MakeEvidence, EvidenceIsMadeWhereAbsentOrStaleWithACommand) {
     Argument argument;
     argument.evidence = {{"coverage", "", "", "true", 1},
                          {"fuzz", "", "", "true", 1},
@@ -48,7 +48,7 @@ TEST(MakeEvidence, IsForWhatIsAbsentOrStaleAndHasACommand) {
     EXPECT_THAT(keys_of(makeable(argument, {})), ElementsAre("coverage", "fuzz", "misra", "scale"));
 }
 
-TEST(MakeEvidence, GoesOnAfterACommandThatFailsAndSaysWhereItsOutputIs) {
+TEST(MakeEvidence, FailedCommandIsReportedWithItsOutputAndTheRestContinues) {
     const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "make evidence";
     std::filesystem::remove_all(root);
     std::filesystem::create_directories(root);

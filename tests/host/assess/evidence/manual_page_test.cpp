@@ -94,7 +94,7 @@ class ManualPage : public testing::Test {
 
 }  // namespace
 
-TEST_F(ManualPage, ShowsEachSectionInItsState) {
+TEST_F(ManualPage, EachSectionIsShownWithItsState) {
     EXPECT_THAT(tile("1"), HasSubstr("\"tile proven\" href=\"#1\" title=\"lamps &amp; more: proven\">✓"));
     EXPECT_THAT(tile("2"), HasSubstr("\"tile aside\" href=\"#2\" title=\"rates: explained\">–"));
     EXPECT_THAT(tile("3"), HasSubstr("title=\"cables: informative\">·"));
@@ -102,20 +102,20 @@ TEST_F(ManualPage, ShowsEachSectionInItsState) {
     EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: proven\">✓"));
 }
 
-TEST_F(ManualPage, ShowsASectionWithAnItemThatIsNotShown) {
+TEST_F(ManualPage, SectionWithAnUnshownItemIsMarked) {
     failed_ = true;
     EXPECT_THAT(tile("1"), HasSubstr("\"tile unproven\" href=\"#1\" title=\"lamps &amp; more: not proven\">◐"));
     EXPECT_THAT(tile("Table 1"), HasSubstr("proven\">✓"));
 }
 
-TEST_F(ManualPage, ShowsASectionWithAnUncoveredStatementOrNone) {
+TEST_F(ManualPage, SectionWithAnUncoveredOrMissingStatementIsMarked) {
     manual().statements[1].covered.clear();
     EXPECT_THAT(tile("1"), HasSubstr("\"tile uncovered\" href=\"#1\" title=\"lamps &amp; more: uncovered\">✗"));
     manual().statements.pop_back();
     EXPECT_THAT(tile("Table 1"), HasSubstr("colours: uncovered\">✗"));
 }
 
-TEST_F(ManualPage, ListsStatementsWithLinksToWhatCoversThem) {
+TEST_F(ManualPage, StatementsAreListedWithLinksToTheirItems) {
     const std::string markup = page();
     EXPECT_THAT(markup, HasSubstr("<li id=\"1/1\">"));
     EXPECT_THAT(markup, HasSubstr("A &lt;lamp&gt; of 1 blinks."));
@@ -128,7 +128,7 @@ TEST_F(ManualPage, ListsStatementsWithLinksToWhatCoversThem) {
     EXPECT_EQ(manual_page_name(part_), "manual-lamp.html");
 }
 
-TEST_F(ManualPage, CountsBySectionWithoutStatements) {
+TEST_F(ManualPage, ManualWithoutStatementsIsCountedBySection) {
     manual().statements.clear();
     EXPECT_THAT(tile("2"), HasSubstr("rates: uncovered"));
     content_.parts[0].requirements = {first_};
@@ -136,7 +136,7 @@ TEST_F(ManualPage, CountsBySectionWithoutStatements) {
     EXPECT_THAT(page(), HasSubstr("This manual has no statements"));
 }
 
-TEST_F(ManualPage, LeavesTheClaimOfStatementsOpenWhileOneIsBare) {
+TEST_F(ManualPage, ClaimOfStatementsIsOpenWhileOneIsUncovered) {
     page();
     const Exhibit holds = exhibits_of(input_).at("statements");
     EXPECT_EQ(holds.state, Exhibit::State::holds);
@@ -150,13 +150,13 @@ TEST_F(ManualPage, LeavesTheClaimOfStatementsOpenWhileOneIsBare) {
     EXPECT_THAT(exhibits_of(input_).at("statements").says, HasSubstr("1 of them with neither an item nor a reason"));
 }
 
-TEST_F(ManualPage, LeavesTheClaimOfStatementsOutWithoutAny) {
+TEST_F(ManualPage, ClaimOfStatementsIsLeftOutWithoutStatements) {
     manual().statements.clear();
     page();
     EXPECT_EQ(exhibits_of(input_).count("statements"), 0U);
 }
 
-TEST_F(ManualPage, HasItsStatementsAsCsv) {
+TEST_F(ManualPage, StatementsAreExportedAsCsv) {
     page();
     EXPECT_THAT(write_statements_csv(input_.audits),
                 HasSubstr("\r\nM:1/1,lamp,A <lamp> of 1 blinks.,20:00000000000a,D-A-001; D-D-001,,shown\r\n"));

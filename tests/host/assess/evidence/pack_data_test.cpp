@@ -25,7 +25,7 @@ pugi::xml_document parsed(const std::string& text) {
 
 }  // namespace
 
-TEST_F(Pack, CsvIsQuotedWhereItMustBe) {
+TEST_F(Pack, CsvFieldsAreQuotedWhereNeeded) {
     const PackFiles files = make();
     EXPECT_THAT(
         files.at("data/requirements.csv"),
@@ -58,7 +58,7 @@ TEST_F(Pack, ReqifHasEachItemOnceAndEachReferenceResolves) {
     EXPECT_STREQ(relation.select_node("TARGET/SPEC-OBJECT-REF").node().text().get(), "_D-A-001");
 }
 
-TEST_F(Pack, ReqifSaysCodeTestsAndReviewOfAnItem) {
+TEST_F(Pack, ReqifHasCodeTestsAndReviewOfAnItem) {
     const auto document = parsed(make().at("data/register.reqif"));
     const auto value = [&](const char* attribute) {
         const std::string path =
@@ -74,7 +74,7 @@ TEST_F(Pack, ReqifSaysCodeTestsAndReviewOfAnItem) {
     EXPECT_EQ(value("_attribute-state"), "shown");
 }
 
-TEST_F(Pack, JunitSaysTimeFileAndRequirementOfACase) {
+TEST_F(Pack, JunitHasTimeFileAndRequirementOfACase) {
     input_.evidence.cases[0].seconds = 0.25;
     input_.evidence.cases[0].file = "tests/one_test.cpp";
     input_.evidence.cases[0].items = {"D-A-001"};
@@ -87,7 +87,7 @@ TEST_F(Pack, JunitSaysTimeFileAndRequirementOfACase) {
     EXPECT_FALSE(document.select_node("//testcase[@name='Two']").node().child("properties"));
 }
 
-TEST_F(Pack, TheBillOfMaterialsNamesEachPackage) {
+TEST_F(Pack, BillOfMaterialsNamesEachPackage) {
     input_.provenance.packages["toolx"] = "3";
     input_.provenance.package_sums = {{"libx", std::string(64, 'a')}};
     input_.packages.packages = {{"libx", "required", "MIT"}, {"toolx", "excluded", ""}};
@@ -108,7 +108,7 @@ TEST_F(Pack, TheBillOfMaterialsNamesEachPackage) {
     EXPECT_EQ(sbom.at("vulnerabilities").at(0).at("affects").at(0).at("ref"), "pkg:deb/debian/libx@1.2-3");
 }
 
-TEST(PackageRecordsFile, IsReadAndAVulnerabilityOfNoPackageIsRefused) {
+TEST(PackageRecordsFile, VulnerabilityOfAnUnknownPackageIsRefused) {
     const auto file = std::filesystem::path{::testing::TempDir()} / "packages.toml";
     const std::string package = "[[package]]\nname = \"libx\"\nscope = \"required\"\n";
     std::ofstream{file} << package << "licence = \"MIT\"\n";
@@ -121,7 +121,7 @@ TEST(PackageRecordsFile, IsReadAndAVulnerabilityOfNoPackageIsRefused) {
     EXPECT_TRUE(read_package_records(file).packages.empty());
 }
 
-TEST_F(Pack, TheArgumentIsDataWithGoalsAndSolutions) {
+TEST_F(Pack, ArgumentIsExportedWithGoalsAndSolutions) {
     const auto argument = nlohmann::json::parse(make().at("data/argument.json"));
     EXPECT_EQ(argument.at("goals").at(1).at("id"), "C1");
     EXPECT_EQ(argument.at("goals").at(1).at("supports"), "C");
@@ -135,7 +135,7 @@ TEST_F(Pack, TheArgumentIsDataWithGoalsAndSolutions) {
     EXPECT_THAT(page, HasSubstr("role=\"group\""));
 }
 
-TEST_F(Pack, McdcStandsBesideCobertura) {
+TEST_F(Pack, McdcIsExportedBesideCobertura) {
     FileCoverage file;
     file.file = "src/firmware/base/one.cpp";
     file.conditions = {3, 4};
@@ -153,7 +153,7 @@ TEST_F(Pack, McdcStandsBesideCobertura) {
     EXPECT_EQ(coverage.at("gaps").at(0).at("reason"), "b is always true");
 }
 
-TEST_F(Pack, TheSameInputGivesTheSameBytesAndTheManifestTheirSums) {
+TEST_F(Pack, SameInputGivesTheSameBytesAndTheManifestTheirHashes) {
     const PackFiles files = make();
     EXPECT_EQ(files, make());
     const auto manifest = nlohmann::json::parse(write_manifest({{"a.txt", "abc"}}, input_.provenance));

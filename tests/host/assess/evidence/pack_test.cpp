@@ -23,7 +23,7 @@ pugi::xml_document parsed(const std::string& text) {
 
 }  // namespace
 
-TEST_F(Pack, AClaimHoldsWhileItsEvidenceAndTheClaimsBelowItDo) {
+TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndTheClaimsBelowItHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
     input_.evidence.verdicts.erase("D-A-002");  // a gap
@@ -31,7 +31,7 @@ TEST_F(Pack, AClaimHoldsWhileItsEvidenceAndTheClaimsBelowItDo) {
     EXPECT_EQ(state_of("C"), "✗ open");
 }
 
-TEST_F(Pack, EvidenceThatIsNotThereShowsNothing) {
+TEST_F(Pack, AbsentEvidenceSupportsNoClaim) {
     input_.argument.claims[1].evidence = {"target"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     EXPECT_EQ(state_of("C"), "○ not measured");
@@ -50,14 +50,14 @@ TEST_F(Pack, EvidenceThatIsNotThereShowsNothing) {
     EXPECT_EQ(state_of("C1"), "✗ open");
 }
 
-TEST_F(Pack, AClaimWithOpenEvidenceIsOpenWhateverElseWasNotMeasured) {
+TEST_F(Pack, ClaimWithOpenEvidenceIsOpenDespiteUnmeasuredEvidence) {
     input_.argument.claims[1].evidence = {"target", "tests"};
     claim("D-A-002", "S.Three", false);
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_EQ(state_of("C"), "✗ open");
 }
 
-TEST_F(Pack, AFailedTestIsToldWithItsMessage) {
+TEST_F(Pack, FailedTestIsShownWithItsMessage) {
     claim("D-A-002", "S.Three", false);
     const PackFiles files = make();
     EXPECT_THAT(files.at("tests.html"), HasSubstr("S.Three<td data-h=\"Message\"><code>1 is not 2</code>"));
@@ -69,7 +69,7 @@ TEST_F(Pack, AFailedTestIsToldWithItsMessage) {
                  "1 is not 2");
 }
 
-TEST_F(Pack, TextOfTheRegisterIsNoMarkup) {
+TEST_F(Pack, RegisterTextIsEscapedInHtml) {
     const PackFiles files = make();
     EXPECT_THAT(files.at("audit.html"), HasSubstr("a &lt; b &amp; &quot;c&quot;, d"));
     EXPECT_THAT(files.at("sections.html"), Not(HasSubstr("<of>")));
@@ -79,7 +79,7 @@ TEST_F(Pack, SectionsShowTheConditionsOfUse) {
     EXPECT_THAT(make().at("sections.html"), HasSubstr("It &lt;stays&gt; dry."));
 }
 
-TEST_F(Pack, EachPageSaysWhereItIsFrom) {
+TEST_F(Pack, EachPageNamesItsSourceRevision) {
     input_.provenance.date = "2026-01-02T03:04:05Z";
     for (const auto& [name, text] : make()) {
         if (name.size() > 5 && name.substr(name.size() - 5) == ".html") {
@@ -89,7 +89,7 @@ TEST_F(Pack, EachPageSaysWhereItIsFrom) {
     }
 }
 
-TEST_F(Pack, TheTablesOfTheStandardsAreAPage) {
+TEST_F(Pack, TablesOfTheStandardsAreAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};
@@ -118,7 +118,7 @@ TEST_F(Pack, DocumentsOfEachDeviceAreListedAndLinked) {
     EXPECT_THAT(files.at("device-safety-manual.html"), HasSubstr("It &lt;stays&gt; dry."));
 }
 
-TEST_F(Pack, AnItemThatChangedSinceItsReviewIsToldAsSuspect) {
+TEST_F(Pack, ItemChangedSinceItsReviewIsShownAsSuspect) {
     content_.parts[0].requirements[1].text = "edited";
     const PackFiles files = make();
     EXPECT_THAT(files.at("index.html"),
@@ -139,7 +139,7 @@ TEST_F(Pack, OrphansAreListed) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("<li>src/firmware/x.cpp serves &lt;nobody&gt;"));
 }
 
-TEST_F(Pack, WhatWasMeasuredBeforeASourceWasWrittenIsStaleAndCarriesNoClaim) {
+TEST_F(Pack, MeasurementOlderThanItsSourceIsStaleAndSupportsNoClaim) {
     input_.newer = {{"tests", "src/firmware/base/one.cpp"}};
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_THAT(
@@ -147,14 +147,14 @@ TEST_F(Pack, WhatWasMeasuredBeforeASourceWasWrittenIsStaleAndCarriesNoClaim) {
         HasSubstr("<a href=\"tests.html\">Tests</a>: src/firmware/base/one.cpp has changed since this measurement"));
 }
 
-TEST_F(Pack, WhatAWholePackWouldHoldIsToldWithTheCommandThatLeavesIt) {
+TEST_F(Pack, MissingEvidenceIsListedWithTheCommandThatCreatesIt) {
     input_.argument.evidence = {{"fuzz", "Fuzzing campaign", "canproof fuzz"}, {"tests", "Tests", "./run"}};
     const std::string page = make().at("index.html");
     EXPECT_THAT(page, HasSubstr("Fuzzing campaign: not part of this pack; canproof fuzz creates it"));
     EXPECT_THAT(page, Not(HasSubstr("Tests: not part of this pack")));
 }
 
-TEST_F(Pack, WhatIsTooOldToBeReadIsStaleAndNotJustAbsent) {
+TEST_F(Pack, UnreadableOldMeasurementIsStaleAndNotAbsent) {
     input_.argument.evidence = {{"coverage", "Coverage", "tests/coverage"}};
     input_.argument.claims[1].evidence = {"coverage"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
@@ -163,7 +163,7 @@ TEST_F(Pack, WhatIsTooOldToBeReadIsStaleAndNotJustAbsent) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("src/firmware/base/one.cpp has changed since this measurement"));
 }
 
-TEST_F(Pack, AnExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
+TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
     exhibit.files = {{"scale/scale.csv", "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"},
                      {"scale/scale.svg", "<svg/>"}};
@@ -187,7 +187,7 @@ TEST_F(Pack, AnExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"data/scale.csv\">scale.csv</a>"));
 }
 
-TEST_F(Pack, RunsOnARealKernelAreEvidenceOfTheirOwn) {
+TEST_F(Pack, RunsOnARealKernelAreSeparateEvidence) {
     input_.argument.claims[1].evidence = {"socketcan"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.socketcan = Evidence{};
@@ -214,7 +214,7 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
 }
 
-TEST_F(Pack, OnlyFilesThatAreThereAreLinked) {
+TEST_F(Pack, OnlyExistingFilesAreLinked) {
     const PackFiles files = make();
     const std::string page = files.at("index.html");
     EXPECT_THAT(page, Not(HasSubstr("cobertura")));

@@ -24,11 +24,11 @@ class TargetHtml : public testing::Test {
 
 }  // namespace
 
-TEST_F(TargetHtml, WithoutFiguresItSaysSo) {
+TEST_F(TargetHtml, PageWithoutFiguresStatesThatThereAreNone) {
     EXPECT_THAT(host::write_target_html(folder), HasSubstr("Not measured"));
 }
 
-TEST_F(TargetHtml, AFigureAboveItsBudgetIsOpen) {
+TEST_F(TargetHtml, FigureAboveItsBudgetIsOpen) {
     leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
         "canopen": {"code": 40, "ram": 10, "stack": 9}},
         "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
@@ -46,7 +46,7 @@ TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
                 HasSubstr("4 tests passed on QEMU's STM32F405; 15 frames, 1 difference"));
 }
 
-TEST_F(TargetHtml, WorkAndTheFullBus) {
+TEST_F(TargetHtml, InstructionsPerFrameAndFullBusLoadAreShown) {
     leave("suites.json", R"({"images": {}, "differences": 0})");
     leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
         "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},

@@ -58,7 +58,7 @@ class SignedPack : public ::testing::Test {
 
 }  // namespace
 
-TEST_F(SignedPack, IsAsItsManifestSays) {
+TEST_F(SignedPack, PackThatDiffersFromItsManifestIsRejected) {
     EXPECT_THAT(faults(), IsEmpty());
     write("a.txt", "three");
     fs::remove(pack_ / "b.txt");
@@ -67,7 +67,7 @@ TEST_F(SignedPack, IsAsItsManifestSays) {
                 ElementsAre("a.txt differs from the manifest", "b.txt is missing", "c.txt is not in the manifest"));
 }
 
-TEST_F(SignedPack, IsByTheKeyThatSignedIt) {
+TEST_F(SignedPack, SignatureIsVerifiedByTheSigningKeyOnly) {
     for (const auto& kind : std::vector<std::vector<std::string>>{
              {"-algorithm", "ed25519"}, {"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256"}}) {
         const fs::path mine = key("mine", kind);
@@ -83,7 +83,7 @@ TEST_F(SignedPack, IsByTheKeyThatSignedIt) {
     }
 }
 
-TEST_F(SignedPack, IsVerifiedByOpenSslItself) {
+TEST_F(SignedPack, SignatureIsVerifiedByTheOpenSslProgram) {
     const fs::path mine = key("mine", {"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256"});
     write(manifest_signature, sign(manifest_, mine.string() + ".key"));
     const auto verified = [&] {
@@ -95,7 +95,7 @@ TEST_F(SignedPack, IsVerifiedByOpenSslItself) {
     EXPECT_FALSE(verified().has_value());
 }
 
-TEST_F(SignedPack, NeedsAManifestAndAKey) {
+TEST_F(SignedPack, MissingManifestOrKeyIsAnError) {
     EXPECT_THROW(sign("x", pack_ / "a.txt"), InputError);
     EXPECT_THROW(is_signed("x", "y", pack_ / "a.txt"), InputError);
     EXPECT_THROW(faults_of_pack(folder_, {}), InputError);

@@ -92,7 +92,7 @@ class Campaign : public testing::Test {
     CampaignOptions options;
 };
 
-TEST_F(Campaign, CountsAndMinimisesAndReports) {
+TEST_F(Campaign, CampaignCountsMinimisesAndReports) {
     add_target("a", "");
     add_target("b", "");
     EXPECT_EQ(run(), 0);
@@ -109,7 +109,7 @@ TEST_F(Campaign, CountsAndMinimisesAndReports) {
     EXPECT_NE(text_of(folder / "out" / "index.html").find("No finding."), std::string::npos);
 }
 
-TEST_F(Campaign, LeavesAnExhibitForTheEvidence) {
+TEST_F(Campaign, CampaignWritesAnExhibitForTheEvidence) {
     const auto exhibit = [&] { return read_json(folder / "out" / "exhibit.json"); };
     add_target("a", "");
     add_target("b", "");
@@ -124,7 +124,7 @@ TEST_F(Campaign, LeavesAnExhibitForTheEvidence) {
     EXPECT_EQ(exhibit()["open"][0], "b: requirement violated at fuzz/pdo_fuzz.cpp:7");
 }
 
-TEST_F(Campaign, ABugIsOneFindingHoweverOftenItCame) {
+TEST_F(Campaign, RepeatedCrashIsOneFinding) {
     add_target("a", R"(printf longerBUGinput > "${prefix}crash-1"; printf BUGs > "${prefix}crash-2")");
     EXPECT_EQ(run(), 1);
     const auto told = report();
@@ -140,7 +140,7 @@ TEST_F(Campaign, ABugIsOneFindingHoweverOftenItCame) {
     EXPECT_EQ(fs::path{finding["regression"].get<std::string>()}.parent_path(), folder / "land" / "a");
 }
 
-TEST_F(Campaign, AFindingLandsInTheCorpusOfItsTarget) {
+TEST_F(Campaign, FindingIsAddedToTheCorpusOfItsTarget) {
     options.land.reset();
     add_target("a", R"(printf BUGs > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);
@@ -149,7 +149,7 @@ TEST_F(Campaign, AFindingLandsInTheCorpusOfItsTarget) {
     EXPECT_EQ(text_of(landed), "BUG");
 }
 
-TEST_F(Campaign, AFindingLandsNowhereWhenToldSo) {
+TEST_F(Campaign, FindingIsNotAddedToACorpusWithTheOptionOff) {
     options.land = "";
     add_target("a", R"(printf BUGs > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);
@@ -157,7 +157,7 @@ TEST_F(Campaign, AFindingLandsNowhereWhenToldSo) {
     EXPECT_FALSE(fs::exists(folder / "fuzz" / "seeds" / "a"));
 }
 
-TEST_F(Campaign, WhatEndsARunOnceAndNotAgainIsAFindingAsWell) {
+TEST_F(Campaign, UnreproducibleCrashIsAFinding) {
     add_target("a", R"(printf harmless > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);
     const auto told = report();
@@ -166,7 +166,7 @@ TEST_F(Campaign, WhatEndsARunOnceAndNotAgainIsAFindingAsWell) {
     EXPECT_EQ(told["findings"][0]["regression"], "");
 }
 
-TEST_F(Campaign, ComparesWithTheLastNight) {
+TEST_F(Campaign, CampaignComparesWithThePreviousCampaign) {
     add_target("a", "");
     run();
     EXPECT_TRUE(report()["last_night"].is_null());
@@ -177,7 +177,7 @@ TEST_F(Campaign, ComparesWithTheLastNight) {
     EXPECT_EQ(report()["targets"][0]["inputs_before"], 1);
 }
 
-TEST_F(Campaign, AnInterruptLeavesAReportAndTheSameCommandGoesOn) {
+TEST_F(Campaign, InterruptWritesAReportAndTheSameCommandContinues) {
     add_target("a", "");
     add_target("b", R"(mkfifo "$first.never"; read nothing < "$first.never")");  // until it gets SIGINT
     const auto b_has_begun = [&] { return fs::exists(folder / "corpus" / "b.never"); };
@@ -195,7 +195,7 @@ TEST_F(Campaign, AnInterruptLeavesAReportAndTheSameCommandGoesOn) {
     EXPECT_EQ(report()["targets"][1]["slices"], 1);
 }
 
-TEST_F(Campaign, AnUnfinishedOneIsNotMixedWithAnother) {
+TEST_F(Campaign, UnfinishedCampaignIsNotMixedWithAnother) {
     add_target("a", "");
     run([] { return true; });
     options.minutes = 7;
@@ -210,7 +210,7 @@ TEST_F(Campaign, AnUnfinishedOneIsNotMixedWithAnother) {
     EXPECT_EQ(run(), 0);
 }
 
-TEST_F(Campaign, ATargetThatEndsEarlyIsNoSuccess) {
+TEST_F(Campaign, TargetThatEndsEarlyIsAFailure) {
     add_target("a", "exit 3");
     EXPECT_EQ(run(), 2);
     EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
@@ -219,7 +219,7 @@ TEST_F(Campaign, ATargetThatEndsEarlyIsNoSuccess) {
     EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
 }
 
-TEST_F(Campaign, WhatIsMissingIsSaidWithItsRemedy) {
+TEST_F(Campaign, MissingToolIsReportedWithItsRemedy) {
     const auto complaint = [&] {
         try {
             run();
@@ -257,7 +257,7 @@ TEST_F(Campaign, OptionsOfATargetComeFromItsFile) {
     EXPECT_THROW(find_fuzz_targets(options.build, {}), InputError);
 }
 
-TEST_F(Campaign, ALineOfTheListThatIsNoTargetIsNamed) {
+TEST_F(Campaign, InvalidLineOfTheTargetListIsNamed) {
     add_target("a", "");
     std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app} << "b of two words\n";
     try {

@@ -5,7 +5,7 @@
 namespace canproof::host {
 namespace {
 
-TEST(FuzzerOutput, ProgressOfOneProcess) {
+TEST(FuzzerOutput, ProgressOfOneProcessIsRead) {
     const auto progress = parse_progress("#4096\tNEW    cov: 120 ft: 300 corp: 5/60b lim: 14 exec/s: 2048 rss: 80Mb");
     ASSERT_TRUE(progress);
     EXPECT_EQ(progress->executions, 4096U);
@@ -13,7 +13,7 @@ TEST(FuzzerOutput, ProgressOfOneProcess) {
     EXPECT_EQ(progress->features, 300U);
 }
 
-TEST(FuzzerOutput, ProgressOfForkMode) {
+TEST(FuzzerOutput, ProgressOfForkModeIsRead) {
     const auto progress = parse_progress(
         "#20554: cov: 3246 ft: 6459 corp: 208 exec/s: 1926 oom/timeout/crash: 0/0/0 time: 10s job: 3 dft_time: 0");
     ASSERT_TRUE(progress);
@@ -39,7 +39,7 @@ const char* const violated =
     "    #3 0x55c5ca in LLVMFuzzerTestOneInput /home/x/canproof/fuzz/pdo_fuzz.cpp:310:9\n"
     "\n";
 
-TEST(FuzzerOutput, ARequirementIsKnownByItsPlace) {
+TEST(FuzzerOutput, ViolatedRequirementIsIdentifiedByItsPlace) {
     const Failure failure = parse_failure(violated);
     EXPECT_EQ(failure.kind, "requirement violated");
     EXPECT_EQ(failure.place, "fuzz/pdo_fuzz.cpp:167");
@@ -63,7 +63,7 @@ std::string overflow(const std::string& from) {
            "    #1 0x2b in canproof::host::Memory::Memory(unsigned long) /y/src/host/devices/memory.cpp:9:1\n";
 }
 
-TEST(FuzzerOutput, ASanitizersReportIsKnownByItsFirstStack) {
+TEST(FuzzerOutput, SanitizerReportIsIdentifiedByItsFirstStack) {
     const Failure failure = parse_failure(overflow("segment"));
     EXPECT_EQ(failure.kind, "heap-buffer-overflow");
     EXPECT_EQ(failure.title(), "heap-buffer-overflow in canproof::ByteWriter::put < canproof::SdoServer::segment");
@@ -71,7 +71,7 @@ TEST(FuzzerOutput, ASanitizersReportIsKnownByItsFirstStack) {
     EXPECT_NE(failure.signature(), parse_failure(overflow("block")).signature());
 }
 
-TEST(FuzzerOutput, NumbersDoNotTellUndefinedBehavioursApart) {
+TEST(FuzzerOutput, NumbersDoNotDistinguishUndefinedBehaviours) {
     const auto shift = [](int by) {
         return "/y/src/firmware/base/x.cpp:3:9: runtime error: shift exponent " + std::to_string(by) +
                " is too large for 64-bit type 'unsigned long'\n    #0 0x1a in canproof::mask(unsigned int) "
@@ -91,7 +91,7 @@ TEST(FuzzerOutput, ValgrindNamesTheFunction) {
               "Conditional jump or move depends on uninitialised value(s) in canproof::SdoServer::answer");
 }
 
-TEST(FuzzerOutput, TimeoutsAndSilence) {
+TEST(FuzzerOutput, TimeoutIsNamedAndEmptyOutputIsUnknown) {
     EXPECT_EQ(parse_failure("ALARM: working on the last Unit for 11 seconds\n==3== ERROR: libFuzzer: timeout after 11 "
                             "seconds\n")
                   .kind,

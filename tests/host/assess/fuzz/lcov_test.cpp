@@ -5,7 +5,7 @@
 namespace canproof::host {
 namespace {
 
-TEST(Lcov, KeepsTheFirmwareOnly) {
+TEST(Lcov, FilteredLcovKeepsTheFirmwareOnly) {
     const auto files = read_lcov(
         "SF:/w/src/host/x.cpp\nDA:1,1\nend_of_record\n"
         "SF:/w/build/../src/firmware/base/crc.cpp\nFN:3,_ZN8canproof5crc16Ei\nFNDA:0,_ZN8canproof5crc16Ei\n"
@@ -18,7 +18,7 @@ TEST(Lcov, KeepsTheFirmwareOnly) {
     EXPECT_EQ(files[0].functions, std::vector<std::string>{"canproof::crc16(int)"});
 }
 
-TEST(Lcov, KeepsTheFirmwareOfADeviceAndNotItsSimulation) {
+TEST(Lcov, FilteredLcovKeepsDeviceFirmwareAndNotItsSimulation) {
     const auto files = read_lcov(
         "SF:/w/src/devices/ax130751/simulation/model.cpp\nDA:1,1\nend_of_record\n"
         "SF:/w/src/devices/ax130751/firmware/ramp.cpp\nDA:1,1\nDA:2,0\nend_of_record\n");
@@ -28,7 +28,7 @@ TEST(Lcov, KeepsTheFirmwareOfADeviceAndNotItsSimulation) {
     EXPECT_EQ(files[0].hit, 1U);
 }
 
-TEST(Lcov, AFileInTwoProgramsIsOne) {
+TEST(Lcov, FileInTwoProgramsIsMerged) {
     const auto files = read_lcov(
         "SF:/w/src/firmware/a.hpp\nDA:1,0\nDA:2,4\nend_of_record\nSF:/w/src/firmware/a.hpp\nDA:1,1\nend_of_record\n");
     ASSERT_EQ(files.size(), 1U);

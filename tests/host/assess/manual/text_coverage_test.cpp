@@ -70,7 +70,7 @@ std::vector<std::string> told(const TextCoverage& coverage) {
 
 }  // namespace
 
-TEST(ManualTextMarks, AreFoundAcrossLinesAndAtEachPlace) {
+TEST(ManualTextMarks, MarksAreFoundAcrossLinesAndAtEachPlace) {
     const ManualText text{"The lamp is\ngreen; the *lamp* is GREEN."};
     // Letters before: "Thelampisgreen" has 14; "the" begins at 14, "lamp" at 3 and 17.
     EXPECT_THAT(find_marks(text, {mark_of("the lamp is green"), mark_of("lamp is"), mark_of("red")}),
@@ -78,23 +78,23 @@ TEST(ManualTextMarks, AreFoundAcrossLinesAndAtEachPlace) {
                             Pair(mark_of("the lamp is green"), ElementsAre(0U, 14U))));
 }
 
-TEST(ManualTextMarks, BeginWithAWord) {
+TEST(ManualTextMarks, MarksBeginAtTheStartOfAWord) {
     const ManualText text{"unlit lamp"};
     EXPECT_THAT(find_marks(text, {mark_of("lit")}), IsEmpty());
     EXPECT_THAT(find_marks(text, {mark_of("unlit")}), testing::SizeIs(1));
 }
 
-TEST(ManualTextMarks, MayEndWithinAWord) {
+TEST(ManualTextMarks, MarksMayEndWithinAWord) {
     const ManualText text{"two lamps"};
     EXPECT_THAT(find_marks(text, {mark_of("two lamp")}), ElementsAre(Pair(mark_of("two lamp"), ElementsAre(0U))));
 }
 
-TEST(ManualTextMarks, OfEmptyTextAreNotFound) {
+TEST(ManualTextMarks, MarksOfEmptyTextAreNotFound) {
     EXPECT_THAT(find_marks(ManualText{""}, {mark_of("a")}), IsEmpty());
     EXPECT_THAT(find_marks(ManualText{"...\n\n"}, {mark_of("a")}), IsEmpty());
 }
 
-TEST(ManualTextSections, BeginAtTheirHeadingsAndNotInTheContents) {
+TEST(ManualTextSections, SectionsBeginAtTheirHeadingsAndNotInTheContents) {
     const Manual made = manual();
     const auto found = section_lines(made, ManualText{text_of_manual}.lines());
     ASSERT_EQ(found.size(), 3U);
@@ -109,7 +109,7 @@ TEST(ManualTextSections, BeginAtTheirHeadingsAndNotInTheContents) {
     EXPECT_EQ(found[2].end, 14U);
 }
 
-TEST(ManualTextSections, AreNotTakenFromNumberedListsOrLaterReferences) {
+TEST(ManualTextSections, NumberedListsAndReferencesAreNoSections) {
     Manual made;
     made.sections = {section("1", "Lamp colours", true), section("2", "Blinking lamp", true)};
     const std::vector<std::string> lines{"1 Lamp colours", "2 green wires", "2 Blinking lamp", "see 1 Lamp colours",
@@ -120,7 +120,7 @@ TEST(ManualTextSections, AreNotTakenFromNumberedListsOrLaterReferences) {
     EXPECT_EQ(found[1].begin, 2U);
 }
 
-TEST(ManualTextSections, MayHaveParaphrasedTitlesBehindLongNumbers) {
+TEST(ManualTextSections, SectionsWithLongNumbersMayHaveParaphrasedTitles) {
     Manual made;
     made.sections = {section("1.2", "Colours", true), section("1.2.3", "What red means", true)};
     const std::vector<std::string> lines{"1.2.3 Red lamp 17", "1.2 of the lamps", "1.2.3 Red lamp (x = 1...4)"};
@@ -130,13 +130,13 @@ TEST(ManualTextSections, MayHaveParaphrasedTitlesBehindLongNumbers) {
     EXPECT_EQ(found[0].begin, 2U);
 }
 
-TEST(ManualTextCoverage, TellsMarksThatAreNotInTheText) {
+TEST(ManualTextCoverage, MarksAbsentFromTheTextAreReported) {
     const TextCoverage coverage = cover_text(with_passages({"The lamp is green", "The lamp is red"}), text_of_manual);
     EXPECT_EQ(coverage.marks, 2U);
     EXPECT_THAT(coverage.missing, ElementsAre("M:1/2: " + mark_of("The lamp is red").text()));
 }
 
-TEST(ManualTextCoverage, ListsTheTextOfNormativeSectionsThatNothingCovers) {
+TEST(ManualTextCoverage, UncoveredTextOfNormativeSectionsIsListed) {
     const TextCoverage coverage = cover_text(with_passages({"The lamp is green"}), text_of_manual);
     EXPECT_THAT(told(coverage), ElementsAre("8 1 It never sleeps.", "12 1.1 fast | 10 Hz |"));
     EXPECT_THAT(coverage.not_located, IsEmpty());
@@ -146,7 +146,7 @@ TEST(ManualTextCoverage, ListsTheTextOfNormativeSectionsThatNothingCovers) {
     EXPECT_DOUBLE_EQ(coverage.normative.percent(), 40.0);
 }
 
-TEST(ManualTextCoverage, IsWholeWhenEachSentenceHasAStatement) {
+TEST(ManualTextCoverage, CoverageIsCompleteWhenEachSentenceHasAStatement) {
     const TextCoverage coverage =
         cover_text(with_passages({"The lamp is green", "It never sleeps", "fast 10 Hz"}), text_of_manual);
     EXPECT_THAT(told(coverage), IsEmpty());
@@ -154,7 +154,7 @@ TEST(ManualTextCoverage, IsWholeWhenEachSentenceHasAStatement) {
     EXPECT_LT(coverage.whole.percent(), 100.0) << "contents and cables have no statement";
 }
 
-TEST(ManualTextCoverage, TellsNormativeSectionsWithoutAHeading) {
+TEST(ManualTextCoverage, NormativeSectionsWithoutAHeadingAreReported) {
     EXPECT_THAT(cover_text(manual(), "1. Lamp\nIt is green.\n").not_located, ElementsAre("1.1"));
 }
 
@@ -183,7 +183,7 @@ double cost_of(const unsigned words) {
 
 }  // namespace
 
-TEST(ManualTextCoverage, CostsInProportionToTheText) {
+TEST(ManualTextCoverage, CoverageTimeGrowsLinearlyWithTheText) {
     // Four times the text: four times the work, and as much again to spare. Sixteen times would be its square.
     EXPECT_LT(cost_of(8000), 8.0 * cost_of(2000));
 }

@@ -9,7 +9,7 @@
 
 namespace canproof::host::test {
 
-TEST(ImplementingMutants, LieBelowTheLinkAndInWhatIsCalled) {
+TEST(ImplementingMutants, ImplementingMutantsAreInTheLinkedFunctionAndItsCallees) {
     const auto root = std::filesystem::temp_directory_path() / ("canproof-implementing-" + std::to_string(getpid()));
     std::filesystem::create_directories(root / "src" / "one");
     std::ofstream{root / "src" / "one" / "relay.cpp"} << "#include \"one/filter.hpp\"\n"

@@ -81,7 +81,7 @@ class RecordFile {
 
 }  // namespace
 
-TEST(Alterations, OfAnObjectAreItsDefaultLimitsAccessAndMapping) {
+TEST(Alterations, ObjectIsAlteredInDefaultLimitsAccessAndMapping) {
     const std::string text = alterations_of(object);
     for (
         const char* line :
@@ -100,7 +100,7 @@ TEST(Alterations, OfAnObjectAreItsDefaultLimitsAccessAndMapping) {
     EXPECT_THAT(text, Not(HasSubstr("0 -> -1"))) << "an UNSIGNED8 has no value below";
 }
 
-TEST(Alterations, OfATableAreAllItsCells) {
+TEST(Alterations, TableIsAlteredInAllItsCells) {
     const std::string text = alterations_of(
         "[[table]]\nid = \"AO4-T-1\"\ntitle = \"x\"\nsource = [\"M1:Table 3\"]\ninputs = [ { name = \"n\", min = 0, "
         "max = 9 } ]\n"
@@ -116,7 +116,7 @@ TEST(Alterations, OfATableAreAllItsCells) {
     }
 }
 
-TEST(Alterations, LeaveOutConstantsThatAreCompiledIn) {
+TEST(Alterations, CompiledInConstantsAreNotAltered) {
     const std::string constant =
         "[[constant]]\nid = \"AO4-K-1\"\nname = \"steps\"\nvalue = 255\ntype = \"UNSIGNED8\"\nsource = [\"M1:1\"]\n";
     EXPECT_THAT(alterations_of(constant),
@@ -124,14 +124,14 @@ TEST(Alterations, LeaveOutConstantsThatAreCompiledIn) {
     EXPECT_THAT(alterations_of(constant + "compiled_in = true\n"), Not(HasSubstr("box::steps")));
 }
 
-TEST(Alterations, ChangeableTablesAreNoConstants) {
+TEST(Alterations, MutationBuildGeneratesChangeableTables) {
     const LoadResult loaded = load_register(with(items_file, object));
     const Part& box = *loaded.content.part("box");
     EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("inline std::array<EntryRow, 1U> entry_rows"));
     EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("inline constexpr std::array<EntryRow, 1U> entry_rows"));
 }
 
-TEST(Alterations, ShareNoLimits) {
+TEST(Alterations, MutationBuildSharesNoLimitRows) {
     const std::string two = object +
                             "[[object]]\nindex = 0x2001\nname = \"Other\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\n"
                             "default = 5\nrange = { min = 0, max = 9 }\nsource = [\"M1:1\"]\n";
@@ -141,7 +141,7 @@ TEST(Alterations, ShareNoLimits) {
     EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("std::array<LimitRow, 2U>"));
 }
 
-TEST(Sample, IsTheSameForTheSameSeed) {
+TEST(Sample, SampleIsTheSameForTheSameSeed) {
     const auto all = cells(100);
     const auto first = numbers(sample_of(all, 10, 1));
     EXPECT_EQ(first.size(), 10U);
@@ -150,13 +150,13 @@ TEST(Sample, IsTheSameForTheSameSeed) {
     EXPECT_EQ(numbers(sample_of(all, 200, 1)), numbers(all)) << "no more than there are";
 }
 
-TEST(FilterOfTests, PutTheQuickestTestFirst) {
+TEST(FilterOfTests, FilterPutsTheQuickestTestFirst) {
     Evidence evidence;
     evidence.verdicts["A"] = {{"S.Slow", "test", true, 2.0}, {"S.Quick", "test", true, 0.1}};
     EXPECT_EQ(filters_by_item(evidence).at("A"), "S.Quick:S.Slow");
 }
 
-TEST(Records, JustifySurvivorsAndTellWhichAreIdle) {
+TEST(Records, RecordsJustifySurvivorsAndUnusedRecordsAreReported) {
     std::vector<MutationOutcome> outcomes(3);
     outcomes[0].cell = {0, "AO4-OD-2000", "sub 0 default", "5 -> 6"};
     outcomes[1].cell = {1, "AO4-OD-2000", "sub 0 stored", "no -> yes"};
@@ -172,7 +172,7 @@ TEST(Records, JustifySurvivorsAndTellWhichAreIdle) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, AboutNothingAreTold) {
+TEST(Records, RecordsWithoutAMutantAreReported) {
     const std::vector<SurvivorRecord> records{{"src/a.cpp", "f, line *", "x -> true", "a reason", 1},
                                               {"src/a.cpp", "g, line *", "x -> true", "another", 5}};
     const auto idle = without_alteration(records, {{0, "src/a.cpp", "f, line 7", "x -> true"}});
@@ -180,7 +180,7 @@ TEST(Records, AboutNothingAreTold) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, WithoutAReasonAreRefused) {
+TEST(Records, RecordsWithoutAReasonAreRefused) {
     const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
     try {
         read_survivor_records(file.path());
@@ -190,7 +190,7 @@ TEST(Records, WithoutAReasonAreRefused) {
     }
 }
 
-TEST(Patterns, StarsTakeAnyRunAndQuestionMarksOne) {
+TEST(Patterns, StarMatchesAnyTextAndQuestionMarkOneCharacter) {
     EXPECT_TRUE(matches("sub * stored", "sub 12 stored"));
     EXPECT_TRUE(matches("*", ""));
     EXPECT_TRUE(matches("a*b*c", "aXbYbZc"));
@@ -198,7 +198,7 @@ TEST(Patterns, StarsTakeAnyRunAndQuestionMarksOne) {
     EXPECT_FALSE(matches("sub * stored", "sub 12 stored yes"));
 }
 
-TEST(MutationReport, IsReadBackByItem) {
+TEST(MutationReport, MutationReportIsReadBackByItem) {
     std::vector<MutationOutcome> outcomes(2);
     outcomes[0].cell = {0, "A", "value", "0 -> 1"};
     outcomes[0].killed_by = "S.T";
@@ -210,7 +210,7 @@ TEST(MutationReport, IsReadBackByItem) {
     EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
 }
 
-TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
+TEST(CodeMutation, TestsAreReadWithTheirReachableMutants) {
     const RecordFile file{"Suite.First\ttests/a_test.cpp\t0.250\t0\t7\nSuite.Second\tb\t0.001\n"};
     const auto tests = read_told(file.path());
     ASSERT_EQ(tests.size(), 2U);
@@ -222,14 +222,14 @@ TEST(CodeMutation, TestsAreReadWithTheMutantsThatTheyCouldNotice) {
     EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
 }
 
-TEST(CodeMutation, WhatIsComputedBeforeAnyTestIsNoTest) {
+TEST(CodeMutation, StartupComputationIsNoTest) {
     std::vector<ToldTest> tests{{"startup", 0.0, {1, 9}}, {"S.One", 0.5, {0}}};
     EXPECT_EQ(told_at_startup(tests, 3), (std::vector<bool>{false, true, false}));
     ASSERT_EQ(tests.size(), 1U);
     EXPECT_EQ(tests[0].name, "S.One");
 }
 
-TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
+TEST(CodeMutation, QuickTestsRunFirstWithinTheTimeBudget) {
     const std::vector<ToldTest> tests{
         {"S.Slow", 5.0, {0, 1}}, {"S.Quick", 0.5, {0}}, {"S.Middling", 1.0, {0}}, {"S.Other", 1.0, {0}}};
     const auto chosen = tests_by_mutant(tests, 3, 2.0);
@@ -238,7 +238,7 @@ TEST(CodeMutation, QuickTestsRunFirstAndNoMoreThanTheBudgetHolds) {
     EXPECT_EQ(filter_of(tests, chosen[2]), "");
 }
 
-TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
+TEST(CodeMutation, KillingTestsAreRememberedWhenAMutantMoves) {
     const RecordFile file{
         "src/a.cpp\tf, line 1\ta < b -> <=\tS.One\nsrc/a.cpp\tf, line 9\ta < b -> <=\tS.Two\n"
         "src/a.cpp\tf, line 3\tx -> true\tsignal 27\nsrc/a.cpp\tf, line 4\ty -> true\t\n"};
@@ -253,7 +253,7 @@ TEST(CodeMutation, TestsThatNoticedAMutantAreRememberedWhereverItMoves) {
     EXPECT_EQ(KillerLog{file.path()}.filter({0, "src/a.cpp", "f, line 7", "y -> true"}), "S.Three");
 }
 
-TEST(CodeMutation, TheOperatorIsToldByTheChange) {
+TEST(CodeMutation, OperatorIsDerivedFromTheChange) {
     const std::vector<std::pair<const char*, const char*>> changes{
         {"a < b -> <=", "condition"},    {"a -> b -> true", "condition"},      {"a + b -> -", "operator"},
         {"x += 1U -> -=", "operator"},   {"f(); -> deleted", "statement"},     {"a = b -> dropped", "assignment"},
@@ -264,7 +264,7 @@ TEST(CodeMutation, TheOperatorIsToldByTheChange) {
     }
 }
 
-TEST(CodeMutation, CountsByLayerAndOperatorWhichHarnessNoticed) {
+TEST(CodeMutation, KillsAreCountedByLayerOperatorAndHarness) {
     const std::vector<MutationOutcome> outcomes{
         {{0, "src/firmware/canopen/nmt.cpp", "f, line 1", "f(); -> deleted"},
          "S.A",
@@ -286,7 +286,7 @@ TEST(CodeMutation, CountsByLayerAndOperatorWhichHarnessNoticed) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
-TEST(CodeMutation, HostStandsByItselfInTableAndExhibit) {
+TEST(CodeMutation, HostHasItsOwnLayersInTableAndExhibit) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));
@@ -312,7 +312,7 @@ TEST(CodeMutation, HostStandsByItselfInTableAndExhibit) {
     EXPECT_DOUBLE_EQ(MutationCount{}.share_noticed(), 100.0);
 }
 
-TEST(CodeMutation, ExhibitSaysWhatSurvives) {
+TEST(CodeMutation, ExhibitListsTheSurvivors) {
     const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
     std::vector<MutationOutcome> outcomes{
         {{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr, "tests/conformance/nmt_test.cpp"},

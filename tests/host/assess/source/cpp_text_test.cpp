@@ -18,7 +18,7 @@ Lines function_of(const std::string& source, std::size_t link) {
 
 }  // namespace
 
-TEST(CppText, CodeOnlyKeepsEachLineInItsPlace) {
+TEST(CppText, CodeOnlyKeepsLineNumbers) {
     EXPECT_EQ(code_only("int a;  // {\nf(\"}\"); /* {\n} */ b = 1'000;"),
               "int a;      \nf(   );     \n     b = 1'000;");
 }
@@ -27,13 +27,13 @@ TEST(CppText, CodeOnlyReadsRawLiterals) {
     EXPECT_EQ(code_only("f(R\"({\")\", x);"), "f(R      , x);");
 }
 
-TEST(CppText, ABlockEndsAtItsBrace) {
+TEST(CppText, BlockEndsAtItsBrace) {
     EXPECT_EQ(block_end("a{b{}'}'c}d}", 0), 10U);
     EXPECT_EQ(block_end("a{b{}", 0), 5U);
     EXPECT_EQ(block_end("}{}", 0), 3U);
 }
 
-TEST(FunctionBelowALink, EndsWithItsBlock) {
+TEST(FunctionBelowALink, FunctionBelowALinkEndsWithItsBlock) {
     const std::string source =
         "static_assert(implements<req::A> &&\n"
         "              implements<req::B>);\n"
@@ -49,7 +49,7 @@ TEST(FunctionBelowALink, EndsWithItsBlock) {
     EXPECT_EQ(function_of("static_assert(implements<req::A>);\n", 1), (Lines{0, 0}));
 }
 
-TEST(FunctionBelowALink, IsNotMisledByBracesInLiterals) {
+TEST(FunctionBelowALink, BracesInLiteralsDoNotEndAFunction) {
     EXPECT_EQ(function_of("static_assert(implements<req::A>);\nint f() {\n    return g('}', \"}\");\n}\n", 1),
               (Lines{2, 4}));
 }

@@ -79,14 +79,14 @@ class AuditOfASmallRegister : public testing::Test {
 
 }  // namespace
 
-TEST_F(AuditOfASmallRegister, WithoutGapsIsSilent) {
+TEST_F(AuditOfASmallRegister, AuditWithoutGapsReportsNothing) {
     EXPECT_THAT(gaps(), IsEmpty());
     EXPECT_THAT(audit().suspects, IsEmpty());
     EXPECT_THAT(orphans(evidence), IsEmpty());
     EXPECT_EQ(audit().items[0].status(), "shown");
 }
 
-TEST_F(AuditOfASmallRegister, TellsWhatADecisionAnswersAndWhyItDiffers) {
+TEST_F(AuditOfASmallRegister, StoryOfADecisionHasItsTopicChoiceAndReason) {
     EXPECT_THAT(story("D-D-001")->text, Not(HasSubstr("topic")));
     part().decisions[0].answer = {"heartbeat.range", "any", "its manual says so", "section 1 says so", {}};
     const std::string text = story("D-D-001")->text;
@@ -95,24 +95,24 @@ TEST_F(AuditOfASmallRegister, TellsWhatADecisionAnswersAndWhyItDiffers) {
     }
 }
 
-TEST_F(AuditOfASmallRegister, AMissingKindIsAGap) {
+TEST_F(AuditOfASmallRegister, MissingKindOfTestIsAGap) {
     evidence.verdicts["D-A-001"].pop_back();
     EXPECT_THAT(gaps(), ElementsAre("D-A-001: no passed property"));
 }
 
-TEST_F(AuditOfASmallRegister, ARequirementWithoutATestIsAGap) {
+TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
     evidence.verdicts.erase("D-A-002");
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no passed test"));
     EXPECT_EQ(audit().items[1].status(), "open");
 }
 
-TEST_F(AuditOfASmallRegister, AFailedTestIsAGapEvenBesideAPassedOne) {
+TEST_F(AuditOfASmallRegister, FailedTestIsAGapBesideAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims it has failed"));
     EXPECT_EQ(audit().items[1].status(), "failed");
 }
 
-TEST_F(AuditOfASmallRegister, ARequirementWithoutCodeIsAGap) {
+TEST_F(AuditOfASmallRegister, RequirementWithoutCodeIsAGap) {
     evidence.implemented.erase("D-A-002");
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements it"));
     part().requirements[1].verify = {"inspection"};
@@ -120,7 +120,7 @@ TEST_F(AuditOfASmallRegister, ARequirementWithoutCodeIsAGap) {
     EXPECT_THAT(gaps(), IsEmpty()) << "what is read needs no code";
 }
 
-TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayDoIt) {
+TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayImplementADeviceRequirement) {
     part().requirements[1].by = "CO-A-001";
     review(part());
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements CO-A-001"));
@@ -129,33 +129,33 @@ TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayDoIt) {
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, WhoDoesItNeedsNoNewReview) {
+TEST_F(AuditOfASmallRegister, ChangeOfTheImplementingRequirementNeedsNoNewReview) {
     part().requirements[1].by = "CO-A-001";
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, AMisplacedLinkIsToldWithTheOrphans) {
+TEST_F(AuditOfASmallRegister, MisplacedLinkIsListedWithTheOrphans) {
     evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement it follows the link"};
     EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement it")));
 }
 
-TEST_F(AuditOfASmallRegister, ANormativeSectionWithoutRequirementIsAGap) {
+TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
     part().requirements[1].sources = {"M:1"};
     EXPECT_THAT(gaps(), ElementsAre("M:2 (more): normative, but no item has it as its source"));
 }
 
-TEST_F(AuditOfASmallRegister, ASectionIsCoveredThroughItsObjectToo) {
+TEST_F(AuditOfASmallRegister, SectionIsCoveredByItsObjectToo) {
     part().requirements[0].sources = {"M:6411h"};
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, ARetiredRequirementDemandsNothing) {
+TEST_F(AuditOfASmallRegister, RetiredRequirementNeedsNoCodeOrTest) {
     part().requirements[1].retired = "merged";
     evidence.verdicts.erase("D-A-002");
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, AnEditedRequirementIsSuspectUntilItIsReviewedAgain) {
+TEST_F(AuditOfASmallRegister, EditedRequirementIsSuspectUntilItIsReviewedAgain) {
     part().requirements[0].text = "It does something else.";
     EXPECT_THAT(audit().suspects, ElementsAre("D-A-001: changed since its review of 2026-01-02"));
     EXPECT_EQ(audit().items[0].status(), "suspect");
@@ -163,18 +163,18 @@ TEST_F(AuditOfASmallRegister, AnEditedRequirementIsSuspectUntilItIsReviewedAgain
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, WhatAnEditedDecisionAffectsIsSuspectToo) {
+TEST_F(AuditOfASmallRegister, ItemsAffectedByAnEditedDecisionAreSuspect) {
     part().decisions[0].chosen = "the second";
     EXPECT_THAT(audit().suspects,
                 ElementsAre("D-A-002: D-D-001, which affects it, changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditOfASmallRegister, AnItemThatNobodyHasReadIsSuspect) {
+TEST_F(AuditOfASmallRegister, UnreviewedItemIsSuspect) {
     part().reviews.erase("D-A-001");
     EXPECT_THAT(audit().suspects, ElementsAre("D-A-001: never reviewed"));
 }
 
-TEST_F(AuditOfASmallRegister, ATestOfTheFirmwareWithoutARequirementIsAnOrphan) {
+TEST_F(AuditOfASmallRegister, FirmwareTestWithoutARequirementIsAnOrphan) {
     evidence.runs.push_back({"S.Stray", "tests/firmware/stray_test.cpp", true, false});
     evidence.runs.push_back({"Bus.Tool", "tests/host/bus/tool_test.cpp", true, false});
     evidence.untraced = {"src/firmware/stray.hpp"};
@@ -182,7 +182,7 @@ TEST_F(AuditOfASmallRegister, ATestOfTheFirmwareWithoutARequirementIsAnOrphan) {
                                                "S.Stray (tests/firmware/stray_test.cpp): claims no requirement"));
 }
 
-TEST_F(AuditOfASmallRegister, AStrayTestPropertyOrCorpusOfADeviceIsAnOrphan) {
+TEST_F(AuditOfASmallRegister, UnclaimedTestPropertyOrCorpusOfADeviceIsAnOrphan) {
     evidence.runs = {{"S.A", "tests/devices/ax130751/ramp_test.cpp", true, false},
                      {"S.B", "properties/devices/ax130751/ramp_property.cpp", true, false},
                      {"S.C", "fuzz/devices/ax130751/ax130751_fuzz.cpp", true, false},
@@ -191,7 +191,7 @@ TEST_F(AuditOfASmallRegister, AStrayTestPropertyOrCorpusOfADeviceIsAnOrphan) {
     EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("S.A"), HasSubstr("S.B"), HasSubstr("S.C")));
 }
 
-TEST_F(AuditOfASmallRegister, FiltersTakeASectionAndWhatLiesBelowIt) {
+TEST_F(AuditOfASmallRegister, FilterBySectionIncludesItsSubsections) {
     part().requirements[1].sources = {"M:2.1 Table 7"};
     const PartAudit all = audit();
     const auto takes = [&](const AuditFilter& filter) { return passes(all.items[1], filter); };
@@ -205,14 +205,14 @@ TEST_F(AuditOfASmallRegister, FiltersTakeASectionAndWhatLiesBelowIt) {
     EXPECT_FALSE(takes({"", "", "open"}));
 }
 
-TEST_F(AuditOfASmallRegister, FiltersFindTheManualOfASection) {
+TEST_F(AuditOfASmallRegister, FilterFindsTheManualOfASection) {
     const std::vector<PartAudit> all{audit()};
     EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:Table 7", "requirement", ""}, content, all).section, "M:Table 7");
 }
 
-TEST_F(AuditOfASmallRegister, FiltersRefuseWhatNothingIs) {
+TEST_F(AuditOfASmallRegister, FilterRefusesUnknownNames) {
     const std::vector<PartAudit> all{audit()};
     const auto refusal = [&](const AuditFilter& filter) -> std::string {
         try {
@@ -228,7 +228,7 @@ TEST_F(AuditOfASmallRegister, FiltersRefuseWhatNothingIs) {
     EXPECT_THAT(refusal({"", "timings", ""}), HasSubstr("no item is of the kind `timings`; there are functional, "));
 }
 
-TEST_F(AuditOfASmallRegister, AnItemsStoryGoesFromTheSectionToTheAlterations) {
+TEST_F(AuditOfASmallRegister, StoryOfAnItemGoesFromItsSectionToItsMutants) {
     mutations["D-A-002"] = {12, 10, 2};
     const auto told = story("D-A-002");
     ASSERT_TRUE(told.has_value());
@@ -240,7 +240,7 @@ TEST_F(AuditOfASmallRegister, AnItemsStoryGoesFromTheSectionToTheAlterations) {
     }
 }
 
-TEST_F(AuditOfASmallRegister, EveryWayBackLeadsToTheItem) {
+TEST_F(AuditOfASmallRegister, StoryFindsTheItemFromSectionDecisionCodeAndTest) {
     for (const char* subject : {"M:2", "D-D-001", "src/firmware/b.cpp", "S.Two", "tests/devices/two_test.cpp"}) {
         const auto told = story(subject);
         ASSERT_TRUE(told.has_value()) << subject;
@@ -250,7 +250,7 @@ TEST_F(AuditOfASmallRegister, EveryWayBackLeadsToTheItem) {
     EXPECT_FALSE(story("S.Nobody").has_value());
 }
 
-TEST_F(AuditOfASmallRegister, AStoryOfAnOpenItemSaysSo) {
+TEST_F(AuditOfASmallRegister, StoryOfAnOpenItemIsMarkedOpen) {
     evidence.verdicts.erase("D-A-002");
     EXPECT_TRUE(story("M:2")->open);
     EXPECT_FALSE(story("M:1")->open);
@@ -291,7 +291,7 @@ double cost_of(std::size_t count) {
 
 }  // namespace
 
-TEST(AuditOfALargeRegister, CostsInProportionToItsSize) {
+TEST(AuditOfALargeRegister, AuditTimeGrowsLinearlyWithTheRegister) {
     // Ten times the requirements and sections: ten times the work, and as much again to spare. An audit that compared
     // each section with each item would cost a hundred times as much.
     EXPECT_LT(cost_of(5000), 25.0 * cost_of(500));

@@ -32,7 +32,7 @@ class CodeLinks : public testing::Test {
     fs::path root_;
 };
 
-TEST_F(CodeLinks, ADevicesFileThatServesNoRequirementIsUntraced) {
+TEST_F(CodeLinks, DeviceFileWithoutARequirementIsUntraced) {
     write("src/devices/d-1/firmware/d.cpp", "#include \"devices/d-1/firmware/ramp.hpp\"\n");
     write("src/devices/d-1/firmware/ramp.hpp", "#include \"firmware/base/time.hpp\"\n");
     write("src/devices/d-1/firmware/ramp.cpp", "\n");
@@ -44,7 +44,7 @@ TEST_F(CodeLinks, ADevicesFileThatServesNoRequirementIsUntraced) {
                 ElementsAre("src/devices/d-1/firmware/stray.cpp", "src/firmware/base/stray.hpp"));
 }
 
-TEST_F(CodeLinks, WhatGeneratedCodeIncludesIsTraced) {
+TEST_F(CodeLinks, FilesIncludedByGeneratedCodeAreTraced) {
     write("src/host/codegen/write_tables.cpp", "    text += \"#include \\\"firmware/base/table.hpp\\\"\\n\";\n");
     write("src/host/sim/write_other.cpp", "    text += \"#include \\\"firmware/base/other.hpp\\\"\\n\";\n");
     write("src/firmware/base/table.hpp", "\n");
@@ -52,7 +52,7 @@ TEST_F(CodeLinks, WhatGeneratedCodeIncludesIsTraced) {
     EXPECT_THAT(untraced("src/firmware/base/none.cpp"), ElementsAre("src/firmware/base/other.hpp"));
 }
 
-TEST_F(CodeLinks, CodeInADevicesFolderMeansItsNames) {
+TEST_F(CodeLinks, NamesInADeviceFolderReferToThatDevice) {
     Part part;
     part.name = "d-1";
     Signal signal;

@@ -69,7 +69,7 @@ class Kills : public testing::Test {
 
 }  // namespace
 
-TEST_F(Kills, AnItemIsShownByATestThatNoticesAMutantOfIt) {
+TEST_F(Kills, ItemIsShownByATestThatNoticesAMutantOfIt) {
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.unnoticed, ElementsAre("B"));
@@ -79,7 +79,7 @@ TEST_F(Kills, AnItemIsShownByATestThatNoticesAMutantOfIt) {
     EXPECT_THAT(found.regressions, IsEmpty());
 }
 
-TEST_F(Kills, ATestThatIsGoneIsARegression) {
+TEST_F(Kills, RemovedTestIsARegression) {
     evidence_.runs.erase(evidence_.runs.begin());
     evidence_.verdicts.erase("A");
     const KillAudit found = audit();
@@ -89,7 +89,7 @@ TEST_F(Kills, ATestThatIsGoneIsARegression) {
                             "Relay.Closes: gone; it noticed mutants of A"));
 }
 
-TEST_F(Kills, AnotherTestOfTheItemDoesNotHideTheOneThatIsGone) {
+TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     evidence_.runs.erase(evidence_.runs.begin());
     evidence_.verdicts.erase("A");
     claim("A", "RelayLaw.Holds");
@@ -99,7 +99,7 @@ TEST_F(Kills, AnotherTestOfTheItemDoesNotHideTheOneThatIsGone) {
     EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: gone; it noticed mutants of A"));
 }
 
-TEST_F(Kills, ATestWithoutItsAssertionsShowsNothing) {
+TEST_F(Kills, TestWithoutItsAssertionsShowsNothing) {
     write(edited("EXPECT_EQ(state(), \"{\");", ""));
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);
@@ -109,7 +109,7 @@ TEST_F(Kills, ATestWithoutItsAssertionsShowsNothing) {
                 ElementsAre("A: Relay.Closes noticed a mutant of it, but no test in its present form does"));
 }
 
-TEST_F(Kills, ANewTestWaitsToBeJudged) {
+TEST_F(Kills, NewTestIsListedAsUnjudged) {
     evidence_.runs.push_back({"Relay.IsNew", "tests/relay_test.cpp", true, true});
     evidence_.verdicts.erase("B");
     claim("B", "Relay.IsNew");
@@ -119,7 +119,7 @@ TEST_F(Kills, ANewTestWaitsToBeJudged) {
     EXPECT_THAT(kill_summary(found), HasSubstr("of 1 item(s) a test notices one, of 0 none does, 1 have none, 1 wait"));
 }
 
-TEST_F(Kills, CommentsAndLayoutDoNotChangeABody) {
+TEST_F(Kills, CommentsAndLayoutDoNotChangeTheBodyHash) {
     const std::string before = hash("Relay.Closes");
     EXPECT_EQ(before.size(), 16U);
     write(edited("// on", "// closed") + "TEST(Other, Test) {}\n");
@@ -130,7 +130,7 @@ TEST_F(Kills, CommentsAndLayoutDoNotChangeABody) {
     EXPECT_NE(hash("Relay.Closes"), before);
 }
 
-TEST_F(Kills, EachTestHasItsOwnBody) {
+TEST_F(Kills, EachTestHasItsOwnBodyHash) {
     const std::string law = hash("RelayLaw.Holds");
     write(edited("1'000", "1'001"));
     EXPECT_NE(hash("All/Relay.OpensAtEach/0"), record_["All/Relay.OpensAtEach/0"].body);
@@ -139,7 +139,7 @@ TEST_F(Kills, EachTestHasItsOwnBody) {
     EXPECT_EQ(TestBodies{root_}.hash("tests/none.cpp", "Relay.Closes"), "");
 }
 
-TEST_F(Kills, TheRecordIsReadBack) {
+TEST_F(Kills, KillRecordIsReadBack) {
     record_["Relay.Closes"].kills = {"A", "B"};
     const std::string text = write_kill_record(record_);
     EXPECT_THAT(text, HasSubstr("\nRelay.Closes," + record_["Relay.Closes"].body + ",A B,\n"));

@@ -20,38 +20,38 @@ std::vector<std::string> misplaced(const Lines& lines) {
 
 }  // namespace
 
-TEST(LinkPlaces, AboveAFunctionIsItsPlace) {
+TEST(LinkPlaces, LinkAboveAFunctionIsAccepted) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C>);", "void do_it() {", "}"}),
                 IsEmpty());
 }
 
-TEST(LinkPlaces, ACommentMayStandBetween) {
+TEST(LinkPlaces, LinkMayHaveACommentBeforeTheFunction) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
 }
 
-TEST(LinkPlaces, AMemberOfAClassMayDoIt) {
+TEST(LinkPlaces, LinkAboveAClassMemberIsAccepted) {
     EXPECT_THAT(misplaced({"    static_assert(implements<req::A>);", "    bool member_{false};", "};"}), IsEmpty());
 }
 
-TEST(LinkPlaces, AboveAStatementOfAFunctionIsItsPlace) {
+TEST(LinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
     EXPECT_THAT(misplaced({"void do_it() {", "    static_assert(implements<req::A>);", "    if (due) {", "    }", "}"}),
                 IsEmpty());
 }
 
-TEST(LinkPlaces, MoreThanThreeInOnePlaceAreTooMany) {
+TEST(LinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
     EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
                 ElementsAre(HasSubstr("src/firmware/a.cpp:2: 4 items in one place, at most 3")));
 }
 
-TEST(LinkPlaces, StatementsThatFollowEachOtherAreOnePlace) {
+TEST(LinkPlaces, AdjacentLinkStatementsCountAsOnePlace) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
                            "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
                 ElementsAre(HasSubstr(":1: 4 items")));
 }
 
-TEST(LinkPlaces, ALinkAboveNothingIsMisplaced) {
+TEST(LinkPlaces, LinkAboveNoCodeIsMisplaced) {
     for (const Lines& below : {Lines{""}, Lines{"}"}, Lines{"namespace x {"}, Lines{"using X = Y;"},
                                Lines{"#include \"b.hpp\""}, Lines{"  private:"}, Lines{"case A:"}, Lines{"default:"},
                                Lines{"break;"}, Lines{"friend class X;"}, Lines{"{"}, Lines{}}) {
@@ -61,7 +61,7 @@ TEST(LinkPlaces, ALinkAboveNothingIsMisplaced) {
     }
 }
 
-TEST(LinkPlaces, ALinkInACommentIsNone) {
+TEST(LinkPlaces, LinkInACommentIsIgnored) {
     EXPECT_THAT(misplaced({"// static_assert(implements<req::A>);", "", "void do_it() {}"}), IsEmpty());
 }
 

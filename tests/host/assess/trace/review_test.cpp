@@ -43,11 +43,11 @@ std::string reviewed(const Register& content, const std::set<std::string>& ids, 
 
 }  // namespace
 
-TEST(Review, EverythingIsUnreviewedAtFirst) {
+TEST(Review, AllItemsAreUnreviewedAtFirst) {
     EXPECT_THAT(unreviewed(*read("a", "b", "").part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
 }
 
-TEST(Review, IsReadBackAsItWasWritten) {
+TEST(Review, ReviewIsReadBackAsWritten) {
     const std::string text = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "A \"B\"");
     const Register content = read("a", "b", text);
     EXPECT_THAT(unreviewed(*content.part("box"), {}), IsEmpty());
@@ -55,7 +55,7 @@ TEST(Review, IsReadBackAsItWasWritten) {
     EXPECT_EQ((ReviewState{content, no_work}.suspicion("AO4-R-1", {})), "");
 }
 
-TEST(Review, OfTheWordingMarksCodeAndTestsAndDoesNotSayThatTheyWereRead) {
+TEST(Review, ReviewOfTheWordingRecordsCodeAndTestMarksAsUnread) {
     const WorkByItem work{{"AO4-R-1", {"c0de", "7e57"}}};
     const Register content = read("a", "b", "");
     const Register renewed =
@@ -69,7 +69,7 @@ TEST(Review, OfTheWordingMarksCodeAndTestsAndDoesNotSayThatTheyWereRead) {
     EXPECT_EQ(both.part("box")->reviews.at("AO4-R-1").marked, "");
 }
 
-TEST(Review, RenewsWhatIsNamedAndKeepsTheRest) {
+TEST(Review, RenewalChangesNamedItemsOnly) {
     const std::string first = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "one");
     const Register edited = read("a, but other", "b, but other", first);
     EXPECT_THAT(unreviewed(*edited.part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
@@ -80,7 +80,7 @@ TEST(Review, RenewsWhatIsNamedAndKeepsTheRest) {
     EXPECT_EQ((ReviewState{again, no_work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
 }
 
-TEST(Review, OfTheSameItemTwiceIsAFault) {
+TEST(Review, TwoReviewsOfOneItemAreAFault) {
     const std::string block = "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"0\"\n";
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] = block + block;
@@ -88,7 +88,7 @@ TEST(Review, OfTheSameItemTwiceIsAFault) {
                 HasSubstr("spec/devices/box/reviews.toml:10: AO4-R-1 is reviewed twice; keep the later one"));
 }
 
-TEST(Review, ExpiresWithTheCodeAndTheTestsOfAnItem) {
+TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
     const Register fresh = read("a", "b", "");
     const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
     const std::string text =
@@ -110,7 +110,7 @@ TEST(Review, ExpiresWithTheCodeAndTheTestsOfAnItem) {
     EXPECT_THAT((ReviewState{content, later}.suspicion("AO4-R-2", {})), HasSubstr("its tests have changed"));
 }
 
-TEST(Review, KeepsTheMarksOfReviewsThatAreNotRenewed) {
+TEST(Review, MarksOfReviewsThatAreNotRenewedAreKept) {
     const WorkByItem work{{"AO4-R-1", {"11111111", ""}}};
     const Register first = read("a", "b", "");
     const std::string old = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, work);
@@ -123,7 +123,7 @@ TEST(Review, KeepsTheMarksOfReviewsThatAreNotRenewed) {
     EXPECT_EQ(kept.role, "independent");
 }
 
-TEST(Review, MarksCodeAndTestsWithoutSayingThatAnybodyReadThem) {
+TEST(Review, MarksOfCodeAndTestsDoNotCountAsReading) {
     const Register first = read("a", "b", "");
     const std::string old =
         write_reviews(*first.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, {});
@@ -138,7 +138,7 @@ TEST(Review, MarksCodeAndTestsWithoutSayingThatAnybodyReadThem) {
     EXPECT_EQ(count_reviews(*marked.part("box"), work).marked, 1U);
 }
 
-TEST(Review, CountsWhoHasReadTodaysState) {
+TEST(Review, CurrentReviewsAreCountedByRole) {
     const Register first = read("a", "b", "");
     const std::string one = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
     const Register second = read("a", "b", one);
@@ -150,7 +150,7 @@ TEST(Review, CountsWhoHasReadTodaysState) {
     EXPECT_EQ(count_reviews(*read("a, but other", "b", both).part("box"), {}).independent, 0U);
 }
 
-TEST(Review, RefusesARoleThatIsNeither) {
+TEST(Review, UnknownReviewRoleIsRefused) {
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] =
         "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"0\"\n";

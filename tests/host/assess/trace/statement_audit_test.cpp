@@ -97,26 +97,26 @@ class AuditOfStatements : public testing::Test {
 
 }  // namespace
 
-TEST_F(AuditOfStatements, IsSilentWhenAllAreCoveredOrExplained) {
+TEST_F(AuditOfStatements, AuditReportsNothingWhenAllStatementsAreCoveredOrExplained) {
     EXPECT_THAT(gaps(), IsEmpty());
     EXPECT_THAT(status(), ElementsAre(testing::Pair("M:1/1", "shown"), testing::Pair("M:2/1", "shown"),
                                       testing::Pair("M:2/2", "explained"), testing::Pair("M:6411h/1", "shown")));
 }
 
-TEST_F(AuditOfStatements, NamesOneThatNothingCovers) {
+TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
     statements()[1].covered.clear();
     EXPECT_THAT(gaps(),
                 ElementsAre("M:6411h/1: no item covers it, and there is no reason (The lamp of 6411h blinks.)"));
     EXPECT_EQ(status()["M:6411h/1"], "open");
 }
 
-TEST_F(AuditOfStatements, NamesANormativeSectionWithoutAny) {
+TEST_F(AuditOfStatements, NormativeSectionWithoutStatementsIsNamed) {
     statements().resize(2);
     EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, and it has no statement"));
     EXPECT_FALSE(audits()[0].sections[1].covered);
 }
 
-TEST_F(AuditOfStatements, CountsOneAboutAnObjectForTheSectionThatDescribesIt) {
+TEST_F(AuditOfStatements, StatementAboutAnObjectCountsForTheSectionOfTheObject) {
     statements().erase(statements().begin());
     EXPECT_THAT(gaps(), IsEmpty());
     const auto sections = by_section(content.manuals[0], audits()[0].statements);
@@ -124,18 +124,18 @@ TEST_F(AuditOfStatements, CountsOneAboutAnObjectForTheSectionThatDescribesIt) {
     EXPECT_THAT(sections.at("2"), ElementsAre(1U, 2U));
 }
 
-TEST_F(AuditOfStatements, NeedsNoItemWithTheSectionAsItsSource) {
+TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemWithItAsSource) {
     // Nothing has section 2 as its source; its statements are covered by a decision and a reason.
     EXPECT_THAT(audits()[0].sections[1].covered_by, IsEmpty());
     EXPECT_TRUE(audits()[0].sections[1].covered);
 }
 
-TEST_F(AuditOfStatements, KeepsTheRuleOfSectionsForAManualWithoutAny) {
+TEST_F(AuditOfStatements, ManualWithoutStatementsIsAuditedBySection) {
     statements().clear();
     EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, but no item has it as its source"));
 }
 
-TEST_F(AuditOfStatements, GivesEachTheStateOfItsWeakestItem) {
+TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
     evidence.verdicts["D-A-002"][0].passed = false;
     EXPECT_EQ(status()["M:1/1"], "shown");
     EXPECT_EQ(status()["M:6411h/1"], "failed");
@@ -145,14 +145,14 @@ TEST_F(AuditOfStatements, GivesEachTheStateOfItsWeakestItem) {
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no passed test"));
 }
 
-TEST_F(AuditOfStatements, TakesAnEditedItemForSuspect) {
+TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
     content.parts[0].requirements[1].text = "It blinks twice.";
     EXPECT_EQ(status()["M:6411h/1"], "suspect");
     EXPECT_EQ(count_statements(audits()[0])["suspect"], 2U);
     EXPECT_EQ(count_statements(audits()[0])["shown"], 1U);
 }
 
-TEST_F(AuditOfStatements, TakesSharedRulesOfAnotherProjectForShown) {
+TEST_F(AuditOfStatements, SharedRulesOfAnotherProjectCountAsShown) {
     Part shared;
     shared.name = "canopen";
     shared.inherited = true;
@@ -164,7 +164,7 @@ TEST_F(AuditOfStatements, TakesSharedRulesOfAnotherProjectForShown) {
     EXPECT_THAT(story("M:1/1")->text, HasSubstr("CO-A-001               shared, shown with canproof"));
 }
 
-TEST_F(AuditOfStatements, TellsTheStoryOfOne) {
+TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
     const auto told = story("M:6411h/1");
     ASSERT_TRUE(told.has_value());
     EXPECT_FALSE(told->open);
@@ -181,7 +181,7 @@ TEST_F(AuditOfStatements, TellsTheStoryOfOne) {
     EXPECT_FALSE(story("M:6411h/2").has_value());
 }
 
-TEST_F(AuditOfStatements, StandInTheStoryOfTheirSection) {
+TEST_F(AuditOfStatements, StoryOfASectionHasItsStatements) {
     const auto told = story("M:1");
     EXPECT_FALSE(told->open);
     EXPECT_THAT(told->text, HasSubstr("  M:1/1 "));
@@ -193,7 +193,7 @@ TEST_F(AuditOfStatements, StandInTheStoryOfTheirSection) {
     EXPECT_TRUE(story("M:2")->open) << "a normative section without a statement";
 }
 
-TEST_F(AuditOfStatements, PassFiltersOfSectionKindAndStatus) {
+TEST_F(AuditOfStatements, StatementsAreFilteredBySectionKindAndStatus) {
     statements()[1].covered.clear();
     const auto all = audits();
     const auto taken = [&](const AuditFilter& filter) {
@@ -214,7 +214,7 @@ TEST_F(AuditOfStatements, PassFiltersOfSectionKindAndStatus) {
     EXPECT_THROW(resolved({"", "statement", ""}, content, audits()), InputError);
 }
 
-TEST_F(AuditOfStatements, StandInTheJsonOfTheAudit) {
+TEST_F(AuditOfStatements, JsonOfTheAuditHasTheStatements) {
     statements()[1].covered.clear();
     const auto whole = nlohmann::json::parse(write_audit_json(content, audits(), {}, {{"orphans", {"a stray"}}}));
     const auto& part = whole.at("parts").at(0);

@@ -61,7 +61,7 @@ std::string dictionary_of(const std::string& text) {
 
 }  // namespace
 
-TEST(EdsCheck, FindsNothingInAGoodSheet) {
+TEST(EdsCheck, GoodSheetHasNoFindings) {
     std::string all;
     for (const EdsFinding& finding : findings_in(good_sheet())) {
         all += fmt::format("{}: {}: {}\n", finding.line, finding.rule.id, finding.what);
@@ -103,7 +103,7 @@ TEST(EdsCheck, NoRuleFindsItsGoodExample) {
     }
 }
 
-TEST(EdsCheck, FindsTheKindsOfWarningOfAConformanceTest) {
+TEST(EdsCheck, WarningsOfTheConformanceTestToolAreFound) {
     const PatchedSheet sheet = patched_sheet(
         "[FileInfo] Editor=Nobody | [6200sub1] AccessType=rw | @[FileInfo] Editor | @[1600sub1] DefaultValue | "
         "@[6200sub1] AccessType");
@@ -118,7 +118,7 @@ TEST(EdsCheck, FindsTheKindsOfWarningOfAConformanceTest) {
     EXPECT_EQ(lines, sheet.lines);
 }
 
-TEST(EdsCheck, FindsTheSameWithCarriageReturns) {
+TEST(EdsCheck, FindingsAreTheSameWithCarriageReturns) {
     std::string text;
     for (const char c : patched_sheet("[1017] DataType=0x0099").text) {
         text += c == '\n' ? std::string{"\r\n"} : std::string{c};
@@ -126,12 +126,12 @@ TEST(EdsCheck, FindsTheSameWithCarriageReturns) {
     EXPECT_THAT(rules_in(text), ElementsAre("data-type-unknown"));
 }
 
-TEST(EdsCheck, AnEdsNamedFileHasItsNameCheckedAndATextWithoutNameNot) {
+TEST(EdsCheck, FileNameIsCheckedForFilesAndNotForText) {
     EXPECT_THAT(check_eds(good_sheet()), IsEmpty());
     EXPECT_EQ(lines_of(check_eds(good_sheet(), "crate.eds"), "fileinfo-name-differs").size(), 1U);
 }
 
-TEST(EdsCheck, ADeviceConfigurationFileHasItsOwnKeys) {
+TEST(EdsCheck, DeviceConfigurationFileHasItsOwnKeys) {
     const std::string text =
         patched_sheet(
             "[FileInfo] FileName=box.dcf | [DeviceComissioning] NodeID=5 | [DeviceComissioning] Baudrate=125 | "
@@ -141,7 +141,7 @@ TEST(EdsCheck, ADeviceConfigurationFileHasItsOwnKeys) {
     EXPECT_EQ(lines_of(check_eds(text, "box.eds"), "dcf-section").size(), 1U);
 }
 
-TEST(EdsCheck, WhatIsNoSheetIsRefused) {
+TEST(EdsCheck, TextThatIsNoSheetIsRefused) {
     EXPECT_THROW(check_eds(""), InputError);
     EXPECT_THROW(check_eds("<?xml version=\"1.0\"?>\n"), InputError);
     std::string nonsense = "[FileInfo]\n";
@@ -176,7 +176,7 @@ TEST(EdsCheck, EverySafeFixRemovesItsFindingAndKeepsTheDevice) {
     EXPECT_GE(fixed_rules, 25);
 }
 
-TEST(EdsFix, ManyFaultsTogetherEndInTheGoodSheet) {
+TEST(EdsFix, ManyFaultsTogetherAreFixedToTheGoodSheet) {
     const std::string bad = patched_sheet(
                                 "[FileInfo] CreationDate=2020-02-29 | [DeviceInfo] NrOfRXPDO=7 | "
                                 "[Comments] Lines=0 | [1003] SubNumber=2 | [1017] DataType~datatype=0x0006 | "
@@ -191,7 +191,7 @@ TEST(EdsFix, ManyFaultsTogetherEndInTheGoodSheet) {
     EXPECT_EQ(fix_eds(fixed.text, "box.eds").text, fixed.text);
 }
 
-TEST(EdsFix, AThousandUnlistedObjectsAreListedAtOnce) {
+TEST(EdsFix, ThousandUnlistedObjectsAreListedAtOnce) {
     std::string text = "[MandatoryObjects]\nSupportedObjects=0\n";
     for (unsigned index = 0x2000; index < 0x2400; ++index) {
         text += fmt::format("[{:04X}]\nParameterName=A\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n", index);
@@ -201,7 +201,7 @@ TEST(EdsFix, AThousandUnlistedObjectsAreListedAtOnce) {
     EXPECT_EQ(lines_of(check_eds(fixed.text), "list-none").size(), 0U);
 }
 
-TEST(EdsFix, WhatAPersonMustDecideStaysAsItIs) {
+TEST(EdsFix, FaultsThatNeedADecisionAreLeftUnchanged) {
     const std::string bad = patched_sheet("[2000] DefaultValue=101 | -[2004] | [1017] DataType=0x0099").text;
     const EdsFixed fixed = fix_eds(bad, "box.eds");
     EXPECT_EQ(fixed.text, bad);

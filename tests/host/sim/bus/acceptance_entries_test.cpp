@@ -70,18 +70,18 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST(AcceptanceEntries, EveryNodeHearsNmtLssItsGuardingAndItsSdo) {
+TEST(AcceptanceEntries, EveryNodeAcceptsNmtLssGuardingAndItsSdo) {
     EXPECT_EQ(names(filters_with({})), (Names{"000", "7E5", "705", "605"}));
 }
 
-TEST(AcceptanceEntries, NodeWithoutANodeIdHearsNmtAndLss) {
+TEST(AcceptanceEntries, NodeWithoutANodeIdAcceptsNmtAndLss) {
     const auto objects = std::vector<std::pair<unsigned, std::string>>{{0x1005, variable(0x1005, 0x80)}};
     EXPECT_EQ(names(filters_with(objects, 0)), (Names{"000", "7E5"}));
     EXPECT_EQ(names(filters_with(objects, 255)), (Names{"000", "7E5"}));
     EXPECT_EQ(names(filters_with(objects, 1)), (Names{"000", "7E5", "701", "601", "080"}));
 }
 
-TEST(AcceptanceEntries, SyncGuardingAndTimeAreHeardWhateverTheirHighestBitsSay) {
+TEST(AcceptanceEntries, SyncGuardingAndTimeAreAcceptedWhateverTheirHighestBits) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x40000081)},
                                   {0x100E, variable(0x100E, 0x706)},
                                   {0x1012, variable(0x1012, 0xC0000100)}})),
@@ -89,7 +89,7 @@ TEST(AcceptanceEntries, SyncGuardingAndTimeAreHeardWhateverTheirHighestBitsSay) 
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x20010081)}})).back(), "00010081");
 }
 
-TEST(AcceptanceEntries, OneIdentifierIsOneFilter) {
+TEST(AcceptanceEntries, EachIdentifierHasOneFilter) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x80)}})),
               (Names{"000", "7E5", "705", "605", "080"}));
     // of 11 and of 29 bits they are two
@@ -97,7 +97,7 @@ TEST(AcceptanceEntries, OneIdentifierIsOneFilter) {
               (Names{"000", "7E5", "705", "605", "080", "00000080"}));
 }
 
-TEST(AcceptanceEntries, EverySdoServerIsHeardAndNoClient) {
+TEST(AcceptanceEntries, EverySdoServerIdentifierIsAcceptedAndNoClientIdentifier) {
     EXPECT_EQ(names(filters_with({{0x1200, record(0x1200, {0x605, 0x585})},
                                   {0x1201, record(0x1201, {0x621, 0x5A1})},
                                   {0x127F, record(0x127F, {0x622, 0x5A2})},
@@ -107,7 +107,7 @@ TEST(AcceptanceEntries, EverySdoServerIsHeardAndNoClient) {
               (Names{"000", "7E5", "705", "605"}));
 }
 
-TEST(AcceptanceEntries, EveryPdoIsHeardThatIsValid_ATransmitPdoForItsRequests) {
+TEST(AcceptanceEntries, EveryValidPdoIsAccepted_ATransmitPdoForItsRequests) {
     EXPECT_EQ(names(filters_with({{0x1400, record(0x1400, {0x205, 255})},
                                   {0x1401, record(0x1401, {0x80000305, 255})},
                                   {0x15FF, record(0x15FF, {0x20010306, 255})},
@@ -119,12 +119,12 @@ TEST(AcceptanceEntries, EveryPdoIsHeardThatIsValid_ATransmitPdoForItsRequests) {
               (Names{"000", "7E5", "705", "605", "205", "00010306", "185", "286"}));
 }
 
-TEST(AcceptanceEntries, EveryProducerThatIsWatchedIsHeard) {
+TEST(AcceptanceEntries, EveryMonitoredProducerIsAccepted) {
     EXPECT_EQ(names(filters_with({{0x1016, record(0x1016, {0x00060064, 0x00000064, 0x007F0000, 0x00060032})}})),
               (Names{"000", "7E5", "705", "605", "706", "77F"}));
 }
 
-TEST(AcceptanceEntries, All127ProducersMayBeWatched) {
+TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
     std::vector<std::uint32_t> watched(128);  // the last one is beyond what CiA 301 has
     for (std::uint32_t i = 0; i < watched.size(); ++i) {
         watched[i] = (i + 1U) << 16U | 100U;
@@ -136,7 +136,7 @@ TEST(AcceptanceEntries, All127ProducersMayBeWatched) {
     EXPECT_EQ(all[4], "701");
 }
 
-TEST(AcceptanceFilterText, EverythingIsOneFilterOfEachFormat) {
+TEST(AcceptanceFilterText, AcceptEverythingIsOneFilterOfEachFormat) {
     const auto hears = [](const char* text) {
         const Frame frame = parse_frame(text, "test");
         return std::count_if(accept_everything().begin(), accept_everything().end(),
@@ -148,7 +148,7 @@ TEST(AcceptanceFilterText, EverythingIsOneFilterOfEachFormat) {
     }
 }
 
-TEST(AcceptanceFilterText, ComparesTheBitsOfItsMaskAndTheFormat) {
+TEST(AcceptanceFilterText, FilterComparesTheBitsOfItsMaskAndTheFormat) {
     const AcceptanceFilter one{0x7A3, 0x7F0, false};
     EXPECT_TRUE(one.accepts(parse_frame("7AF#", "test")));
     EXPECT_FALSE(one.accepts(parse_frame("7B3#", "test")));

@@ -93,7 +93,7 @@ TEST_F(ArbitratedBusTest, ReportCountsLoadAndWorstLatency) {
     EXPECT_DOUBLE_EQ(bus->report(Instant{3000000}).load, 0.0);
 }
 
-TEST_F(ArbitratedBusTest, FullBusIsLoadedToOne) {
+TEST_F(ArbitratedBusTest, FullBusHasALoadOfOne) {
     start();
     for (int i = 0; i < 3000; ++i) {
         a.send("000#");
@@ -102,7 +102,7 @@ TEST_F(ArbitratedBusTest, FullBusIsLoadedToOne) {
     EXPECT_NEAR(bus->report(Instant{1000000}).load, 1.0, 1.0e-6);
 }
 
-TEST_F(ArbitratedBusTest, BitTimesThatAreNoWholeMicrosecondsDoNotDrift) {
+TEST_F(ArbitratedBusTest, FractionalMicrosecondsPerBitDoNotAccumulate) {
     // 800 kbit/s: 1.25 us a bit. 1000 frames of n bits and 999 intermissions.
     bus = std::make_unique<ArbitratedBus>("inproc", 800000, BusFaultRates{});
     bus->attach(a);
@@ -115,7 +115,7 @@ TEST_F(ArbitratedBusTest, BitTimesThatAreNoWholeMicrosecondsDoNotDrift) {
     EXPECT_EQ(b.heard.back(), fmt::format("{} 703#05", (bits * 5 + 3) / 4));
 }
 
-TEST_F(ArbitratedBusTest, FrameFromOutsideReachesAllNodes) {
+TEST_F(ArbitratedBusTest, FrameFromAGatewayReachesAllNodes) {
     start();
     ASSERT_TRUE(bus->put(parse_frame("000#0100", "test"), Instant{0}));
     run_until(*bus, Instant{0}, Instant{10000});
@@ -124,7 +124,7 @@ TEST_F(ArbitratedBusTest, FrameFromOutsideReachesAllNodes) {
     EXPECT_THAT(c.heard, SizeIs(1));
 }
 
-TEST_F(ArbitratedBusTest, GatewayThatFloodsLeavesTheBusToOthersAfterEachFrame) {
+TEST_F(ArbitratedBusTest, FloodingGatewayLeavesTheBusToOthersAfterEachFrame) {
     start();
     Gateway flood{"flood", 64, {}};
     bus->attach_gateway(flood);
@@ -142,7 +142,7 @@ TEST_F(ArbitratedBusTest, GatewayThatFloodsLeavesTheBusToOthersAfterEachFrame) {
     EXPECT_THAT(log, SizeIs(52));
 }
 
-TEST_F(ArbitratedBusTest, GatewayComesAndGoesInTheMiddleOfAFrame) {
+TEST_F(ArbitratedBusTest, GatewayMayAttachAndDetachDuringAFrame) {
     start();
     auto door = std::make_unique<Gateway>("door", 4, Gateway::Outlet{});
     bus->attach_gateway(*door);
@@ -208,7 +208,7 @@ TEST_F(ArbitratedBusTest, BusOffLasts128TimesElevenBitsAndEndsActive) {
     EXPECT_EQ(b.heard.back(), fmt::format("{} 083#", 12264 + time_of("083#")));
 }
 
-TEST_F(ArbitratedBusTest, FrameOfANodeThatFallsOffTheBusIsLostWithAnErrorFrame) {
+TEST_F(ArbitratedBusTest, FrameOfANodeThatGoesBusOffIsLostWithAnErrorFrame) {
     start();
     a.send("083#");
     bus->advance(Instant{0});
@@ -222,7 +222,7 @@ TEST_F(ArbitratedBusTest, FrameOfANodeThatFallsOffTheBusIsLostWithAnErrorFrame) 
     EXPECT_EQ(bus->report(Instant{100000}).errors, 1U);
 }
 
-TEST_F(ArbitratedBusTest, CorruptedFrameOfANodeThatFellOffIsNotSentAfterwards) {
+TEST_F(ArbitratedBusTest, CorruptedFrameOfANodeThatWentBusOffIsNotSentLater) {
     BusFaultRates faults;
     faults.corrupted = 0.9;
     faults.seed = 1;  // the first frame is corrupted
@@ -256,7 +256,7 @@ TEST_F(ArbitratedBusTest, LatencyOfARepeatedFrameCountsFromItsFirstAttempt) {
     EXPECT_GT(errors, 0U);  // some were repeated
 }
 
-TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheOneQueuedBehindIt) {
+TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheNextQueuedFrame) {
     start();
     b.send("000#");
     a.send("083#");
@@ -268,7 +268,7 @@ TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheOneQueuedBehindIt) {
     EXPECT_EQ(bus->report(Instant{100000}).worst_latency.us, first + time_of("083#"));
 }
 
-TEST_F(ArbitratedBusTest, DoorThatGoesInTheMiddleOfItsFrameLeavesAnErrorFrame) {
+TEST_F(ArbitratedBusTest, GatewayDetachedDuringItsFrameLeavesAnErrorFrame) {
     start();
     Gateway first{"first", 4, {}};
     Gateway second{"second", 4, {}};
@@ -319,7 +319,7 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 
-TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsNotHeardUntilMostHaveChanged) {
+TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsDisconnectedUntilMostNodesHaveChanged) {
     start();
     std::vector<std::string> notices;
     bus->on_notice([&](const std::string& text) { notices.push_back(text); });
@@ -341,7 +341,7 @@ TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsNotHeardUntilMostHaveChanged) {
                                      "b: LSS sets 250000 bit/s; the bus has it as well"));
 }
 
-TEST_F(ArbitratedBusTest, Takes127NodesAndNoMore) {
+TEST_F(ArbitratedBusTest, BusTakes127NodesAndNoMore) {
     start();
     std::vector<std::unique_ptr<PlainNode>> others;
     for (int i = 4; i <= 127; ++i) {
@@ -358,7 +358,7 @@ TEST_F(ArbitratedBusTest, Takes127NodesAndNoMore) {
     EXPECT_THAT(a.heard, SizeIs(124));
 }
 
-TEST_F(ArbitratedBusTest, SameSeedGivesTheSameTrafficAndAnotherDoesNot) {
+TEST_F(ArbitratedBusTest, SameSeedGivesTheSameTrafficAndAnotherSeedDoesNot) {
     const auto traffic = [](std::uint64_t seed) {
         BusFaultRates faults;
         faults.corrupted = 0.2;
@@ -384,7 +384,7 @@ TEST_F(ArbitratedBusTest, SameSeedGivesTheSameTrafficAndAnotherDoesNot) {
     EXPECT_NE(traffic(7), traffic(8));
 }
 
-TEST(BusFaultText, ReadsEachRateAndRefusesTheRest) {
+TEST(BusFaultText, EachFaultRateIsReadAndOtherTextRefused) {
     const BusFaultRates rates = parse_bus_faults("corrupted=0.25,lost=0.5,bus-off=0.125,seed=42");
     EXPECT_DOUBLE_EQ(rates.corrupted, 0.25);
     EXPECT_DOUBLE_EQ(rates.lost, 0.5);

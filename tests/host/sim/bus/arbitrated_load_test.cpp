@@ -39,7 +39,7 @@ class BusLoad : public testing::Test {
 
 }  // namespace
 
-TEST_F(BusLoad, OfAFrameOnTheWireCountsFromItsStart) {
+TEST_F(BusLoad, LoadOfARunningFrameCountsFromItsStart) {
     run_until(bus, Instant{0}, Instant{100});
     a.send("703#05");
     bus.advance(Instant{100});
@@ -49,7 +49,7 @@ TEST_F(BusLoad, OfAFrameOnTheWireCountsFromItsStart) {
     EXPECT_NEAR(load_at(400), 0.75, exact);
 }
 
-TEST_F(BusLoad, OfTheLastSecondHasThePartOfAFrameThatLiesInIt) {
+TEST_F(BusLoad, LoadOfTheLastSecondCountsThePartOfAFrameWithinIt) {
     a.send("703#05");
     run_until(bus, Instant{0}, Instant{second});
     const std::uint64_t busy = time_of("703#05") + 3 * us_per_bit;
@@ -63,7 +63,7 @@ TEST_F(BusLoad, OfTheLastSecondHasThePartOfAFrameThatLiesInIt) {
     EXPECT_EQ(bus.report(Instant{second + busy}).frames, 1U);
 }
 
-TEST_F(BusLoad, OfAFrameThatLastsLongerThanTheLastSecondIsOne) {
+TEST_F(BusLoad, LoadIsOneDuringAFrameLongerThanASecond) {
     // 10 bit/s: the shortest frame takes more than four seconds.
     ArbitratedBus slow{"inproc", 10, {}};
     slow.attach(a);
@@ -72,7 +72,7 @@ TEST_F(BusLoad, OfAFrameThatLastsLongerThanTheLastSecondIsOne) {
     EXPECT_NEAR(slow.report(Instant{3 * second}).load, 1.0, exact);
 }
 
-TEST_F(BusLoad, HasFramesThatWereBrokenOff) {
+TEST_F(BusLoad, LoadIncludesInterruptedFrames) {
     a.send("703#05");
     bus.advance(Instant{0});
     bus.switch_off(a, Instant{80});
@@ -82,7 +82,7 @@ TEST_F(BusLoad, HasFramesThatWereBrokenOff) {
     EXPECT_EQ(bus.report(Instant{second}).frames, 0U);
 }
 
-TEST_F(BusLoad, IsKeptWhileTheRunLooksRarely) {
+TEST_F(BusLoad, LoadIsExactWhenReadRarely) {
     for (int i = 0; i < 100; ++i) {
         a.send("703#05");
     }
@@ -94,7 +94,7 @@ TEST_F(BusLoad, IsKeptWhileTheRunLooksRarely) {
     EXPECT_DOUBLE_EQ(load_at(3 * second), 0.0);
 }
 
-TEST(BusBitRate, Is125000WithoutANumber) {
+TEST(BusBitRate, BitRateIs125000WithoutANumber) {
     ArbitratedBus bus{"inproc", 0, {}};
     EXPECT_EQ(bus.report(Instant{0}).bit_rate, 125000U);
     EXPECT_EQ(bus.interface(), "inproc");
@@ -102,7 +102,7 @@ TEST(BusBitRate, Is125000WithoutANumber) {
     EXPECT_EQ(bus.poll(Instant{5}), Instant{5});
 }
 
-TEST(BusBitRate, RoundsABitToTheNearestNanosecond) {
+TEST(BusBitRate, BitTimeIsRoundedToTheNearestNanosecond) {
     // 300 kbit/s: 3333.33 ns a bit. A frame and its intermission: (n + 3) bits, each sum rounded by itself.
     ArbitratedBus bus{"inproc", 300000, {}};
     PlainNode a{"a"};
@@ -119,7 +119,7 @@ TEST(BusBitRate, RoundsABitToTheNearestNanosecond) {
     EXPECT_EQ(b.heard.back(), fmt::format("{} 703#05", (all_ns + 999U) / 1000U));
 }
 
-TEST_F(BusLoad, BitRateStaysOnATieAndFollowsTheMost) {
+TEST_F(BusLoad, BitRateFollowsTheMajorityAndStaysOnATie) {
     a.rate = 125000;
     b.rate = 250000;
     run_until(bus, Instant{0}, Instant{100});
@@ -132,7 +132,7 @@ TEST_F(BusLoad, BitRateStaysOnATieAndFollowsTheMost) {
     EXPECT_THAT(notices, IsEmpty());  // nobody has changed its rate
 }
 
-TEST_F(BusLoad, BitRateOfTheOnlyNodesIsTakenWhereNobodyHasTheBuss) {
+TEST_F(BusLoad, BitRateOfTheNodesReplacesThatOfTheBus) {
     a.rate = 500000;
     run_until(bus, Instant{0}, Instant{100});
     EXPECT_EQ(bus.report(Instant{100}).bit_rate, 500000U);
@@ -141,7 +141,7 @@ TEST_F(BusLoad, BitRateOfTheOnlyNodesIsTakenWhereNobodyHasTheBuss) {
     EXPECT_EQ(b.heard.size(), 1U);  // b takes whatever the bus has
 }
 
-TEST_F(BusLoad, BitRateChangesBetweenFramesNotInTheMiddleOfOne) {
+TEST_F(BusLoad, BitRateChangesBetweenFramesNotDuringAFrame) {
     a.rate = b.rate = 125000;
     a.send("703#05");
     bus.advance(Instant{0});
@@ -154,7 +154,7 @@ TEST_F(BusLoad, BitRateChangesBetweenFramesNotInTheMiddleOfOne) {
                                      "b: LSS sets 250000 bit/s; the bus has it as well"));
 }
 
-TEST_F(BusLoad, NodeThatTakesAnyRateAgainIsHeardAgain) {
+TEST_F(BusLoad, NodeThatAcceptsAnyBitRateIsConnectedAgain) {
     a.rate = 250000;
     b.rate = 125000;
     run_until(bus, Instant{0}, Instant{100});
@@ -164,7 +164,7 @@ TEST_F(BusLoad, NodeThatTakesAnyRateAgainIsHeardAgain) {
     EXPECT_EQ(b.heard.size(), 1U);
 }
 
-TEST_F(BusLoad, NothingIsDueWhileNobodyMaySend) {
+TEST_F(BusLoad, NoDeadlineIsSetWhileNoNodeMaySend) {
     EXPECT_EQ(bus.next_deadline(), never);
     a.rate = b.rate = 125000;
     a.send("703#05");
@@ -175,7 +175,7 @@ TEST_F(BusLoad, NothingIsDueWhileNobodyMaySend) {
     EXPECT_EQ(bus.next_deadline(), Instant{0});
 }
 
-TEST_F(BusLoad, DoorIsDueEightBitsAfterItsFrameAndANodeAtOnce) {
+TEST_F(BusLoad, GatewayMaySendEightBitsAfterItsFrameAndANodeAtOnce) {
     Gateway door{"door", 4, {}};
     bus.attach_gateway(door);
     door.put(parse_frame("123#", "test"));
@@ -189,7 +189,7 @@ TEST_F(BusLoad, DoorIsDueEightBitsAfterItsFrameAndANodeAtOnce) {
     EXPECT_EQ(bus.next_deadline(), end + Duration{3 * us_per_bit});
 }
 
-TEST_F(BusLoad, FrameThatComesInTheIntermissionWaitsForItsEnd) {
+TEST_F(BusLoad, FrameQueuedDuringTheIntermissionWaitsForItsEnd) {
     a.send("123#");
     bus.advance(Instant{0});
     const std::uint64_t end = time_of("123#");
@@ -200,7 +200,7 @@ TEST_F(BusLoad, FrameThatComesInTheIntermissionWaitsForItsEnd) {
     EXPECT_EQ(bus.next_deadline(), Instant{end + 24 + time_of("703#05")});
 }
 
-TEST_F(BusLoad, DoorThatIsNotThereIsSendingNothingAndMayGo) {
+TEST_F(BusLoad, UnattachedGatewayIsNotSendingAndMayBeDetached) {
     Gateway stranger{"stranger", 4, {}};
     stranger.put(parse_frame("123#", "test"));
     a.send("703#05");
@@ -212,7 +212,7 @@ TEST_F(BusLoad, DoorThatIsNotThereIsSendingNothingAndMayGo) {
     EXPECT_EQ(bus.report(Instant{10000}).errors, 0U);
 }
 
-TEST_F(BusLoad, SwitchingOffANodeThatIsNotThereOrOffAlreadyChangesNothing) {
+TEST_F(BusLoad, SwitchingOffAnAbsentOrOffNodeChangesNothing) {
     PlainNode stranger{"stranger"};
     bus.switch_off(stranger, Instant{0});
     EXPECT_THAT(stranger.states, IsEmpty());
@@ -222,7 +222,7 @@ TEST_F(BusLoad, SwitchingOffANodeThatIsNotThereOrOffAlreadyChangesNothing) {
     EXPECT_THAT(a.states, ElementsAre("0 3", "11264 0"));  // 128 x 11 bits of 8 us from the first time on
 }
 
-TEST_F(BusLoad, EachFrameThatIsBrokenOffIsAnErrorOfItsReceivers) {
+TEST_F(BusLoad, EachInterruptedFrameIsAnErrorOfItsReceivers) {
     Instant now{};
     for (int i = 0; i < 96; ++i) {
         EXPECT_THAT(a.states, IsEmpty()) << i;
@@ -239,7 +239,7 @@ TEST_F(BusLoad, EachFrameThatIsBrokenOffIsAnErrorOfItsReceivers) {
     EXPECT_EQ(bus.report(now).errors, 96U);
 }
 
-TEST(BusErrors, SenderCountsItsBrokenFramesAsASenderOnly) {
+TEST(BusErrors, SenderCountsItsBrokenFramesAsTransmitErrorsOnly) {
     // One of twenty is broken: eight up and nineteen down. As a receiver it would never count down, for it hears
     // nobody.
     ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.05, 0.0, 0.0, 7}};
@@ -256,7 +256,7 @@ TEST(BusErrors, SenderCountsItsBrokenFramesAsASenderOnly) {
     EXPECT_THAT(a.states, IsEmpty());
 }
 
-TEST(BusErrors, DoorIsNeverBusOff) {
+TEST(BusErrors, GatewayIsNeverBusOff) {
     ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.9, 0.0, 0.0, 7}};
     PlainNode b{"b"};
     bus.attach(b);
@@ -270,7 +270,7 @@ TEST(BusErrors, DoorIsNeverBusOff) {
     EXPECT_GT(bus.report(Instant{1000000}).errors, 100U);
 }
 
-TEST_F(BusLoad, LatencyCountsFromWhenAFrameBecameTheFirst) {
+TEST_F(BusLoad, LatencyCountsFromWhenAFrameBecameTheFirstInItsQueue) {
     a.send("703#05");
     a.send("704#05");
     run_until(bus, Instant{0}, Instant{100000});

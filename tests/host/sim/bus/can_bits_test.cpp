@@ -58,7 +58,7 @@ unsigned divided(std::vector<bool> bits) {
 
 }  // namespace
 
-TEST(CanBits, CrcOfTheCatalogueIsMet) {
+TEST(CanBits, CrcHasTheCheckValueOfTheCatalogue) {
     // CRC-15/CAN of the ASCII text 123456789 is 059Eh in the catalogue of parametrised CRC algorithms.
     std::vector<bool> bits;
     for (const char c : std::string{"123456789"}) {
@@ -69,7 +69,7 @@ TEST(CanBits, CrcOfTheCatalogueIsMet) {
     EXPECT_EQ(crc15(bits), 0x059E);
 }
 
-TEST(CanBits, CrcIsTheRemainderOfADivisionOnPaper) {
+TEST(CanBits, CrcEqualsTheRemainderOfALongDivision) {
     std::mt19937 random{1};
     for (int i = 0; i < 200; ++i) {
         std::vector<bool> bits;
@@ -80,7 +80,7 @@ TEST(CanBits, CrcIsTheRemainderOfADivisionOnPaper) {
     }
 }
 
-TEST(CanBits, FieldsStandInTheOrderOfTheStandard) {
+TEST(CanBits, FieldsHaveTheOrderOfTheStandard) {
     // SOF, identifier 703h, RTR, IDE, r0, DLC 1, one byte 05h
     EXPECT_EQ(text_of(unstuffed_bits(frame("703#05"))), text_of(bits_of("0 11100000011 0 0 0 0001 00000101")));
     // remote: RTR recessive, no data
@@ -90,7 +90,7 @@ TEST(CanBits, FieldsStandInTheOrderOfTheStandard) {
               text_of(bits_of("0 00000000001 1 1 000000000000000001 0 0 0 0000")));
 }
 
-TEST(CanBits, FiveEqualBitsGetASixthOfTheOtherLevelWhichCounts) {
+TEST(CanBits, StuffBitFollowsFiveEqualBitsAndCountsItself) {
     EXPECT_EQ(count_stuff_bits(bits_of("0000")), 0U);
     EXPECT_EQ(count_stuff_bits(bits_of("1111")), 0U);
     EXPECT_EQ(count_stuff_bits(bits_of("11111")), 1U);
@@ -103,7 +103,7 @@ TEST(CanBits, FiveEqualBitsGetASixthOfTheOtherLevelWhichCounts) {
     EXPECT_EQ(count_stuff_bits(bits_of("0101010101")), 0U);
 }
 
-TEST(CanBits, LengthIsFieldsPlusStuffBits) {
+TEST(CanBits, FrameLengthIsFieldsPlusStuffBits) {
     // 1 + 11 + 3 + 4 + 8 n + 15 + 1 + 2 + 7 = 44 + 8 n without stuff bits; 555h and bytes 55h alternate, so that only
     // the DLC (000100, 1000 …) and the CRC can be stuffed: counted from the bits themselves.
     for (const auto& [text, plain] : {std::pair<std::string, unsigned>{"555#", 44},
@@ -120,7 +120,7 @@ TEST(CanBits, LengthIsFieldsPlusStuffBits) {
     }
 }
 
-TEST(CanBits, NmtStartIsAsLongAsCountedByHand) {
+TEST(CanBits, NmtStartFrameHasTheLengthCountedByHand) {
     // 000#0100: 0 00000000000 0 0 0 0010 00000001 00000000, then the CRC. Zeros from the start: 18 of them bring a
     // stuff bit after 5, 10 and 15 (each stuffed 1 breaks the run); then 1 0 | 0000000 1: after the 1 come 0 and seven
     // more, one stuff bit after five of these; the 1; eight zeros: one more after five, and three zeros before the CRC.

@@ -41,7 +41,7 @@ TEST(CandumpFrame, IdentifierOfThreeDigitsHas11BitsAndOneOfEightHas29) {
     }
 }
 
-TEST(CandumpFrame, BytesStandInTheirOrder) {
+TEST(CandumpFrame, BytesAreReadInTheirOrder) {
     const Frame eight = frame("123#01aBff0045670089");
     EXPECT_EQ(eight.length, 8U);
     const std::array<std::uint8_t, 8> bytes{0x01, 0xAB, 0xFF, 0x00, 0x45, 0x67, 0x00, 0x89};
@@ -64,7 +64,7 @@ TEST(CandumpFrame, RemoteFrameHasALengthAndNoBytes) {
     }
 }
 
-TEST(CandumpFrame, LengthCodeStandsBehindEightBytesOnly) {
+TEST(CandumpFrame, LengthCodeFollowsEightBytesOnly) {
     EXPECT_EQ(frame("123#0102030405060708_9").length, 8U);
     EXPECT_EQ(frame("123#0102030405060708_f").length, 8U);
     EXPECT_EQ(frame("123#r8_A").length, 8U);
@@ -75,14 +75,14 @@ TEST(CandumpFrame, LengthCodeStandsBehindEightBytesOnly) {
     }
 }
 
-TEST(CandumpFrame, IsWrittenAsItIsRead) {
+TEST(CandumpFrame, FrameIsWrittenAsItIsRead) {
     for (const char* text :
          {"000#", "7FF#FF", "00000000#", "1FFFFFFF#R", "123#R1", "123#R8", "0000A5C3#0123456789ABCDEF"}) {
         EXPECT_EQ(format_frame(frame(text)), text);
     }
 }
 
-TEST(CandumpLine, HasTimeInterfaceFrameAndMark) {
+TEST(CandumpLine, LineHasTimeInterfaceFrameAndMark) {
     const LoggedFrame plain = line("(12.000345) vcan3 703#05");
     EXPECT_EQ(plain.time, Instant{12000345});
     EXPECT_EQ(plain.interface, "vcan3");
@@ -96,7 +96,7 @@ TEST(CandumpLine, HasTimeInterfaceFrameAndMark) {
     EXPECT_EQ(line("  (1.0)\tcan0   703#05  ").frame.length, 1U);
 }
 
-TEST(CandumpLine, RefusalSaysWhichPartIsWrong) {
+TEST(CandumpLine, RefusalNamesTheWrongPart) {
     EXPECT_NE(refusal("(1.0) can0").find("not time, interface and frame"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#05 X").find("not time, interface and frame"), std::string::npos);
     for (const char* text : {"1.0) can0 703#05", "(1.0 can0 703#05", "() can0 703#05", "( can0 703#05"}) {
@@ -111,7 +111,7 @@ TEST(CandumpLine, RefusalSaysWhichPartIsWrong) {
     EXPECT_NE(refusal("(1.0) can0 70#01").find("`70#01` has no identifier of three or eight"), std::string::npos);
 }
 
-TEST(CandumpLine, ErrorFrameHasBit29OfItsIdentifierAlone) {
+TEST(CandumpLine, ErrorFrameHasBit29OfItsIdentifierOnly) {
     const LoggedFrame error = line("(1.0) can0 20000044#0010000000000000");
     EXPECT_TRUE(error.error);
     EXPECT_EQ(error.frame.length, 8U);
@@ -125,7 +125,7 @@ TEST(CandumpLine, ErrorFrameHasBit29OfItsIdentifierAlone) {
     }
 }
 
-TEST(CandumpReader, PassesOverEmptyLinesAndErrorFramesAndCountsThem) {
+TEST(CandumpReader, EmptyLinesAndErrorFramesAreSkippedAndErrorFramesCounted) {
     std::istringstream in{"\n \t\n(1.0) can0 20000004#\n(1.0) can0 080#\n(1.0) can0 20000004#\n(1.0) can0 0102030#\n"};
     CandumpReader reader{in, "bus.log"};
     LoggedFrame one;
@@ -137,7 +137,7 @@ TEST(CandumpReader, PassesOverEmptyLinesAndErrorFramesAndCountsThem) {
     EXPECT_EQ(reader.counts().error_frames, 2U);
 }
 
-TEST(CandumpReader, ErrorFrameCountsInTheOrderOfTime) {
+TEST(CandumpReader, ErrorFrameIsPartOfTheTimeOrder) {
     std::istringstream in{"(2.0) can0 20000004#\n(1.0) can0 080#\n"};
     EXPECT_THROW(read_candump_log(in, "log"), InputError);
     std::istringstream equal{"(2.0) can0 080#\n(2.0) can0 081#\n"};

@@ -50,7 +50,7 @@ std::string replayed(const std::string& log, const std::string& stimuli, double 
 
 }  // namespace
 
-TEST(Candump, ReadsWhatItWrites) {
+TEST(Candump, WrittenLinesAreReadBack) {
     for (const char* line : {"(1.000000) can0 603#2B116401B33E0000", "(0.000001) vcan3 080#", "(12.345678) can0 703#R",
                              "(2.000000) can0 303#R8", "(3.000000) can0 1FFFFFFF#0102"}) {
         EXPECT_EQ(format_candump_line(parse_candump_line(line, "log:1")), line);
@@ -77,7 +77,7 @@ TEST(Candump, TimeMustNotGoBackwards) {
     }
 }
 
-TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreThoseOfCanUtils) {
+TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreReadLikeCanUtils) {
     // candump -L: a raw length code of 9 to 15 behind `_`, an error frame with bit 29 of its identifier
     EXPECT_EQ(format_frame(parse_candump_line("(1.0) can0 123#0102030405060708_F", "log:1").frame),
               "123#0102030405060708");
@@ -100,14 +100,14 @@ TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreThoseOfCanUtils) {
     EXPECT_EQ(reader.counts().coded_lengths, 1U);
 }
 
-TEST(Candump, LineWithoutEndIsRefused) {
+TEST(Candump, EndlessLineIsRefused) {
     std::istringstream in{std::string(100000, '\0')};
     EXPECT_THROW(read_candump_log(in, "zero"), InputError);
     std::istringstream stimuli{std::string(100000, '1')};
     EXPECT_THROW(read_stimuli(stimuli, "ones"), InputError);
 }
 
-TEST(StimulusFile, RefusesWhatIsNoNumberOrNoThreeFields) {
+TEST(StimulusFile, LineWithoutThreeFieldsOrANumberIsRefused) {
     for (const char* text :
          {"1.0,can_state", "1.0,can_state,x", "1.0,can_state,", "x,can_state,1", "1.0,can_state,nan"}) {
         std::istringstream in{text};
@@ -116,7 +116,7 @@ TEST(StimulusFile, RefusesWhatIsNoNumberOrNoThreeFields) {
 }
 
 // The acceptance run of the manual's telegrams, byte for byte
-TEST(Replay, TheManualsTelegramsTwiceTheSame) {
+TEST(Replay, TelegramsOfTheManualReplayTheSameTwice) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
         "(0.000000) can0 703#00\n(1.000000) can0 583#6011640100000000\n(1.100000) can0 583#4300100091010800\n";
@@ -124,7 +124,7 @@ TEST(Replay, TheManualsTelegramsTwiceTheSame) {
     EXPECT_EQ(replayed(log, "", 0.0), expected);
 }
 
-TEST(Replay, GoesOnUntilItIsTold) {
+TEST(Replay, ReplayContinuesUntilTheGivenTime) {
     // heartbeat of 100 ms set at 0.05 s: due at 0.15, 0.25, 0.35
     const std::string log = "(0.050000) can7 603#2B17100064000000\n";
     EXPECT_EQ(replayed(log, "", 0.3),
@@ -143,11 +143,11 @@ TEST(Replay, StimuliActAndOutputsAreWritten) {
     EXPECT_NE(outputs.find("0.020000,aout1,0\n"), std::string::npos);
 }
 
-TEST(Replay, StimuliAtZeroStandBeforePowerOn) {
+TEST(Replay, StimuliAtZeroApplyBeforePowerOn) {
     EXPECT_EQ(replayed("", "0.0,switch_low,5\n", 0.0), "(0.000000) can0 705#00\n");
 }
 
-TEST(Replay, LogOfTheClockBeginsAtItsFirstFrame) {
+TEST(Replay, LogWithClockTimesStartsAtItsFirstFrame) {
     // Power-on with the frame, boot-up at once, then the answer; 20 ms later the next
     const std::string log =
         "(1436509052.249713) vcan0 603#4000100000000000\n(1436509052.269713) vcan0 603#4000100000000000\n";
@@ -176,7 +176,7 @@ TEST(Replay, StartIsPowerOn_FramesBeforeItAreLeftOut) {
     EXPECT_THROW(replay(*make_device("cbx-ao412"), input, frames, nullptr), InputError);
 }
 
-TEST(Replay, SilenceOfYearsIsLeftOut) {
+TEST(Replay, SilenceOfYearsIsSkipped) {
     // A heartbeat each 60 s: 60 of them in the hour that stays of the silence, not the 24 million of 45 years.
     const std::string log = "(1.000000) can0 603#2B17100060EA0000\n(1436509052.249713) can0 603#4000100000000000\n";
     const std::string frames = replayed(log, "", 0.0);
@@ -198,7 +198,7 @@ TEST(Replay, OutputTimesNeverDecrease) {
     EXPECT_LE(Instant{3000000}, last);
 }
 
-TEST(Replay, OwnFrameOfAPlainLogIsNotHeard) {
+TEST(Replay, OwnFrameOfAPlainLogIsNotReceived) {
     // It watches the heartbeat of its own node-ID (1016h), which it sends each 100 ms and on a bus never hears.
     const std::string requests = "(0.010000) can0 603#2B17100064000000\n(0.020000) can0 603#2316100132000300\n";
     const std::string beats = "(0.110050) can0 703#7F\n(0.210050) can0 703#7F\n";
@@ -207,7 +207,7 @@ TEST(Replay, OwnFrameOfAPlainLogIsNotHeard) {
     EXPECT_NE(replayed(requests + "(0.110050) can0 703#7F R\n", "", 0.25).find("083#"), std::string::npos);
 }
 
-TEST(Replay, AnUnknownSignalIsNamed) {
+TEST(Replay, UnknownSignalIsNamed) {
     EXPECT_THROW(replayed("", "0.5,temperature,20\n", 1.0), InputError);
 }
 
@@ -230,7 +230,7 @@ TEST(StimulusFile, SignalsAndValuesAreCheckedAgainstTheRegister) {
     EXPECT_EQ(refusal("1.0,aout1,1\n"), "s.csv:1: there is no input `aout1`; `canproof signals` lists them");
 }
 
-TEST(StimulusFile, BareNameMustFitEveryDeviceThatHasIt) {
+TEST(StimulusFile, ValueWithoutADeviceNameMustFitEveryDeviceWithTheSignal) {
     const LoadResult loaded = load_register(embedded_spec());
     // `supply_voltage` of one to 70 V and a made up one to 10 V
     Part other = *loaded.content.part("ax060805");
@@ -243,7 +243,7 @@ TEST(StimulusFile, BareNameMustFitEveryDeviceThatHasIt) {
     EXPECT_THROW(check_stimuli(stimuli, {loaded.content.part("ax060805"), &other}), InputError);
 }
 
-TEST(StimulusFile, NoiseSeedIsWhatAnUnsigned32Holds) {
+TEST(StimulusFile, NoiseSeedIsAnUnsigned32) {
     const LoadResult loaded = load_register(embedded_spec());
     for (const char* value : {"-1", "4294967296", "1e300", "0.5"}) {
         std::istringstream in{std::string{"1.0,noise_seed,"} + value};
@@ -260,7 +260,7 @@ TEST(StimulusFile, EveryNumberOfTheRegisterHasARange) {
     }
 }
 
-TEST(Catalogue, KnowsWhatItCanRun) {
+TEST(Catalogue, CatalogueMakesKnownDevicesOnly) {
     EXPECT_NE(make_device("cbx-ao412"), nullptr);
     EXPECT_EQ(make_device("cbx-ao413"), nullptr);
 }

@@ -31,7 +31,7 @@ class TellingNode final : public PlainNode {
 
 }  // namespace
 
-TEST(Delivery, NodeGetsTheFramesThatItsFiltersLetThrough) {
+TEST(Delivery, NodeReceivesTheFramesThatItsFiltersAccept) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode sender{"sender"};
     PlainNode reader{"reader"};
@@ -49,7 +49,7 @@ TEST(Delivery, NodeGetsTheFramesThatItsFiltersLetThrough) {
     EXPECT_EQ(bus.report(Instant{10000}).frames, 2U);
 }
 
-TEST(Delivery, NodeThatTellsItsChangesIsHeardAndHearsByThem) {
+TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};
@@ -67,7 +67,7 @@ TEST(Delivery, NodeThatTellsItsChangesIsHeardAndHearsByThem) {
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
 }
 
-TEST(Delivery, ErrorCountersOfANodeFollowEachFrameWhetherItReadsItOrNot) {
+TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     // 96 corrupted frames are a warning for whoever hears them; each sound one takes one error back.
     BusFaultRates faults;
     faults.corrupted = 0.7;
@@ -88,7 +88,7 @@ TEST(Delivery, ErrorCountersOfANodeFollowEachFrameWhetherItReadsItOrNot) {
     EXPECT_EQ(deaf.states, reader.states);
 }
 
-TEST(Delivery, LossOfAFrameIsToldToANodeThatWouldNotReadItAndEndsWithTheNext) {
+TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {
     BusFaultRates faults;
     faults.lost = 0.5;
     faults.seed = 5;

@@ -13,7 +13,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST(Door, IsSendingUntilItsFrameIsThrough_AlsoWhileItWaitsToBeRepeated) {
+TEST(Door, GatewayIsSendingUntilItsFrameIsSent_RepetitionsIncluded) {
     std::size_t repeated = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         BusFaultRates faults;
@@ -37,7 +37,7 @@ TEST(Door, IsSendingUntilItsFrameIsThrough_AlsoWhileItWaitsToBeRepeated) {
     EXPECT_GT(repeated, 0U);
 }
 
-TEST(Door, TakesAsManyFramesAsItHoldsAndMoreWhenOneHasLeft) {
+TEST(Door, FullGatewayTakesAFrameWhenOneHasBeenSent) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode node{"node"};
     bus.attach(node);

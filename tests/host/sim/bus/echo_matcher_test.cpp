@@ -15,7 +15,7 @@ Frame frame(const char* text) {
 
 }  // namespace
 
-TEST(EchoMatcher, EqualFramesBelongToTheirSendersInTheOrderOfSending) {
+TEST(EchoMatcher, EqualFramesAreMatchedToTheirSendersInSendingOrder) {
     EchoMatcher<int> echoes;
     echoes.sent(frame("703#05"), 1);
     echoes.sent(frame("703#05"), 2);
@@ -26,7 +26,7 @@ TEST(EchoMatcher, EqualFramesBelongToTheirSendersInTheOrderOfSending) {
     EXPECT_EQ(echoes.match(frame("703#05"), 0), 0);
 }
 
-TEST(EchoMatcher, FramesOfOneIdentifierMayComeInAnotherOrder) {
+TEST(EchoMatcher, FramesOfOneIdentifierMayArriveInAnotherOrder) {
     EchoMatcher<int> echoes;
     echoes.sent(frame("583#01"), 1);
     echoes.sent(frame("583#02"), 2);
@@ -35,7 +35,7 @@ TEST(EchoMatcher, FramesOfOneIdentifierMayComeInAnotherOrder) {
     EXPECT_EQ(echoes.match(frame("583#01"), 0), 1);
 }
 
-TEST(EchoMatcher, EveryPartOfAFrameCounts) {
+TEST(EchoMatcher, EveryPartOfAFrameIsCompared) {
     for (const char* sent : {"703#7F00", "00000703#7F00", "703#R2", "00000703#R2"}) {
         EchoMatcher<int> echoes;
         echoes.sent(frame(sent), 1);
@@ -49,7 +49,7 @@ TEST(EchoMatcher, EveryPartOfAFrameCounts) {
     }
 }
 
-TEST(EchoMatcher, BytesOfARemoteFrameDoNotCount) {
+TEST(EchoMatcher, BytesOfARemoteFrameAreNotCompared) {
     EchoMatcher<int> echoes;
     Frame request = frame("703#R2");
     request.data[0] = 0xAA;
@@ -57,7 +57,7 @@ TEST(EchoMatcher, BytesOfARemoteFrameDoNotCount) {
     EXPECT_EQ(echoes.match(frame("703#R2"), 0), 1);
 }
 
-TEST(EchoMatcher, KeepsTheLast131072OfAnIdentifier) {
+TEST(EchoMatcher, MatcherKeepsTheLast131072FramesOfAnIdentifier) {
     EchoMatcher<int> echoes;
     for (int i = 0; i <= 131072; ++i) {
         echoes.sent(frame("703#05"), i);

@@ -23,7 +23,7 @@ FaultConfinement after(unsigned transmit_failures, unsigned receive_failures) {
 
 }  // namespace
 
-TEST(FaultConfinement, CountsEightForAFrameThatFailedAndOneForOneThatArrivedBroken) {
+TEST(FaultConfinement, FailedTransmissionCountsEightAndBrokenReceptionOne) {
     EXPECT_EQ(after(1, 0).transmit_errors(), 8U);
     EXPECT_EQ(after(1, 0).receive_errors(), 0U);
     EXPECT_EQ(after(0, 1).receive_errors(), 1U);
@@ -32,7 +32,7 @@ TEST(FaultConfinement, CountsEightForAFrameThatFailedAndOneForOneThatArrivedBrok
     EXPECT_EQ(after(3, 5).receive_errors(), 5U);
 }
 
-TEST(FaultConfinement, CountsOneBackForEachFrameThatIsWellAndNotBelowZero) {
+TEST(FaultConfinement, EachSuccessfulFrameCountsOneDownToZero) {
     FaultConfinement one = after(1, 2);
     one.transmitted();
     EXPECT_EQ(one.transmit_errors(), 7U);
@@ -52,7 +52,7 @@ TEST(FaultConfinement, CountsOneBackForEachFrameThatIsWellAndNotBelowZero) {
     EXPECT_EQ(none.transmit_errors(), 0U);
 }
 
-TEST(FaultConfinement, StatesChangeAtTheirCounts) {
+TEST(FaultConfinement, StatesChangeAtTheirErrorCounts) {
     EXPECT_EQ(after(0, 95).state(), CanState::error_active);
     EXPECT_EQ(after(0, 96).state(), CanState::warning);
     EXPECT_EQ(after(0, 127).state(), CanState::warning);
@@ -74,7 +74,7 @@ TEST(FaultConfinement, ReceiveCounterOfAPassiveNodeGoesBackTo119) {
     EXPECT_EQ(after(0, 1000).receive_errors(), 256U);  // counts no further
 }
 
-TEST(FaultConfinement, SwitchedOffIsBusOffAndRecoveryClearsBothCounters) {
+TEST(FaultConfinement, SwitchOffIsBusOffAndRecoveryClearsBothCounters) {
     FaultConfinement one = after(3, 100);
     one.switch_off();
     EXPECT_EQ(one.state(), CanState::bus_off);
@@ -85,7 +85,7 @@ TEST(FaultConfinement, SwitchedOffIsBusOffAndRecoveryClearsBothCounters) {
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 
-TEST(BusFaultText, TakesRatesFromZeroToNineTenths) {
+TEST(BusFaultText, RatesFromZeroToNineTenthsAreAccepted) {
     EXPECT_DOUBLE_EQ(parse_bus_faults("corrupted=0.9").corrupted, 0.9);
     EXPECT_DOUBLE_EQ(parse_bus_faults("lost=0").lost, 0.0);
     EXPECT_EQ(parse_bus_faults("seed=123456789012345678").seed, 123456789012345678U);  // 18 digits
@@ -102,7 +102,7 @@ TEST(BusFaultText, TakesRatesFromZeroToNineTenths) {
     }
 }
 
-TEST(BusFaultText, SaysWhetherAnythingMayGoWrong) {
+TEST(BusFaultText, FaultRatesReportWhetherAnyFaultIsPossible) {
     EXPECT_FALSE(parse_bus_faults("").any());
     EXPECT_FALSE(parse_bus_faults("seed=7").any());
     EXPECT_TRUE(parse_bus_faults("corrupted=0.1").any());
@@ -110,7 +110,7 @@ TEST(BusFaultText, SaysWhetherAnythingMayGoWrong) {
     EXPECT_TRUE(parse_bus_faults("bus-off=0.1").any());
 }
 
-TEST(BusFaultDraws, ComeAboutAsOftenAsTheirProbabilitySays) {
+TEST(BusFaultDraws, FaultsOccurAtTheirProbability) {
     BusFaults faults{{0.25, 0.0, 0.5, 3}};
     int corrupted = 0;
     int off = 0;

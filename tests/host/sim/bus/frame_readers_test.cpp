@@ -30,7 +30,7 @@ TEST(FrameReaders, FrameHasTheReadersOfItsIdentifierInAscendingOrder) {
     EXPECT_THAT(readers.of(frame_of("207#")), IsEmpty());
 }
 
-TEST(FrameReaders, BaseAndExtendedIdentifiersAreApart) {
+TEST(FrameReaders, BaseAndExtendedIdentifiersAreSeparate) {
     FrameReaders readers;
     readers.set(1, {{0x205, 0x7FF, false}});
     readers.set(2, {{0x205, 0x1FFFFFFF, true}});
@@ -38,7 +38,7 @@ TEST(FrameReaders, BaseAndExtendedIdentifiersAreApart) {
     EXPECT_THAT(readers.of(frame_of("00000205#")), ElementsAre(2U));
 }
 
-TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOfThemOnce) {
+TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOnce) {
     FrameReaders readers;
     readers.set(3, accept_everything());
     readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and one of them again
@@ -48,7 +48,7 @@ TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOfThemOnce) {
     EXPECT_THAT(readers.of(frame_of("1FFFFFFF#05")), ElementsAre(3U));
 }
 
-TEST(FrameReaders, NewFiltersReplaceThoseOfTheReaderAlone) {
+TEST(FrameReaders, NewFiltersReplaceThoseOfTheReaderOnly) {
     FrameReaders readers;
     readers.set(1, {{0x205, 0x7FF, false}, {0x700, 0x780, false}});
     readers.set(2, {{0x205, 0x7FF, false}});

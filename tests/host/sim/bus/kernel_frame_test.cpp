@@ -8,7 +8,7 @@
 
 namespace canproof::host::test {
 
-TEST(KernelFrame, HasIdentifierFlagsLengthAndBytes) {
+TEST(KernelFrame, KernelFrameHasIdentifierFlagsLengthAndBytes) {
     const can_frame base = to_kernel(parse_frame("703#0102", "test"));
     EXPECT_EQ(base.can_id, 0x703U);
     EXPECT_EQ(base.can_dlc, 2U);
@@ -20,7 +20,7 @@ TEST(KernelFrame, HasIdentifierFlagsLengthAndBytes) {
     EXPECT_EQ(extended.can_dlc, 3U);
 }
 
-TEST(KernelFrame, OfARemoteFrameHasNoBytesWhateverStandsInThem) {
+TEST(KernelFrame, RemoteFrameIsReadWithoutBytes) {
     Frame request = parse_frame("703#R2", "test");
     request.data[0] = 0xAA;
     EXPECT_EQ(to_kernel(request).data[0], 0U);
@@ -32,7 +32,7 @@ TEST(KernelFrame, OfARemoteFrameHasNoBytesWhateverStandsInThem) {
     EXPECT_EQ(from_kernel(from_others).length, 2U);
 }
 
-TEST(KernelFrame, LongerThanEightIsEight) {
+TEST(KernelFrame, LengthAboveEightIsReadAsEight) {
     can_frame odd{};
     odd.can_id = 0x123;
     odd.can_dlc = 15;
@@ -51,7 +51,7 @@ TEST(KernelFrame, IdentifierHasTheBitsOfItsFormat) {
     EXPECT_TRUE(from_kernel(frame).extended);
 }
 
-TEST(KernelFrame, IsAnErrorFrameByItsFlag) {
+TEST(KernelFrame, ErrorFrameIsIdentifiedByItsFlag) {
     can_frame frame{};
     frame.can_id = CAN_ERR_BUSOFF;  // as an identifier
     EXPECT_FALSE(is_error_frame(frame));
@@ -59,7 +59,7 @@ TEST(KernelFrame, IsAnErrorFrameByItsFlag) {
     EXPECT_TRUE(is_error_frame(frame));
 }
 
-TEST(KernelFilter, ComparesTheFormatAsWell) {
+TEST(KernelFilter, KernelFilterComparesTheFormatToo) {
     const auto filters = kernel_filters({{0x122, 0x7FF, false}, {0x123, 0x1FFFFFFF, true}});
     ASSERT_EQ(filters.size(), 2U);
     EXPECT_EQ(filters[0].can_id, 0x122U);
@@ -68,7 +68,7 @@ TEST(KernelFilter, ComparesTheFormatAsWell) {
     EXPECT_EQ(filters[1].can_mask, 0x1FFFFFFFU | CAN_EFF_FLAG);
 }
 
-TEST(KernelErrorFrame, WorstNewsOfAControllerCounts) {
+TEST(KernelErrorFrame, WorstControllerStateIsReported) {
     const auto state_of = [](std::uint32_t error_class, std::uint8_t controller) {
         can_frame frame{};
         frame.can_id = CAN_ERR_FLAG | error_class;
@@ -83,7 +83,7 @@ TEST(KernelErrorFrame, WorstNewsOfAControllerCounts) {
     EXPECT_EQ(state_of(CAN_ERR_PROT, 0x10), std::nullopt);  // byte 1 is of the controller class only
 }
 
-TEST(KernelErrorFrame, OverflowIsOneOfTheControllerClassOnly) {
+TEST(KernelErrorFrame, OverrunNeedsTheControllerErrorClass) {
     can_frame frame{};
     frame.can_id = CAN_ERR_FLAG | CAN_ERR_PROT;
     frame.data[1] = 0x03;

@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST_F(SocketCan, EachNodeHasASocketWithItsFiltersAndErrorFramesTheMonitorHearsAll) {
+TEST_F(SocketCan, EachNodeSocketHasItsFiltersAndTheMonitorReceivesEverything) {
     a.accepted = {{0x000, 0x7FF, false}, {0x603, 0x7FF, false}};
     start();
     ASSERT_THAT(system.sockets, SizeIs(3));
@@ -31,7 +31,7 @@ TEST_F(SocketCan, EachNodeHasASocketWithItsFiltersAndErrorFramesTheMonitorHearsA
     EXPECT_THAT(bus->watches(), SizeIs(3));
 }
 
-TEST_F(SocketCan, FiltersFollowTheNodeBeforeItsAnswerGoesOut) {
+TEST_F(SocketCan, NewFiltersOfANodeAreSetBeforeItsAnswerIsSent) {
     a.accepted = {{0x603, 0x7FF, false}};
     start();
     a.accepted.push_back({0x203, 0x7FF, false});
@@ -49,7 +49,7 @@ TEST_F(SocketCan, MoreFiltersThanTheKernelTakesBecomeOne) {
     EXPECT_THAT(kernel_filters(many), SizeIs(512));
 }
 
-TEST_F(SocketCan, FramesKeepTheTimeAtWhichTheKernelGotThem) {
+TEST_F(SocketCan, FramesKeepTheirKernelTimestamp) {
     start();
     system.arrive(first, "603#40", 5000300);
     system.arrive(second, "604#40", 5000200);
@@ -61,7 +61,7 @@ TEST_F(SocketCan, FramesKeepTheTimeAtWhichTheKernelGotThem) {
     EXPECT_THAT(log, ElementsAre("1000200 - 604#40", "1000300 - 603#40"));
 }
 
-TEST_F(SocketCan, FrameStampedAfterNowWaitsForItsTime) {
+TEST_F(SocketCan, FrameWithAFutureTimestampWaitsForItsTime) {
     start();
     system.arrive(first, "603#40", 5000900);
     step(800);
@@ -71,7 +71,7 @@ TEST_F(SocketCan, FrameStampedAfterNowWaitsForItsTime) {
     EXPECT_THAT(a.heard, ElementsAre("1000900 603#40"));
 }
 
-TEST_F(SocketCan, ClockSetInTheMiddleOfTheRunDoesNotMoveFrames) {
+TEST_F(SocketCan, ClockChangeDuringTheRunDoesNotMoveFrames) {
     start();
     system.realtime_us += 3600U * 1000000U;  // an hour
     system.arrive(first, "603#40", system.realtime_us + 100);
@@ -79,7 +79,7 @@ TEST_F(SocketCan, ClockSetInTheMiddleOfTheRunDoesNotMoveFrames) {
     EXPECT_THAT(a.heard, ElementsAre("1000100 603#40"));
 }
 
-TEST_F(SocketCan, OwnFramesAreKnownByTheirSenderWhenTheyComeBack) {
+TEST_F(SocketCan, EchoedFramesAreAttributedToTheirSender) {
     start();
     a.send("703#05");
     step(10);
@@ -92,7 +92,7 @@ TEST_F(SocketCan, OwnFramesAreKnownByTheirSenderWhenTheyComeBack) {
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(SocketCan, FullDeviceQueueIsWaitedForLongerEachTimeAndNothingIsLost) {
+TEST_F(SocketCan, FullDeviceQueueIsRetriedWithGrowingPausesWithoutLoss) {
     start();
     a.send("703#05");
     a.send("183#01");
@@ -113,7 +113,7 @@ TEST_F(SocketCan, FullDeviceQueueIsWaitedForLongerEachTimeAndNothingIsLost) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(SocketCan, PauseEndsAt16MsAndBeginsAnewAfterSuccess) {
+TEST_F(SocketCan, RetryPauseEndsAt16MsAndRestartsAfterSuccess) {
     start();
     a.send("703#05");
     a.send("704#05");
@@ -125,7 +125,7 @@ TEST_F(SocketCan, PauseEndsAt16MsAndBeginsAnewAfterSuccess) {
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, OneNodesFullQueueDoesNotHoldAnother) {
+TEST_F(SocketCan, FullQueueOfOneNodeDoesNotDelayAnother) {
     start();
     a.send("703#05");
     b.send("704#05");
@@ -134,7 +134,7 @@ TEST_F(SocketCan, OneNodesFullQueueDoesNotHoldAnother) {
     EXPECT_THAT(system.sockets[second].sent, ElementsAre("704#05"));
 }
 
-TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
+TEST_F(SocketCan, FramesLostToTheLogAreReported) {
     start();
     system.arrive(monitor, "603#40", system.realtime_us);
     step(10);
@@ -146,7 +146,7 @@ TEST_F(SocketCan, LogThatLacksFramesIsNotKeptQuiet) {
     EXPECT_EQ(bus->report(now).missed, 0U);
 }
 
-TEST_F(SocketCan, LossesOfANodeAreCountedToTheEndAndToldOnceASecond) {
+TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     system.roomy = false;
     start();
     system.arrive(first, "603#40", system.realtime_us, 2);
@@ -166,7 +166,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedToTheEndAndToldOnceASecond) {
     EXPECT_EQ(bus->report(now).lost, 0U);
 }
 
-TEST_F(SocketCan, WhatOneTurnLeavesUnreadHoldsTheTime) {
+TEST_F(SocketCan, UnreadFramesOfATurnLimitTheRunTime) {
     start();
     for (std::uint64_t i = 0; i < 5000; ++i) {
         system.arrive(monitor, "603#40", 5000001 + i);
@@ -181,7 +181,7 @@ TEST_F(SocketCan, WhatOneTurnLeavesUnreadHoldsTheTime) {
     EXPECT_EQ(log.back(), "1005000 - 603#40");
 }
 
-TEST_F(SocketCan, AnswerLeavesBeforeTheNextFrameOfTheSameTime) {
+TEST_F(SocketCan, AnswerIsSentBeforeTheNextFrameOfTheSameTime) {
     class Answering : public PlainNode {
       public:
         using PlainNode::PlainNode;
@@ -203,7 +203,7 @@ TEST_F(SocketCan, AnswerLeavesBeforeTheNextFrameOfTheSameTime) {
     EXPECT_EQ(answering.most, 1U);
 }
 
-TEST_F(SocketCan, LinesOfTheUserGoOutOfTheMonitorSocket) {
+TEST_F(SocketCan, UserFramesAreSentByTheMonitorSocket) {
     start();
     ASSERT_TRUE(bus->put(parse_frame("000#0100", "test"), now));
     step(10);
@@ -211,7 +211,7 @@ TEST_F(SocketCan, LinesOfTheUserGoOutOfTheMonitorSocket) {
     EXPECT_THAT(log, ElementsAre("1000010 - 000#0100"));
 }
 
-TEST_F(SocketCan, FramesKeepFormatThroughTheKernelsForm) {
+TEST_F(SocketCan, FramesKeepTheirFormatThroughTheKernelStructure) {
     for (const char* text : {"703#05", "000#", "7FF#R", "603#R8", "1FFFFFFF#0102030405060708", "00000001#R2"}) {
         EXPECT_EQ(format_frame(from_kernel(to_kernel(parse_frame(text, "test")))), text);
     }
@@ -219,7 +219,7 @@ TEST_F(SocketCan, FramesKeepFormatThroughTheKernelsForm) {
     EXPECT_EQ(to_kernel(parse_frame("703#R", "test")).can_id, 0x703U | CAN_RTR_FLAG);
 }
 
-TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
+TEST_F(SocketCan, LaggingRunLeavesFramesInTheKernelAndLosesNone) {
     start();
     constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096
     for (std::size_t i = 0; i < count; ++i) {
@@ -238,7 +238,7 @@ TEST_F(SocketCan, RunThatIsBehindLeavesFramesInTheKernelAndLosesNone) {
     EXPECT_THAT(system.sockets[monitor].arriving, IsEmpty());
 }
 
-TEST_F(SocketCan, FrameThatIsReadLaterAndCameEarlierIsTakenFirst) {
+TEST_F(SocketCan, FramesAreHandledByTimestampNotByReadOrder) {
     start_with_three_frames();
     system.arrive(first, "603#00", 5000200);
     system.arrive(first, "603#01", 5000400);

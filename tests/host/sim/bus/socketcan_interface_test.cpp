@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST_F(SocketCan, ErrorFramesBecomeStatesOfTheController) {
+TEST_F(SocketCan, ErrorFramesGiveTheControllerState) {
     struct Case {
         std::uint32_t error_class;
         std::uint8_t controller;
@@ -42,7 +42,7 @@ TEST_F(SocketCan, ErrorFramesBecomeStatesOfTheController) {
     }
 }
 
-TEST_F(SocketCan, NodeHearsOfPassiveBusOffAndRecovery) {
+TEST_F(SocketCan, NodeIsNotifiedOfErrorPassiveBusOffAndRecovery) {
     start();
     system.arrive_error(first, CAN_ERR_CRTL, 0x10);
     step(10);
@@ -58,7 +58,7 @@ TEST_F(SocketCan, NodeHearsOfPassiveBusOffAndRecovery) {
     EXPECT_EQ(bus->report(now).errors, 3U);
 }
 
-TEST_F(SocketCan, BusOffThatStaysIsRestartedOnlyWhereThatIsGranted) {
+TEST_F(SocketCan, PersistentBusOffIsRestartedOnlyWithPermission) {
     start();
     system.arrive_error(first, CAN_ERR_BUSOFF, 0);
     step(10);
@@ -89,7 +89,7 @@ TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
     EXPECT_THAT(a.overruns, ElementsAre(true, false, true, false));
 }
 
-TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {
+TEST_F(SocketCan, InterfaceDownAndUpIsBusOffAndRecovery) {
     start();
     system.up = false;
     system.fail(first, ENETDOWN);
@@ -110,7 +110,7 @@ TEST_F(SocketCan, InterfaceGoesDownAndComesBack) {
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, SendingFindsOutThatTheInterfaceIsDown) {
+TEST_F(SocketCan, FailedSendDetectsThatTheInterfaceIsDown) {
     start();
     a.send("703#05");
     system.up = false;
@@ -119,7 +119,7 @@ TEST_F(SocketCan, SendingFindsOutThatTheInterfaceIsDown) {
     EXPECT_EQ(system.sockets[first].send_calls, 1);
 }
 
-TEST_F(SocketCan, DownAndUpBetweenTwoLooksIsNoEventOfTheNode) {
+TEST_F(SocketCan, DownAndUpBetweenTwoPollsIsNotReportedToTheNode) {
     start();
     system.fail(first, ENETDOWN);  // reported late: it is up
     step(10);
@@ -127,7 +127,7 @@ TEST_F(SocketCan, DownAndUpBetweenTwoLooksIsNoEventOfTheNode) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(SocketCan, InterfaceMadeAnewGetsNewSockets) {
+TEST_F(SocketCan, RecreatedInterfaceGetsNewSockets) {
     start();
     system.number = 0;
     system.up = false;
@@ -144,7 +144,7 @@ TEST_F(SocketCan, InterfaceMadeAnewGetsNewSockets) {
     EXPECT_THAT(system.sockets[first + 3].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, BitRateOfLssIsSetWhereGranted) {
+TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
     a.rate = 125000;
     start(InterfaceControl::granted);
     a.rate = 250000;
@@ -155,7 +155,7 @@ TEST_F(SocketCan, BitRateOfLssIsSetWhereGranted) {
     EXPECT_THAT(system.rates_set, SizeIs(1));
 }
 
-TEST_F(SocketCan, BitRateOfLssIsSaidWhereNotGrantedOrNotPossible) {
+TEST_F(SocketCan, BitRateOfLssIsReportedWithoutPermissionOrSupport) {
     a.rate = 125000;
     start();
     a.rate = 250000;
@@ -173,7 +173,7 @@ TEST_F(SocketCan, BitRateOfLssIsSaidWhereNotGrantedOrNotPossible) {
     EXPECT_THAT(notices.back(), HasSubstr("bitrate 500000"));
 }
 
-TEST_F(SocketCan, MissingInterfaceOrKernelIsSaidWithTheRemedy) {
+TEST_F(SocketCan, MissingInterfaceOrKernelSupportIsReportedWithTheRemedy) {
     const auto message = [this](int error) {
         system.open_error = error;
         try {

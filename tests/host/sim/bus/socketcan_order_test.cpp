@@ -32,7 +32,7 @@ class AskingNode : public PlainNode {
 
 }  // namespace
 
-TEST_F(SocketCan, NodeHearsOfAnOverrunBeforeTheFrame_AndHasItsNewFiltersBeforeItsAnswer) {
+TEST_F(SocketCan, OverrunIsReportedBeforeTheFrame_AndNewFiltersAreSetBeforeTheAnswer) {
     start();
     AskingNode asking{"asking"};
     bus->attach(asking);
@@ -42,7 +42,7 @@ TEST_F(SocketCan, NodeHearsOfAnOverrunBeforeTheFrame_AndHasItsNewFiltersBeforeIt
     EXPECT_THAT(system.sockets[third].filters_when_sent, ElementsAre(3U));  // two that let all through, and its own
 }
 
-TEST_F(SocketCan, UsersLineIsLoggedBehindWhatCameBefore) {
+TEST_F(SocketCan, UserFrameIsLoggedAfterEarlierFrames) {
     start();
     bus->put(parse_frame("000#0100", "test"), now);
     system.arrive(monitor, "080#", system.realtime_us + 100);
@@ -51,7 +51,7 @@ TEST_F(SocketCan, UsersLineIsLoggedBehindWhatCameBefore) {
     EXPECT_THAT(log, ElementsAre("1000100 - 080#", "1000200 - 081#", "1000300 - 000#0100"));
 }
 
-TEST_F(SocketCan, UsersLineIsNoEchoOfANode) {
+TEST_F(SocketCan, UserFrameIsNotMatchedAsAnEchoOfANode) {
     start();
     bus->put(parse_frame("703#05", "test"), now);
     step(10);
@@ -62,7 +62,7 @@ TEST_F(SocketCan, UsersLineIsNoEchoOfANode) {
     EXPECT_THAT(log, ElementsAre("1000010 - 703#05", "1000020 a 703#05"));
 }
 
-TEST_F(SocketCan, FramesOfOneTurnAreTakenInTheirOrder_BeforeWhatIsHeld) {
+TEST_F(SocketCan, FramesOfOneTurnAreHandledInTimeOrder_BeforeKeptFrames) {
     start_with_three_frames();
     system.arrive(first, "603#01", 5000400);
     system.arrive(second, "604#02", 5000200);
@@ -73,7 +73,7 @@ TEST_F(SocketCan, FramesOfOneTurnAreTakenInTheirOrder_BeforeWhatIsHeld) {
     EXPECT_THAT(a.heard, IsEmpty());
 }
 
-TEST_F(SocketCan, RunThatOnlyHoldsFramesOfTheFutureReadsOn) {
+TEST_F(SocketCan, RunWithOnlyFutureFramesContinuesReading) {
     start();
     constexpr std::size_t count = SocketCanBus::most_arrived + 10;
     for (std::size_t i = 0; i < count; ++i) {
@@ -99,7 +99,7 @@ TEST_F(SocketCan, NothingIsReadWhileTheInterfaceIsDown) {
     EXPECT_THAT(a.heard, SizeIs(1));
 }
 
-TEST_F(SocketCan, ClocksThatAreNearlyTheSameKeepTheirDistance) {
+TEST_F(SocketCan, NearlyEqualClocksKeepTheirOffset) {
     system.realtime_us = 1020000;  // 20 ms before the run's
     start();
     system.arrive(first, "603#40", 1020010);
@@ -107,14 +107,14 @@ TEST_F(SocketCan, ClocksThatAreNearlyTheSameKeepTheirDistance) {
     EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
 }
 
-TEST_F(SocketCan, FrameOfTheRunsTimeZeroIsDueThen) {
+TEST_F(SocketCan, FrameAtRunTimeZeroIsDueAtZero) {
     start();
     system.arrive(first, "603#40", 4000000);
     bus->poll(now);
     EXPECT_EQ(bus->next_deadline(), Instant{0});
 }
 
-TEST_F(SocketCan, NodeThatDropsItsFrameWhileItWaitsHasNothingDue) {
+TEST_F(SocketCan, NodeThatDropsItsWaitingFrameHasNoDeadline) {
     start();
     a.send("703#05");
     system.sockets[first].send_answers = {ENOBUFS};
@@ -125,7 +125,7 @@ TEST_F(SocketCan, NodeThatDropsItsFrameWhileItWaitsHasNothingDue) {
     EXPECT_EQ(system.sockets[first].send_calls, 1);
 }
 
-TEST_F(SocketCan, InterfaceThatIsDownIsLookedForAndNothingElseIsDue) {
+TEST_F(SocketCan, WhileTheInterfaceIsDownOnlyItsSearchIsDue) {
     start();
     a.send("703#05");
     b.send("704#05");
@@ -137,7 +137,7 @@ TEST_F(SocketCan, InterfaceThatIsDownIsLookedForAndNothingElseIsDue) {
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
 }
 
-TEST_F(SocketCan, InterfaceThatCameBackUnderANewNumberKeepsIt) {
+TEST_F(SocketCan, RecreatedInterfaceKeepsItsNewNumber) {
     start();
     system.number = 9;
     system.fail(first, ENODEV);
@@ -154,7 +154,7 @@ TEST_F(SocketCan, InterfaceThatCameBackUnderANewNumberKeepsIt) {
     EXPECT_THAT(a.states, SizeIs(2));
 }
 
-TEST_F(SocketCan, BitRateThatANodeBeginsWithIsNoNews) {
+TEST_F(SocketCan, InitialBitRateOfANodeIsNotReported) {
     a.rate = 125000;
     start(InterfaceControl::granted);
     step(10);
@@ -162,7 +162,7 @@ TEST_F(SocketCan, BitRateThatANodeBeginsWithIsNoNews) {
     EXPECT_THAT(system.rates_set, IsEmpty());
 }
 
-TEST_F(SocketCan, LossOfOneSocketIsToldThoughAnotherHasNone) {
+TEST_F(SocketCan, LossOfOneSocketIsReportedWithoutLossOfAnother) {
     a.rate = 125000;
     start();
     system.arrive(first, "603#40", system.realtime_us);
@@ -176,7 +176,7 @@ TEST_F(SocketCan, LossOfOneSocketIsToldThoughAnotherHasNone) {
     EXPECT_THAT(notices, SizeIs(1));  // nothing new
 }
 
-TEST_F(SocketCan, OneSocketWithoutRoomIsEnoughForTheRemedy) {
+TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {
     system.first_roomy = first;  // not the monitor
     start();
     system.arrive(first, "603#40", system.realtime_us, 1);

@@ -59,7 +59,7 @@ class SocketCanRestart : public testing::Test {
 
 }  // namespace
 
-TEST_F(SocketCanRestart, ControllerThatCameBackIsNotRestarted) {
+TEST_F(SocketCanRestart, RecoveredControllerIsNotRestarted) {
     system.arrive_error(socket_of_a, CAN_ERR_BUSOFF, 0);
     step(10);
     go_down();
@@ -69,7 +69,7 @@ TEST_F(SocketCanRestart, ControllerThatCameBackIsNotRestarted) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(SocketCanRestart, EchoThatNeverCameIsNotTakenForANewFrame) {
+TEST_F(SocketCanRestart, MissingEchoIsNotMatchedWithANewFrame) {
     a.send("703#05");
     step(10);
     go_down();
@@ -80,7 +80,7 @@ TEST_F(SocketCanRestart, EchoThatNeverCameIsNotTakenForANewFrame) {
     EXPECT_EQ(bus->report(now).worst_latency.us, 0U);
 }
 
-TEST_F(SocketCanRestart, FrameOfTheUserThatWaitedIsNotSentAfterwards) {
+TEST_F(SocketCanRestart, WaitingUserFrameIsNotSentAfterARestart) {
     system.sockets[monitor].send_answers = {ENOBUFS};
     bus->put(parse_frame("000#0100", "test"), now);
     step(10);
@@ -90,7 +90,7 @@ TEST_F(SocketCanRestart, FrameOfTheUserThatWaitedIsNotSentAfterwards) {
     EXPECT_THAT(system.sockets[monitor].sent, IsEmpty());
 }
 
-TEST_F(SocketCanRestart, NewsOfTheControllerFromBeforeDoNotEndBusOff) {
+TEST_F(SocketCanRestart, EarlierControllerNotificationsDoNotEndBusOff) {
     system.arrive_error(socket_of_a, CAN_ERR_RESTARTED, 0);
     go_down();
     ASSERT_THAT(a.states, SizeIs(1));
@@ -100,7 +100,7 @@ TEST_F(SocketCanRestart, NewsOfTheControllerFromBeforeDoNotEndBusOff) {
     EXPECT_THAT(a.states[1], testing::HasSubstr(" 0"));
 }
 
-TEST_F(SocketCanRestart, PauseOfAFullQueueDoesNotOutliveIt) {
+TEST_F(SocketCanRestart, RetryPauseIsResetByARestart) {
     system.sockets[socket_of_a].send_answers = {ENOBUFS, ENOBUFS, ENOBUFS};
     a.send("703#05");
     step(10);

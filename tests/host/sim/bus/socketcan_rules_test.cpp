@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST_F(SocketCan, LoadIsThatOfTheLastSecondAtTheInterfacesBitRate) {
+TEST_F(SocketCan, LoadCoversTheLastSecondAtTheBitRateOfTheInterface) {
     system.rate = 500000;  // 2 us a bit
     start();
     EXPECT_EQ(bus->report(now).bit_rate, 500000U);
@@ -45,7 +45,7 @@ TEST_F(SocketCan, InterfaceWithoutABitRateHasNoLoad) {
     EXPECT_EQ(bus->report(now).frames, 1U);
 }
 
-TEST_F(SocketCan, FrameThatIsRefusedIsToldAndTheNextOneGoesOut) {
+TEST_F(SocketCan, RefusedFrameIsReportedAndTheNextFrameIsSent) {
     start();
     a.send("703#05");
     a.send("704#05");
@@ -60,7 +60,7 @@ TEST_F(SocketCan, FrameThatIsRefusedIsToldAndTheNextOneGoesOut) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(SocketCan, SendingThatMustWaitByEagainWaitsAsWell) {
+TEST_F(SocketCan, SendRefusedWithEagainIsRetried) {
     start();
     a.send("703#05");
     system.sockets[first].send_answers = {EAGAIN};
@@ -71,7 +71,7 @@ TEST_F(SocketCan, SendingThatMustWaitByEagainWaitsAsWell) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(SocketCan, SendingThatFindsTheInterfaceGoneForAMomentIsTriedAgain) {
+TEST_F(SocketCan, SendDuringAMomentaryInterfaceLossIsRetried) {
     for (const int error : {ENETDOWN, ENODEV, ENXIO, ENOENT}) {
         start();
         const int socket_of_a = system.next_descriptor - 2;
@@ -86,7 +86,7 @@ TEST_F(SocketCan, SendingThatFindsTheInterfaceGoneForAMomentIsTriedAgain) {
     }
 }
 
-TEST_F(SocketCan, FrameThatWaitsIsSentAfterItsPauseAndNotBecauseAnotherArrived) {
+TEST_F(SocketCan, WaitingFrameIsSentAfterItsPauseNotOnReception) {
     start();
     a.send("703#05");
     system.sockets[first].send_answers = {ENOBUFS, ENOBUFS};
@@ -99,7 +99,7 @@ TEST_F(SocketCan, FrameThatWaitsIsSentAfterItsPauseAndNotBecauseAnotherArrived) 
     EXPECT_EQ(system.sockets[first].send_calls, 2);
 }
 
-TEST_F(SocketCan, LinesOfTheUserAreTakenUpTo256AndCountedAsFrames) {
+TEST_F(SocketCan, UpTo256UserFramesWaitAndAreCountedAsFrames) {
     start();
     system.sockets[monitor].send_answers = {ENOBUFS};
     int taken = 0;
@@ -115,7 +115,7 @@ TEST_F(SocketCan, LinesOfTheUserAreTakenUpTo256AndCountedAsFrames) {
     EXPECT_TRUE(bus->put(parse_frame("000#0100", "test"), now));
 }
 
-TEST_F(SocketCan, FrameWithoutAStampIsDueNowAndOneFromBeforeTheRunAsWell) {
+TEST_F(SocketCan, FrameWithoutTimestampOrFromBeforeTheRunIsDueNow) {
     start();
     step(10);
     CanReception got;
@@ -135,7 +135,7 @@ TEST_F(SocketCan, FrameWithoutAStampIsDueNowAndOneFromBeforeTheRunAsWell) {
     EXPECT_EQ(a.heard.back(), "1000030 603#42");
 }
 
-TEST_F(SocketCan, SmallDriftOfTheClocksIsNoClockThatWasSet) {
+TEST_F(SocketCan, SmallClockDriftIsNotTakenAsAClockChange) {
     start();
     step(10);
     now.us += 100000;
@@ -152,7 +152,7 @@ TEST_F(SocketCan, SmallDriftOfTheClocksIsNoClockThatWasSet) {
     EXPECT_EQ(bus->next_deadline().us, now.us - 100);  // the new distance
 }
 
-TEST_F(SocketCan, ErrorFramesCountOnceHoweverManyNodesHearThem) {
+TEST_F(SocketCan, ErrorFrameReceivedByManyNodesCountsOnce) {
     start();
     system.arrive_error(first, CAN_ERR_PROT, 0);
     system.arrive_error(second, CAN_ERR_PROT, 0);
@@ -166,7 +166,7 @@ TEST_F(SocketCan, ErrorFramesCountOnceHoweverManyNodesHearThem) {
     EXPECT_THAT(log, IsEmpty());
 }
 
-TEST_F(SocketCan, SameStateIsToldOnce) {
+TEST_F(SocketCan, RepeatedControllerStateIsReportedOnce) {
     start();
     for (int i = 0; i < 3; ++i) {
         system.arrive_error(first, CAN_ERR_CRTL, 0x08);
@@ -190,7 +190,7 @@ TEST_F(SocketCan, ControllerThatRecoversByItselfIsNotRestarted) {
     EXPECT_EQ(system.restarts, 0);
 }
 
-TEST_F(SocketCan, RestartThatFailsIsTriedAgain) {
+TEST_F(SocketCan, FailedRestartIsRetried) {
     start(InterfaceControl::granted);
     system.restart_answer = false;
     system.arrive_error(first, CAN_ERR_BUSOFF, 0);
@@ -206,7 +206,7 @@ TEST_F(SocketCan, RestartThatFailsIsTriedAgain) {
     EXPECT_EQ(system.restarts, 2);
 }
 
-TEST_F(SocketCan, RestartThatIsNotGrantedIsToldOnce) {
+TEST_F(SocketCan, RestartWithoutPermissionIsReportedOnce) {
     start();
     system.arrive_error(first, CAN_ERR_BUSOFF, 0);
     step(10);
@@ -216,7 +216,7 @@ TEST_F(SocketCan, RestartThatIsNotGrantedIsToldOnce) {
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(SocketCan, InterfaceThatIsDownAtTheStartIsBusOffToItsNodes) {
+TEST_F(SocketCan, InterfaceDownAtTheStartIsBusOffForItsNodes) {
     system.up = false;
     start();
     EXPECT_THAT(a.states, ElementsAre("0 3"));
@@ -232,7 +232,7 @@ TEST_F(SocketCan, InterfaceThatIsDownAtTheStartIsBusOffToItsNodes) {
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, InterfaceThatComesBackWithoutSocketsIsLookedForAgain) {
+TEST_F(SocketCan, InterfaceThatReturnsWithoutSocketsIsSearchedAgain) {
     start();
     system.number = 0;
     system.up = false;
@@ -260,7 +260,7 @@ TEST_F(SocketCan, InterfaceThatComesBackWithoutSocketsIsLookedForAgain) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(SocketCan, NewSocketCountsItsOwnLossesFromZero) {
+TEST_F(SocketCan, NewSocketCountsItsLossesFromZero) {
     a.rate = 125000;
     start();
     system.arrive(first, "603#40", system.realtime_us, 5);
@@ -283,7 +283,7 @@ TEST_F(SocketCan, NewSocketCountsItsOwnLossesFromZero) {
     EXPECT_THAT(a.overruns, ElementsAre(true));  // the second loss follows the first without a frame between
 }
 
-TEST_F(SocketCan, InterfaceThatWasMadeAgainIsNotTakenForTheOldOne) {
+TEST_F(SocketCan, RecreatedInterfaceIsNotTakenForTheOldInterface) {
     start();
     system.number = 9;  // removed and made again, up all the time that anybody looked
     system.fail(first, ENODEV);
@@ -295,7 +295,7 @@ TEST_F(SocketCan, InterfaceThatWasMadeAgainIsNotTakenForTheOldOne) {
     EXPECT_FALSE(system.sockets[first].open);
 }
 
-TEST_F(SocketCan, BitRateThatWasSetIsTheOneReported) {
+TEST_F(SocketCan, BitRateThatWasSetIsReported) {
     a.rate = 125000;
     system.rate = 125000;
     start(InterfaceControl::granted);
@@ -314,7 +314,7 @@ TEST_F(SocketCan, BitRateThatWasSetIsTheOneReported) {
     EXPECT_EQ(bus->report(now).bit_rate, 250000U);
 }
 
-TEST_F(SocketCan, FiltersThatStayAreNotSetAgain) {
+TEST_F(SocketCan, UnchangedFiltersAreNotSetAgain) {
     a.accepted = {{0x603, 0x7FF, false}};
     start();
     system.sockets[first].filters.clear();
@@ -329,7 +329,7 @@ TEST_F(SocketCan, FiltersThatStayAreNotSetAgain) {
     EXPECT_THAT(system.sockets[first].filters, IsEmpty());
 }
 
-TEST_F(SocketCan, MissingRightsAreSaidWithWhatToCheck) {
+TEST_F(SocketCan, MissingRightsAreReportedWithWhatToCheck) {
     system.open_error = EPERM;
     try {
         SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};

@@ -89,7 +89,7 @@ const std::string joined = "< hi >< ok >< ok >";
 
 }  // namespace
 
-TEST_F(SocketcandServer, ClientJoinsSendsAndHears) {
+TEST_F(SocketcandServer, ClientJoinsSendsAndReceives) {
     TcpClient client{bus.port()};
     client.say(join + "< send 603 8 40 0 10 0 0 0 0 0 >");
     ASSERT_TRUE(until([&] { return log.size() == 1; }));
@@ -104,7 +104,7 @@ TEST_F(SocketcandServer, ClientJoinsSendsAndHears) {
     EXPECT_THAT(client.heard(), testing::Not(HasSubstr("< frame 603 ")));  // not its own
 }
 
-TEST_F(SocketcandServer, ClientsHearEachOther) {
+TEST_F(SocketcandServer, ClientsReceiveFramesOfEachOther) {
     TcpClient one{bus.port()};
     TcpClient two{bus.port()};
     one.say(join);
@@ -115,7 +115,7 @@ TEST_F(SocketcandServer, ClientsHearEachOther) {
     EXPECT_EQ(one.heard(), joined);
 }
 
-TEST_F(SocketcandServer, WhatAClientSentBeforeItHungUpStillGoesOut) {
+TEST_F(SocketcandServer, FramesSentBeforeAClientClosesAreTransmitted) {
     {
         TcpClient client{bus.port()};
         client.say("< open can0 >< send 123 0 >< send 124 0 >");
@@ -125,7 +125,7 @@ TEST_F(SocketcandServer, WhatAClientSentBeforeItHungUpStillGoesOut) {
     EXPECT_THAT(log, ElementsAre("123#", "124#"));
 }
 
-TEST_F(SocketcandServer, FloodingClientCostsTheOthersOneFrameEach) {
+TEST_F(SocketcandServer, FloodingClientDelaysOthersByOneFrame) {
     TcpClient flood{bus.port()};
     TcpClient calm{bus.port()};
     flood.say(join);
@@ -146,7 +146,7 @@ TEST_F(SocketcandServer, FloodingClientCostsTheOthersOneFrameEach) {
     ASSERT_TRUE(until([&] { return calm.heard().find("< frame 77F ") != std::string::npos; }));
 }
 
-TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndTheOthersMissNothing) {
+TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndOthersLoseNothing) {
     TcpClient slow{bus.port()};
     TcpClient calm{bus.port()};
     slow.say(join);
@@ -175,7 +175,7 @@ TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndTheOthersMissNothing) {
     EXPECT_EQ(frames, sent);
 }
 
-TEST_F(SocketcandServer, ClientForWhomThereIsNoPlaceIsToldSo) {
+TEST_F(SocketcandServer, ClientBeyondTheLimitIsRefusedWithTheReason) {
     auto clients = clients_that(join, SocketcandBus::most_clients);
     TcpClient late{bus.port()};
     ASSERT_TRUE(until([&] { return late.ended(); }));
@@ -201,7 +201,7 @@ TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
     EXPECT_FALSE(idle.front()->ended());
 }
 
-TEST_F(SocketcandServer, StatisticsComeWhenTheyAreDue) {
+TEST_F(SocketcandServer, StatisticsAreSentWhenDue) {
     TcpClient client{bus.port()};
     client.say(join + "< send 123 2 01 02 >< statistics 700 >");
     ASSERT_TRUE(until([&] { return log.size() == 1 && bus.next_deadline() != never; }));
@@ -214,7 +214,7 @@ TEST_F(SocketcandServer, StatisticsComeWhenTheyAreDue) {
     EXPECT_EQ(bus.next_deadline(), now + milliseconds(700));
 }
 
-TEST_F(SocketcandServer, WaitsForAClientOnlyWhereItCanGoOn) {
+TEST_F(SocketcandServer, BlockedClientIsNotWatchedForInput) {
     TcpClient flood{bus.port()};
     flood.say(join);
     ASSERT_TRUE(until([&] { return flood.heard() == joined; }));
@@ -236,7 +236,7 @@ TEST_F(SocketcandServer, WaitsForAClientOnlyWhereItCanGoOn) {
     EXPECT_THAT(log, SizeIs(1000));
 }
 
-TEST_F(SocketcandServer, ClientThatDoesNotReadIsWaitedForToWrite) {
+TEST_F(SocketcandServer, ClientThatDoesNotReadIsWatchedForOutput) {
     TcpClient slow{bus.port()};
     slow.say(join);
     ASSERT_TRUE(until([&] { return slow.heard() == joined; }));
@@ -251,7 +251,7 @@ TEST_F(SocketcandServer, ClientThatDoesNotReadIsWaitedForToWrite) {
     EXPECT_EQ(bus.clients(), 1U);
 }
 
-TEST_F(SocketcandServer, ClientWhoseConnectionIsResetIsGone) {
+TEST_F(SocketcandServer, ClientWithAResetConnectionIsRemoved) {
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
@@ -266,7 +266,7 @@ TEST_F(SocketcandServer, ClientWhoseConnectionIsResetIsGone) {
     EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
 }
 
-TEST_F(SocketcandServer, NoticesOfItsBusAreTold) {
+TEST_F(SocketcandServer, NoticesOfItsBusAreForwarded) {
     node.rate = 1000000;
     bus.advance(now);
     node.rate = 500000;
@@ -274,7 +274,7 @@ TEST_F(SocketcandServer, NoticesOfItsBusAreTold) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("node: LSS sets 500000 bit/s")));
 }
 
-TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {
+TEST_F(SocketcandServer, ClosedClientLeavesNoDeadline) {
     {
         TcpClient client{bus.port()};
         client.say(join + "< statistics 700 >");
@@ -286,7 +286,7 @@ TEST_F(SocketcandServer, ClientThatHangsUpLeavesNothingThatIsDue) {
     EXPECT_THAT(notices, SizeIs(0));
 }
 
-TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
+TEST_F(SocketcandServer, IdleClientGivesItsPlaceToANewClient) {
     const auto idle = clients_that("", SocketcandBus::most_clients);
     pass(SocketcandBus::patience);
     TcpClient late{bus.port()};
@@ -298,7 +298,7 @@ TEST_F(SocketcandServer, IdleClientsLockNobodyOut) {
     EXPECT_FALSE(idle.back()->ended());
 }
 
-TEST_F(SocketcandServer, CrowdOfRefusedClientsTakesNoMorePlacesThanThereAre) {
+TEST_F(SocketcandServer, RefusedClientsUseABoundedNumberOfConnections) {
     const auto clients = clients_that(join, SocketcandBus::most_clients);
     std::vector<std::unique_ptr<TcpClient>> late;
     for (std::size_t i = 0; i < 2 * SocketcandBus::most_clients; ++i) {
@@ -309,7 +309,7 @@ TEST_F(SocketcandServer, CrowdOfRefusedClientsTakesNoMorePlacesThanThereAre) {
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsSentAway_AndASilentOneThatDidStays) {
+TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsDropped_AndASilentJoinedClientStays) {
     TcpClient silent{bus.port()};
     silent.say(join);
     ASSERT_TRUE(until([&] { return silent.heard() == joined; }));
@@ -331,7 +331,7 @@ TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsSentAway_AndASilentOneThatD
     EXPECT_TRUE(until([&] { return silent.heard().find("< frame 703 ") != std::string::npos; }));
 }
 
-TEST_F(SocketcandServer, SilentPeerIsAskedByTheKernelWhetherItIsThere) {
+TEST_F(SocketcandServer, KeepaliveProbesASilentPeer) {
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
@@ -349,7 +349,7 @@ TEST_F(SocketcandServer, SilentPeerIsAskedByTheKernelWhetherItIsThere) {
     EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPCNT), 3);
 }
 
-TEST_F(SocketcandServer, RemoteFrameThatClientsCannotHearIsToldOnce) {
+TEST_F(SocketcandServer, RemoteFrameThatClientsCannotReceiveIsReportedOnce) {
     node.send("703#R");
     ASSERT_TRUE(until([&] { return log.size() == 1; }));
     EXPECT_THAT(notices, SizeIs(0));  // nobody is there who would miss it
@@ -364,7 +364,7 @@ TEST_F(SocketcandServer, RemoteFrameThatClientsCannotHearIsToldOnce) {
     EXPECT_EQ(client.heard(), joined);
 }
 
-TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
+TEST_F(SocketcandServer, LastFrameOfAClosingClientIsComplete) {
     {
         TcpClient client{bus.port()};
         client.say(join + "< send 123 1 AA >");
@@ -378,7 +378,7 @@ TEST_F(SocketcandServer, LastFrameOfAClientThatHangsUpIsNotCutOff) {
     EXPECT_THAT(log, ElementsAre("123#AA"));
 }
 
-TEST_F(SocketcandServer, ListensOnTheLoopbackUnlessTold) {
+TEST_F(SocketcandServer, ServerListensOnTheLoopbackByDefault) {
     EXPECT_EQ(parse_listen_address("").host, "127.0.0.1");
     EXPECT_EQ(parse_listen_address("").port, 29536);
     EXPECT_EQ(parse_listen_address(":0").host, "127.0.0.1");

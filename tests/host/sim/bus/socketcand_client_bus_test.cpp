@@ -115,7 +115,7 @@ class SocketcandServerElsewhere : public testing::Test {
 
 }  // namespace
 
-TEST_F(SocketcandServerElsewhere, DevicesHereAndBehindTheServerHearEachOther) {
+TEST_F(SocketcandServerElsewhere, LocalDevicesAndThoseBehindTheServerExchangeFrames) {
     join();
     a.send("703#05");
     ASSERT_TRUE(until([&] { return far.heard.size() == 1; }));
@@ -128,7 +128,7 @@ TEST_F(SocketcandServerElsewhere, DevicesHereAndBehindTheServerHearEachOther) {
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(SocketcandServerElsewhere, FramesWaitUntilTheServerLetsThemJoin) {
+TEST_F(SocketcandServerElsewhere, FramesWaitUntilTheServerAcceptsTheClient) {
     start();
     a.send("703#00");
     EXPECT_TRUE(bus->put(parse_frame("000#0100", "test"), now));
@@ -140,7 +140,7 @@ TEST_F(SocketcandServerElsewhere, FramesWaitUntilTheServerLetsThemJoin) {
     EXPECT_THAT(log, ElementsAre("- 000#0100", "a 703#00"));
 }
 
-TEST_F(SocketcandServerElsewhere, OneFrameFollowsAnotherAsTheBitRateAllows) {
+TEST_F(SocketcandServerElsewhere, FramesAreSpacedByTheBitRate) {
     join();
     // 44 bits, at least one stuffed in behind the seven zeros from RTR to the length, and 3 between frames: 48 of 8 µs.
     a.send("555#");
@@ -155,7 +155,7 @@ TEST_F(SocketcandServerElsewhere, OneFrameFollowsAnotherAsTheBitRateAllows) {
     EXPECT_THAT(log, ElementsAre("a 555#", "b 555#"));
 }
 
-TEST_F(SocketcandServerElsewhere, NoServerThereIsRefused) {
+TEST_F(SocketcandServerElsewhere, MissingServerIsAnError) {
     const std::uint16_t port = server->port();
     server.reset();
     std::string why;
@@ -170,7 +170,7 @@ TEST_F(SocketcandServerElsewhere, NoServerThereIsRefused) {
     EXPECT_THROW((SocketcandClientBus{{"256.0.0.1", 1, "can0"}, 125000, now}), InputError);
 }
 
-TEST_F(SocketcandServerElsewhere, ServerThatRefusesIsQuoted) {
+TEST_F(SocketcandServerElsewhere, RefusalOfTheServerIsQuoted) {
     std::vector<std::unique_ptr<SocketcandClientBus>> others;
     for (std::size_t i = 0; i < SocketcandBus::most_clients; ++i) {
         others.push_back(client_of(server->port()));
@@ -183,7 +183,7 @@ TEST_F(SocketcandServerElsewhere, ServerThatRefusesIsQuoted) {
     EXPECT_THAT(refusal(), HasSubstr("32 clients have joined"));
 }
 
-TEST_F(SocketcandServerElsewhere, ServerThatSaysNothingIsGivenUp) {
+TEST_F(SocketcandServerElsewhere, SilentServerIsGivenUp) {
     const int silent = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -205,7 +205,7 @@ TEST_F(SocketcandServerElsewhere, ServerThatSaysNothingIsGivenUp) {
     close(silent);
 }
 
-TEST_F(SocketcandServerElsewhere, ServerThatIsGoneIsBusOff_AndIsJoinedAgain) {
+TEST_F(SocketcandServerElsewhere, LostServerIsBusOff_AndIsJoinedAgain) {
     join();
     const std::uint16_t port = server->port();
     server.reset();
@@ -226,7 +226,7 @@ TEST_F(SocketcandServerElsewhere, ServerThatIsGoneIsBusOff_AndIsJoinedAgain) {
     EXPECT_TRUE(until([&] { return far.heard.size() == 1; }));
 }
 
-TEST_F(SocketcandServerElsewhere, RemoteFrameIsToldOnceAndStaysHere) {
+TEST_F(SocketcandServerElsewhere, RemoteFrameIsReportedOnceAndNotSent) {
     join();
     a.send("704#R");
     a.send("704#R");
@@ -237,7 +237,7 @@ TEST_F(SocketcandServerElsewhere, RemoteFrameIsToldOnceAndStaysHere) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("704#R is a remote frame")));
 }
 
-TEST_F(SocketcandServerElsewhere, BitRateOfLssIsTold_TheServersBusKeepsItsOwn) {
+TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReported_TheBusOfTheServerKeepsItsOwn) {
     a.rate = 125000;
     join();
     a.rate = 250000;
@@ -246,7 +246,7 @@ TEST_F(SocketcandServerElsewhere, BitRateOfLssIsTold_TheServersBusKeepsItsOwn) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("a: LSS sets 250000 bit/s")));
 }
 
-TEST_F(SocketcandServerElsewhere, UserWaitsWhereTheBusTakesNothing) {
+TEST_F(SocketcandServerElsewhere, UserFramesWaitWhenTheBusTakesNone) {
     start();
     int taken = 0;
     while (taken < 1000 && bus->put(parse_frame("123#", "test"), now)) {

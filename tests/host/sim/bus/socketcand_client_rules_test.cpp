@@ -73,7 +73,7 @@ std::uint64_t bits_of(const std::string& frame) {
 
 }  // namespace
 
-TEST_F(ScriptedBus, JoinsStepByStep) {
+TEST_F(ScriptedBus, ClientJoinsStepByStep) {
     connect();
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::join_limit);
     EXPECT_TRUE(bus->watches().at(0).writable);
@@ -94,7 +94,7 @@ TEST_F(ScriptedBus, JoinsStepByStep) {
     EXPECT_EQ(bus->interface(), "vcan0");
 }
 
-TEST_F(ScriptedBus, ComplaintIsToldOnceAndTheNextOneAsWell) {
+TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnceAndADifferentOneToo) {
     join();
     say("< error no such thing >");
     say("< error no such thing >");
@@ -103,7 +103,7 @@ TEST_F(ScriptedBus, ComplaintIsToldOnceAndTheNextOneAsWell) {
     EXPECT_THAT(notices, ElementsAre(name + " reports: no such thing", name + " reports: another"));
 }
 
-TEST_F(ScriptedBus, FramesOfTheServerArriveWhenTheyAreReadInTheirOrder) {
+TEST_F(ScriptedBus, FramesOfTheServerArriveInTheirOrder) {
     join();
     now = now + microseconds(500);
     say("< frame 080 9.5 >< frame 703 1.0 05 >");
@@ -118,7 +118,7 @@ TEST_F(ScriptedBus, FramesOfTheServerArriveWhenTheyAreReadInTheirOrder) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, FramesGoOutByArbitration_TheUsersAmongThem) {
+TEST_F(ScriptedBus, FramesAreSentByArbitration_UserFramesIncluded) {
     join();
     a.send("183#");
     b.send("181#");
@@ -136,7 +136,7 @@ TEST_F(ScriptedBus, FramesGoOutByArbitration_TheUsersAmongThem) {
     EXPECT_THAT(log[2], HasSubstr(" a 183#"));
 }
 
-TEST_F(ScriptedBus, NodeGoesBeforeTheUsersFrameOfTheSameIdentifier) {
+TEST_F(ScriptedBus, NodeFramePrecedesTheUserFrameOfTheSameIdentifier) {
     join();
     bus->put(parse_frame("181#02", "test"), now);
     a.send("181#01");
@@ -144,7 +144,7 @@ TEST_F(ScriptedBus, NodeGoesBeforeTheUsersFrameOfTheSameIdentifier) {
     EXPECT_THAT(log, ElementsAre("1000000 a 181#01"));
 }
 
-TEST_F(ScriptedBus, FrameFollowsAFrameAfterItsBitsRoundedUp) {
+TEST_F(ScriptedBus, FrameFollowsAfterTheBitTimesOfThePreviousRoundedUp) {
     join(300000);
     a.send("703#05");
     a.send("704#05");
@@ -158,7 +158,7 @@ TEST_F(ScriptedBus, FrameFollowsAFrameAfterItsBitsRoundedUp) {
     EXPECT_EQ(bus->report(now).bit_rate, 300000U);
 }
 
-TEST_F(ScriptedBus, LoadIsThatOfTheLastSecondHeardAndSent) {
+TEST_F(ScriptedBus, LoadCoversTheLastSecondReceivedAndSent) {
     join();
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
     a.send("703#05");
@@ -183,7 +183,7 @@ TEST_F(ScriptedBus, BitRateIs125000WithoutANumber) {
     EXPECT_EQ(bus->report(now).bit_rate, 125000U);
 }
 
-TEST_F(ScriptedBus, ServerThatClosesBeforeItLetsThemJoinIsRefused) {
+TEST_F(ScriptedBus, ServerThatClosesBeforeJoiningIsAnError) {
     connect();
     hear();
     server.hang_up();
@@ -196,7 +196,7 @@ TEST_F(ScriptedBus, ServerThatClosesBeforeItLetsThemJoinIsRefused) {
     }
 }
 
-TEST_F(ScriptedBus, LastWordOfAServerThatClosesIsWhy) {
+TEST_F(ScriptedBus, LastErrorOfAClosingServerIsQuotedAsTheReason) {
     join();
     say("< error goodbye >");
     server.hang_up();
@@ -208,7 +208,7 @@ TEST_F(ScriptedBus, LastWordOfAServerThatClosesIsWhy) {
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::search_period);
 }
 
-TEST_F(ScriptedBus, ServerIsLookedForAfterASecondAndMustLetThemJoinInTime) {
+TEST_F(ScriptedBus, LostServerIsSearchedAfterASecondAndMustAcceptInTime) {
     join();
     server.hang_up();
     hear();
@@ -231,7 +231,7 @@ TEST_F(ScriptedBus, ServerIsLookedForAfterASecondAndMustLetThemJoinInTime) {
     EXPECT_THAT(log, IsEmpty());
 }
 
-TEST_F(ScriptedBus, ServerThatIsBackTakesWhatWaited) {
+TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     join();
     server.hang_up();
     hear();
@@ -250,7 +250,7 @@ TEST_F(ScriptedBus, ServerThatIsBackTakesWhatWaited) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, ServerThatRefusesTheSecondTimeIsLookedForAgain) {
+TEST_F(ScriptedBus, ServerThatRefusesARejoinIsSearchedAgain) {
     join();
     server.hang_up();
     hear();
@@ -264,7 +264,7 @@ TEST_F(ScriptedBus, ServerThatRefusesTheSecondTimeIsLookedForAgain) {
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(ScriptedBus, ServerThatResetsTheConnectionIsGone) {
+TEST_F(ScriptedBus, ServerThatResetsTheConnectionIsLost) {
     join();
     server.reset_connection();
     hear();
@@ -272,7 +272,7 @@ TEST_F(ScriptedBus, ServerThatResetsTheConnectionIsGone) {
     EXPECT_THAT(a.states, ElementsAre("1000000 3"));
 }
 
-TEST_F(ScriptedBus, ServerThatIsGoneIsFoundOutBySendingAsWell) {
+TEST_F(ScriptedBus, LostServerIsDetectedBySendingToo) {
     join();
     server.reset_connection();
     a.send("703#05");
@@ -282,12 +282,12 @@ TEST_F(ScriptedBus, ServerThatIsGoneIsFoundOutBySendingAsWell) {
     EXPECT_THAT(b.states, ElementsAre("1000000 3"));
 }
 
-TEST_F(ScriptedBus, AddressThatNobodyCanHaveIsRefusedAtOnce) {
+TEST_F(ScriptedBus, ImpossibleAddressIsRefusedAtOnce) {
     // The broadcast address takes no connection.
     EXPECT_THROW((SocketcandClientBus{{"255.255.255.255", 29536, "can0"}, 125000, now}), InputError);
 }
 
-TEST_F(ScriptedBus, RemoteFrameIsToldOnceAndNotSent) {
+TEST_F(ScriptedBus, RemoteFrameIsReportedOnceAndNotSent) {
     join();
     bus->put(parse_frame("703#R", "test"), now);
     bus->advance(now);
@@ -296,7 +296,7 @@ TEST_F(ScriptedBus, RemoteFrameIsToldOnceAndNotSent) {
     EXPECT_THAT(a.heard, ElementsAre("1000000 703#R"));
 }
 
-TEST_F(ScriptedBus, BitRateOfANodeIsToldWhenItChangesToANumber) {
+TEST_F(ScriptedBus, ChangedBitRateOfANodeIsReported) {
     a.rate = 125000;
     join();
     a.rate = 0;

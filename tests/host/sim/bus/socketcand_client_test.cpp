@@ -33,7 +33,7 @@ class SocketcandClientText : public testing::Test {
 
 }  // namespace
 
-TEST_F(SocketcandClientText, OpensTheBusAndEntersRawMode) {
+TEST_F(SocketcandClientText, ClientOpensTheBusAndEntersRawMode) {
     EXPECT_EQ(client.output(), "");
     EXPECT_EQ(hear("< hi >"), "< open vcan0 >");
     EXPECT_EQ(hear("< ok >"), "< rawmode >");
@@ -43,7 +43,7 @@ TEST_F(SocketcandClientText, OpensTheBusAndEntersRawMode) {
     EXPECT_EQ(hear("< hi >< ok >"), "");
 }
 
-TEST_F(SocketcandClientText, ReadsFramesAsServersWriteThem) {
+TEST_F(SocketcandClientText, FramesAreReadAsServersWriteThem) {
     join();
     hear("< frame 703 1700000001.234567 05 >< frame 583 0.0 4300100091010800 >");
     hear("< frame 00000123 1.0 01 >< frame 080 1.000000  >< frame 123 23.424242 11 22 33 44 >");  // with blanks: its
@@ -59,7 +59,7 @@ TEST_F(SocketcandClientText, FrameMayArriveInPieces) {
     EXPECT_THAT(frames, ElementsAre("703#05"));
 }
 
-TEST_F(SocketcandClientText, WhatIsNoFrameIsPassedOver) {
+TEST_F(SocketcandClientText, OtherMessagesAreSkipped) {
     hear("< frame 703 1.0 05 >");  // before it has joined
     join();
     for (const char* odd : {"< frame >", "< frame 703 >", "< frame 800 1.0 05 >", "< frame 703 1.0 0 >",
@@ -75,7 +75,7 @@ TEST_F(SocketcandClientText, WhatIsNoFrameIsPassedOver) {
     EXPECT_EQ(frames.back(), "703#05");
 }
 
-TEST_F(SocketcandClientText, SendsAsServersReadIt) {
+TEST_F(SocketcandClientText, FramesAreWrittenAsServersReadThem) {
     EXPECT_FALSE(client.may_send());
     join();
     ASSERT_TRUE(client.may_send());
@@ -89,13 +89,13 @@ TEST_F(SocketcandClientText, SendsAsServersReadIt) {
     EXPECT_LT(client.output().size(), SocketcandClient::output_limit + 100);
 }
 
-TEST_F(SocketcandClientText, RefusalIsKeptInTheServersWords) {
+TEST_F(SocketcandClientText, RefusalTextOfTheServerIsKept) {
     EXPECT_EQ(hear("< hi >< error 32 clients have joined, which is the most >"), "< open vcan0 >");
     EXPECT_TRUE(client.is_refused());
     EXPECT_EQ(client.complaint(), "32 clients have joined, which is the most");
 }
 
-TEST(SocketcandPlace, WhatIsLeftOutIsTheUsual) {
+TEST(SocketcandPlace, MissingPartsOfThePlaceHaveTheirDefaults) {
     const SocketcandPlace usual = parse_socketcand_place("");
     EXPECT_EQ(usual.host, "127.0.0.1");
     EXPECT_EQ(usual.port, 29536);
@@ -108,7 +108,7 @@ TEST(SocketcandPlace, WhatIsLeftOutIsTheUsual) {
     EXPECT_EQ(parse_socketcand_place("/can1").bus, "can1");
 }
 
-TEST(SocketcandPlace, WhatNamesNoBusIsRefused) {
+TEST(SocketcandPlace, InvalidPlaceIsRefused) {
     for (const char* wrong :
          {"127.0.0.1:x", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:1234/", "a:1/b c", "a:1/b >", "a:1/b/c"}) {
         EXPECT_THROW(parse_socketcand_place(wrong), InputError) << wrong;

@@ -77,7 +77,7 @@ TEST(SocketcandText, BytesHaveTwoDigitsEachAndAreUpToEight) {
     }
 }
 
-TEST(SocketcandText, CommandStandsBetweenItsBrackets) {
+TEST(SocketcandText, CommandIsReadBetweenItsBrackets) {
     bool too_long = false;
     std::string input = "x< a ><b><";
     EXPECT_EQ(take_command(input, 10, too_long), " a ");
@@ -91,7 +91,7 @@ TEST(SocketcandText, CommandStandsBetweenItsBrackets) {
     EXPECT_EQ(input, "");
 }
 
-TEST(SocketcandText, CommandMayBeAsLongAsItsLimit) {
+TEST(SocketcandText, CommandMayHaveTheLengthOfTheLimit) {
     bool too_long = false;
     std::string input = "<" + std::string(9, 'a') + ">";  // the bracket behind ten characters
     EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));
@@ -110,20 +110,20 @@ TEST(SocketcandText, CommandMayBeAsLongAsItsLimit) {
     EXPECT_EQ(input, "a");
 }
 
-TEST_F(SocketcandLimits, ReceiveTellsWhetherAFrameWentOntoTheBus) {
+TEST_F(SocketcandLimits, ReceiveReturnsWhetherAFrameWasSentToTheBus) {
     EXPECT_FALSE(session.receive("< open can0 >", Instant{}));
     EXPECT_FALSE(session.receive("< echo >< send 123 9 >", Instant{}));
     EXPECT_TRUE(session.receive("< send 123 0 >", Instant{}));
     EXPECT_FALSE(session.receive("", Instant{}));
 }
 
-TEST_F(SocketcandLimits, CommandThatIsTooLongIsToldAndTheNextIsHeard) {
+TEST_F(SocketcandLimits, TooLongCommandIsReportedAndTheNextIsExecuted) {
     say("");
     EXPECT_EQ(say("<" + std::string(256, 'x') + ">< echo >"), "< error command too long >< echo >");
     EXPECT_EQ(say("<" + std::string(255, 'x') + ">"), "< error no bus is open >");
 }
 
-TEST_F(SocketcandLimits, OpenNamesABus_AndLeavesItOpenWhenItNamesNone) {
+TEST_F(SocketcandLimits, OpenWithoutABusIsRefused_AndTheBusStaysOpen) {
     EXPECT_EQ(say(""), "< hi >");
     EXPECT_EQ(say("< open vcan7 >"), "< ok >");
     EXPECT_EQ(say("< open >"), "< error could not open bus >");
@@ -134,7 +134,7 @@ TEST_F(SocketcandLimits, OpenNamesABus_AndLeavesItOpenWhenItNamesNone) {
     EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // still in raw mode
 }
 
-TEST_F(SocketcandLimits, SubscriptionsAreOfTheirModeAndFormat) {
+TEST_F(SocketcandLimits, SubscriptionsApplyToTheirModeAndFormat) {
     say("< open can0 >< subscribe 0 0 123 >< subscribe 1 5 00000456 >");
     arrives("00000123#");
     arrives("456#");
@@ -160,7 +160,7 @@ TEST_F(SocketcandLimits, SubscribeTakesThreeWordsAndUnsubscribeOne) {
     }
 }
 
-TEST_F(SocketcandLimits, SubscriptionsAreUpTo256_AndOneThatEndsMakesRoom) {
+TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
     say("< open can0 >");
     for (unsigned id = 0; id < 256; ++id) {
         EXPECT_EQ(say(fmt::format("< subscribe 0 0 {:03X} >", id)), "") << id;
@@ -188,7 +188,7 @@ TEST_F(SocketcandLimits, StatisticsTakeUpToAnHour) {
     EXPECT_EQ(session.next_deadline(), Instant{1000});
 }
 
-TEST_F(SocketcandLimits, ClientIsDroppedWhenItsTextWouldPassTheLimit) {
+TEST_F(SocketcandLimits, ClientIsDroppedWhenItsOutputWouldExceedTheLimit) {
     say("< open can0 >< rawmode >");
     // `< frame 123 0.000000  >` has 23 characters: 262144 = 11397 x 23 + 13
     for (int i = 0; i < 11397; ++i) {
@@ -208,7 +208,7 @@ TEST_F(SocketcandLimits, ClientIsDroppedWhenItsTextWouldPassTheLimit) {
     EXPECT_EQ(session.output().size(), 162131U);  // it hears no more
 }
 
-TEST_F(SocketcandLimits, TextMayFillTheLimitToItsLastCharacter) {
+TEST_F(SocketcandLimits, OutputMayFillTheLimitToItsLastCharacter) {
     say("< open can0 >< rawmode >");
     for (int i = 0; i < 11396; ++i) {
         arrives("123#");  // 23 characters each
@@ -222,7 +222,7 @@ TEST_F(SocketcandLimits, TextMayFillTheLimitToItsLastCharacter) {
     EXPECT_EQ(session.output().size(), 262122U);
 }
 
-TEST_F(SocketcandLimits, InputIsHeldUpToItsLimit) {
+TEST_F(SocketcandLimits, InputIsKeptUpToItsLimit) {
     say("< open can0 >");
     std::string flood;
     for (int i = 0; i < 32; ++i) {
@@ -236,7 +236,7 @@ TEST_F(SocketcandLimits, InputIsHeldUpToItsLimit) {
     EXPECT_FALSE(session.wants_input());
 }
 
-TEST_F(SocketcandLimits, SendTakesBytesApartOrTogether) {
+TEST_F(SocketcandLimits, SendTakesBytesWithOrWithoutBlanks) {
     say("< open can0 >");
     const auto frame_of = [this](const std::string& words) {
         const std::string said = say("< send " + words + " >");
@@ -259,7 +259,7 @@ TEST_F(SocketcandLimits, SendTakesBytesApartOrTogether) {
     }
 }
 
-TEST(SocketcandClientLimits, ClientWaitsWhereTheServerTakesNothing) {
+TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< hi >< ok >< ok >");
     client.sent(client.output().size());
@@ -278,7 +278,7 @@ TEST(SocketcandClientLimits, ClientWaitsWhereTheServerTakesNothing) {
     EXPECT_EQ(client.output().front(), ' ');  // the first character is gone
 }
 
-TEST(SocketcandClientLimits, ComplaintIsTheServersLastAndRefusesOnlyBeforeJoining) {
+TEST(SocketcandClientLimits, ServerErrorIsTheLatestAndRefusesOnlyBeforeJoining) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     EXPECT_FALSE(client.is_refused());
     client.take("< hi >< error >");
@@ -291,7 +291,7 @@ TEST(SocketcandClientLimits, ComplaintIsTheServersLastAndRefusesOnlyBeforeJoinin
     EXPECT_FALSE(client.is_refused());
 }
 
-TEST(SocketcandClientLimits, AnswersCountInTheirOrderOnly) {
+TEST(SocketcandClientLimits, ServerAnswersCountInTheirOrderOnly) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< ok >< ok >");
     EXPECT_EQ(client.output(), "");

@@ -46,14 +46,14 @@ using Frames = std::vector<std::string>;
 
 }  // namespace
 
-TEST_F(SocketcandClient, GreetsOpensAndEntersRawMode) {
+TEST_F(SocketcandClient, ServerGreetsOpensAndEntersRawMode) {
     EXPECT_EQ(heard(), "< hi >");
     EXPECT_EQ(say("< open can0 >"), "< ok >");
     EXPECT_EQ(say("< rawmode >"), "< ok >");
     EXPECT_EQ(say("< echo >"), "< echo >");
 }
 
-TEST_F(SocketcandClient, FramesGoOutAsSocketcandWritesThem) {
+TEST_F(SocketcandClient, FramesAreWrittenInTheFormatOfSocketcand) {
     join();
     arrives("703#05", 1234567);
     EXPECT_EQ(heard(), "< frame 703 1700000001.234567 05 >");
@@ -67,7 +67,7 @@ TEST_F(SocketcandClient, FramesGoOutAsSocketcandWritesThem) {
     EXPECT_EQ(heard(), "");
 }
 
-TEST_F(SocketcandClient, SendsAsPythonCanWritesIt) {
+TEST_F(SocketcandClient, SendCommandOfPythonCanIsRead) {
     join();
     EXPECT_EQ(say("< send 603 8 40 0 10 0 0 0 0 0 >"), "");
     EXPECT_EQ(say("< send 0 2 1 0 >< send 80 0  >"), "");
@@ -83,7 +83,7 @@ TEST_F(SocketcandClient, CommandMayArriveInPieces) {
     EXPECT_EQ(frames(), Frames{"703#05"});
 }
 
-TEST_F(SocketcandClient, NothingWorksBeforeOpen) {
+TEST_F(SocketcandClient, NoCommandWorksBeforeOpen) {
     heard();
     EXPECT_EQ(say("< send 703 1 05 >"), "< error no bus is open >");
     EXPECT_EQ(say("< rawmode >"), "< error no bus is open >");
@@ -93,7 +93,7 @@ TEST_F(SocketcandClient, NothingWorksBeforeOpen) {
     EXPECT_EQ(frames(), Frames{});
 }
 
-TEST_F(SocketcandClient, MalformedCommandsAreRefusedAndTheNextIsHeard) {
+TEST_F(SocketcandClient, MalformedCommandIsRefusedAndTheNextIsExecuted) {
     join();
     for (const char* wrong : {"< send >", "< send 703 >", "< send 800 0 >", "< send 703 9 1 2 3 4 5 6 7 8 9 >",
                               "< send 703 2 1 >", "< send 703 1 1 2 >", "< send 703 1 100 >", "< send 703 1 xy >",
@@ -109,7 +109,7 @@ TEST_F(SocketcandClient, MalformedCommandsAreRefusedAndTheNextIsHeard) {
     EXPECT_FALSE(session.is_dropped());
 }
 
-TEST_F(SocketcandClient, ThatIsSentAwayHearsWhyAndIsHeardNoMore) {
+TEST_F(SocketcandClient, DroppedClientGetsTheReasonAndIsNotReadAgain) {
     EXPECT_FALSE(session.has_joined());
     heard();
     session.send_away("too late");
@@ -119,7 +119,7 @@ TEST_F(SocketcandClient, ThatIsSentAwayHearsWhyAndIsHeardNoMore) {
     EXPECT_EQ(frames(), Frames{});
 }
 
-TEST_F(SocketcandClient, EndlessCommandIsCutAndCostsNoMemory) {
+TEST_F(SocketcandClient, EndlessCommandIsCutOffWithBoundedMemory) {
     join();
     for (int i = 0; i < 100; ++i) {
         say("<" + std::string(4000, 'x'));
@@ -155,7 +155,7 @@ TEST_F(SocketcandClient, ClientThatDoesNotReadIsDroppedWithBoundedMemory) {
     EXPECT_THAT(session.dropped_because(), HasSubstr("did not read"));
 }
 
-TEST_F(SocketcandClient, BcmModeSendsWhatWasSubscribed) {
+TEST_F(SocketcandClient, BcmModeSendsTheSubscribedFrames) {
     join("");
     arrives("703#05");
     EXPECT_EQ(heard(), "");
@@ -170,7 +170,7 @@ TEST_F(SocketcandClient, BcmModeSendsWhatWasSubscribed) {
     EXPECT_EQ(frames(), Frames{"123#"});
 }
 
-TEST_F(SocketcandClient, StatisticsComeAtTheirPeriod) {
+TEST_F(SocketcandClient, StatisticsAreSentAtTheirPeriod) {
     join();
     say("< send 703 1 05 >< send 703 2 05 06 >");
     arrives("583#0102030405060708");

@@ -48,7 +48,7 @@ TEST_F(DecodedFrame, Nmt_NamesCommandAndNode) {
     EXPECT_EQ(words("000#01"), "NMT : no command: two bytes are needed");
 }
 
-TEST_F(DecodedFrame, ErrorControl_TellsBootUpStateAndToggle) {
+TEST_F(DecodedFrame, ErrorControl_NamesBootUpStateAndToggle) {
     EXPECT_EQ(words("702#00"), "guard scanner: boot-up");
     EXPECT_EQ(words("703#05"), "guard outputs: operational");
     EXPECT_EQ(words("703#FF"), "guard outputs: pre operational, toggle 1");
@@ -70,12 +70,12 @@ TEST_F(DecodedFrame, Sdo_NamesObjectAndReadsValueByItsType) {
     EXPECT_EQ(words("582#430061010000C841"), "SDO scanner: answers 6100h:1 TC 1 Input Field Value = 25");
 }
 
-TEST_F(DecodedFrame, Sdo_TellsAbortsInWords) {
+TEST_F(DecodedFrame, Sdo_NamesTheMeaningOfAborts) {
     EXPECT_EQ(words("582#8034120000000206"), "SDO scanner: abort 1234h:0: 06020000h object missing");
     EXPECT_EQ(words("582#8034120078563412"), "SDO scanner: abort 1234h:0: 12345678h unknown reason");
 }
 
-TEST_F(DecodedFrame, Sdo_TellsSegmentsAndBlocks) {
+TEST_F(DecodedFrame, Sdo_NamesSegmentsAndBlocks) {
     EXPECT_EQ(words("583#4108100010000000"),
               "SDO outputs: answers 1008h Manufacturer Device Name, 16 bytes in segments");
     EXPECT_EQ(words("603#6000000000000000"), "SDO outputs: read next segment");
@@ -86,14 +86,14 @@ TEST_F(DecodedFrame, Sdo_TellsSegmentsAndBlocks) {
     EXPECT_EQ(words("602#E000000000000000"), "SDO scanner: unknown command E0 00 00 00 00 00 00 00");
 }
 
-TEST_F(DecodedFrame, Emcy_TellsTheDevicesOwnWords) {
+TEST_F(DecodedFrame, Emcy_NamesTheErrorOfTheDevice) {
     // AX188001, 3.2.4: code, register, channel, description 40h.
     EXPECT_EQ(words("082#11F0010140000000"),
               "EMCY scanner: F011h limit exceeded, channel 1, positive shutdown, error register 01h");
     EXPECT_EQ(words("082#0000000000000000"), "EMCY scanner: 0000h no error, error register 00h");
 }
 
-TEST_F(DecodedFrame, Emcy_TellsTheClassOfCia301WhereTheDeviceHasNoWord) {
+TEST_F(DecodedFrame, Emcy_NamesTheClassOfCia301ForOtherErrors) {
     EXPECT_EQ(words("083#3081110100000000"),
               "EMCY outputs: 8130h life guard or heartbeat error, error register 11h, details 01 00 00 00 00");
     EXPECT_EQ(words("085#0133040000000000"), "EMCY node 5: 3301h output voltage, error register 04h");
@@ -106,11 +106,11 @@ TEST_F(DecodedFrame, Pdo_NamesMappedObjects) {
     EXPECT_EQ(words("182#R"), "PDO scanner: TPDO 1: asked for");
 }
 
-TEST_F(DecodedFrame, Pdo_ThatDoesNotExistIsNobodys) {
+TEST_F(DecodedFrame, Pdo_InvalidIdentifierIsOther) {
     EXPECT_EQ(words("282#0102"), "other : 01 02");  // TPDO2 as shipped is not valid
 }
 
-TEST_F(DecodedFrame, SyncTimeAndOthers) {
+TEST_F(DecodedFrame, SyncTimeAndOtherFramesAreNamed) {
     EXPECT_EQ(words("080#"), "SYNC : SYNC");
     EXPECT_EQ(words("080#07"), "SYNC : SYNC, counter 7");
     EXPECT_EQ(decode("100#000000000000").service, FrameService::time);
@@ -123,7 +123,7 @@ TEST_F(DecodedFrame, Lss_NamesCommands) {
     EXPECT_EQ(words("7E4#4400000000000000"), "LSS : selected (answer)");
 }
 
-TEST_F(DecodedFrame, EveryIdentifierAndLengthHasWords) {
+TEST_F(DecodedFrame, EveryIdentifierAndLengthIsDecoded) {
     for (std::uint32_t id = 0; id <= 0x7FFU; ++id) {
         for (std::uint8_t length = 0; length <= 8U; ++length) {
             Frame frame = data_frame(id, length);

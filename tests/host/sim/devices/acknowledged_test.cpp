@@ -70,7 +70,7 @@ class AcknowledgedByLss : public Acknowledged {};
 
 }  // namespace
 
-TEST_P(Acknowledged, SaveAndRestoreAreKeptBeforeTheAnswer) {
+TEST_P(Acknowledged, SaveAndRestoreAreCommittedBeforeTheAnswer) {
     verifies<req::CO_STORE_010>();
     EXPECT_EQ(save(), Frames{"583#6010100100000000"});
     EXPECT_EQ(commits, 1);
@@ -79,7 +79,7 @@ TEST_P(Acknowledged, SaveAndRestoreAreKeptBeforeTheAnswer) {
     EXPECT_FALSE(answered_before);
 }
 
-TEST_P(Acknowledged, RefusedSaveAndRestoreLeaveTheMemoryAsItWas) {
+TEST_P(Acknowledged, RefusedSaveAndRestoreLeaveTheMemoryUnchanged) {
     verifies<req::CO_STORE_010, req::CO_STORE_005>();
     EXPECT_EQ(save(), Frames{"583#6010100100000000"});
     const auto before = device->memory().bytes();
@@ -95,14 +95,14 @@ TEST_P(Acknowledged, RefusedSaveAndRestoreLeaveTheMemoryAsItWas) {
 INSTANTIATE_TEST_SUITE_P(Devices, Acknowledged,
                          testing::Values("ax060805", "ax130751", "ax188001", "cbx-ao412", "generic"));
 
-TEST_P(AcknowledgedByLss, LssStoreIsKeptBeforeTheAnswer) {
+TEST_P(AcknowledgedByLss, LssStoreIsCommittedBeforeTheAnswer) {
     verifies<req::CO_LSS_020>();
     EXPECT_EQ(store_by_lss(), Frames{"7E4#1700000000000000"});
     EXPECT_EQ(commits, 1);
     EXPECT_FALSE(answered_before);
 }
 
-TEST_P(AcknowledgedByLss, LssStoreThatTheMemoryRefusesIsRefusedWithError2) {
+TEST_P(AcknowledgedByLss, LssStoreRefusedByTheMemoryGivesError2) {
     verifies<req::CO_LSS_020, req::CO_LSS_016>();
     const auto before = device->memory().bytes();
     is_sound = false;
@@ -112,7 +112,7 @@ TEST_P(AcknowledgedByLss, LssStoreThatTheMemoryRefusesIsRefusedWithError2) {
     EXPECT_EQ(device->node_id(), node);
 }
 
-TEST_P(AcknowledgedByLss, AStoredNodeIdOf200IsNotObeyed) {
+TEST_P(AcknowledgedByLss, StoredNodeIdOf200IsIgnored) {
     verifies<req::CO_LSS_066>();
     const std::string name = GetParam();
     const bool is_generic = name == "generic";  // its node-ID as shipped is the one that it was given

@@ -11,7 +11,7 @@ class Generic : public testing::Test, public SlaveBench {};
 
 }  // namespace
 
-TEST_F(Generic, BootsUnderItsNodeId) {
+TEST_F(Generic, DeviceBootsUnderItsNodeId) {
     node_id = 0x21;
     EXPECT_EQ(power_on(), Frames{"721#00"});
 }
@@ -23,7 +23,7 @@ TEST_F(Generic, EachMemberOfAFamilyHasItsOwnDefault) {
     EXPECT_EQ(send("605#4001160200000000"), Frames{"585#4301160210020021"});
 }
 
-TEST_F(Generic, LimitsHoldAsDescribed) {
+TEST_F(Generic, LimitsOfTheDescriptionAreEnforced) {
     // 2200h takes -100 … 100; 101 (65h) is too high, -101 (FF9Bh) too low. 2201h takes 2 and 8 only.
     EXPECT_EQ(send("605#2B00220064000000"), Frames{"585#6000220000000000"});
     EXPECT_EQ(send("605#2B00220065000000"), Frames{"585#8000220031000906"});
@@ -32,13 +32,13 @@ TEST_F(Generic, LimitsHoldAsDescribed) {
     EXPECT_EQ(send("605#2F01220008000000"), Frames{"585#6001220000000000"});
 }
 
-TEST_F(Generic, ReceivePdoReachesItsObjects) {
+TEST_F(Generic, ReceivePdoSetsItsObjects) {
     send("000#0105");
     send("205#0102");
     EXPECT_EQ(send("605#4000200200000000"), Frames{"585#4F00200202000000"});
 }
 
-TEST_F(Generic, StoresWhatItIsToldToStore) {
+TEST_F(Generic, SavedValueIsKeptOverPowerOn) {
     send("605#2B00220064000000");
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
     power_on();

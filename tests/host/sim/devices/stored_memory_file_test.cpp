@@ -42,14 +42,14 @@ class StoredMemoryFile : public testing::Test {
 
 }  // namespace
 
-TEST_F(StoredMemoryFile, IsMadeWithTheMemoryAsItIs) {
+TEST_F(StoredMemoryFile, FileIsCreatedWithThePresentMemory) {
     Memory memory{4};
     keep(memory);
     EXPECT_EQ(content(), "\xFF\xFF\xFF\xFF");
     EXPECT_EQ(folder.names(), std::set<std::string>{"box.bin"});
 }
 
-TEST_F(StoredMemoryFile, HasWhatWasCommittedAndGivesItBack) {
+TEST_F(StoredMemoryFile, CommittedMemoryIsWrittenAndReadBack) {
     {
         Memory memory{4};
         keep(memory);
@@ -63,7 +63,7 @@ TEST_F(StoredMemoryFile, HasWhatWasCommittedAndGivesItBack) {
     EXPECT_EQ(next.bytes(), (std::vector<std::uint8_t>{'a', 'b', 'c', 'd'}));
 }
 
-TEST_F(StoredMemoryFile, SecondProcessIsRefusedByFileAndProcess) {
+TEST_F(StoredMemoryFile, SecondProcessIsRefusedWithFileAndProcess) {
     Memory memory{4};
     keep(memory);
     std::filesystem::create_symlink("box.bin", folder / "link.bin");
@@ -76,7 +76,7 @@ TEST_F(StoredMemoryFile, SecondProcessIsRefusedByFileAndProcess) {
     EXPECT_EQ(content(), "abcd");
 }
 
-TEST_F(StoredMemoryFile, IsFreeWhenTheMemoryIsGone) {
+TEST_F(StoredMemoryFile, FileIsReleasedWhenTheMemoryIsDestroyed) {
     {
         Memory memory{4};
         keep(memory);
@@ -85,7 +85,7 @@ TEST_F(StoredMemoryFile, IsFreeWhenTheMemoryIsGone) {
     EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(StoredMemoryFile, OfAnotherLengthIsRefusedAndStays) {
+TEST_F(StoredMemoryFile, FileOfAnotherLengthIsRefusedAndUnchanged) {
     for (const char* text : {"", "abc", "abcde"}) {
         ScratchFolder::fill(folder / "box.bin", text);
         EXPECT_THAT(refusal(), HasSubstr("box.bin has " + std::to_string(std::string{text}.size()) + " bytes"));
@@ -93,7 +93,7 @@ TEST_F(StoredMemoryFile, OfAnotherLengthIsRefusedAndStays) {
     }
 }
 
-TEST_F(StoredMemoryFile, WhatIsNoFileIsRefusedAndStays) {
+TEST_F(StoredMemoryFile, NonFileIsRefusedAndUnchanged) {
     std::filesystem::create_directory(folder / "box.bin");
     EXPECT_THAT(refusal(), HasSubstr("it is a folder"));
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
@@ -104,7 +104,7 @@ TEST_F(StoredMemoryFile, WhatIsNoFileIsRefusedAndStays) {
     EXPECT_TRUE(std::filesystem::is_fifo(folder / "fifo"));
 }
 
-TEST_F(StoredMemoryFile, LinkToNowhereOrToItselfIsRefused) {
+TEST_F(StoredMemoryFile, DanglingOrCircularLinkIsRefused) {
     std::filesystem::create_symlink("nowhere", folder / "box.bin");
     EXPECT_THAT(refusal(), HasSubstr("it is a link to nowhere"));
     std::filesystem::create_symlink("loop", folder / "loop");
@@ -112,13 +112,13 @@ TEST_F(StoredMemoryFile, LinkToNowhereOrToItselfIsRefused) {
     EXPECT_EQ(folder.names(), (std::set<std::string>{"box.bin", "loop"}));
 }
 
-TEST_F(StoredMemoryFile, WithoutAFolderIsRefused) {
+TEST_F(StoredMemoryFile, FileInAMissingFolderIsRefused) {
     EXPECT_THAT(refusal("none/box.bin"), HasSubstr("cannot write"));
     ScratchFolder::fill(folder / "file", "");
     EXPECT_THAT(refusal("file/box.bin"), HasSubstr("Not a directory"));
 }
 
-TEST_F(StoredMemoryFile, CommitThatTheDiskRefusesIsToldAndTakenBack) {
+TEST_F(StoredMemoryFile, CommitRefusedByTheDiskIsReportedAndUndone) {
     Memory memory{4};
     keep(memory);
     EXPECT_TRUE(store(memory, "abcd"));
@@ -131,7 +131,7 @@ TEST_F(StoredMemoryFile, CommitThatTheDiskRefusesIsToldAndTakenBack) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"box.bin"});
 }
 
-TEST_F(StoredMemoryFile, CommitThatIsRefusedEndsNothingWhenItCannotBeToldEither) {
+TEST_F(StoredMemoryFile, RefusedCommitIsSurvivedWhenItsReportFailsToo) {
     Memory memory{4};
     keep_in_file(memory, folder / "box.bin",
                  [](const std::string&) { throw std::runtime_error{"standard error is full"}; });
@@ -140,7 +140,7 @@ TEST_F(StoredMemoryFile, CommitThatIsRefusedEndsNothingWhenItCannotBeToldEither)
     EXPECT_FALSE(store(memory, "efgh"));
 }
 
-TEST_F(StoredMemoryFile, RemovesWhatAKilledProgramLeft) {
+TEST_F(StoredMemoryFile, LeftoversOfAKilledProgramAreRemoved) {
     ScratchFolder::fill(folder / "box.bin", "abcd");
     ScratchFolder::fill(folder / ".box.bin.4711-0.new", "ab");
     Memory memory{4};

@@ -19,7 +19,7 @@ Frame frame(const char* text) {
 
 }  // namespace
 
-TEST(OwnFrames, EachIsRecognisedOnce) {
+TEST(OwnFrames, EachOwnFrameIsRecognisedOnce) {
     OwnFrames own;
     own.sent(frame("703#7F"), Instant{1000});
     own.sent(frame("703#7F"), Instant{2000});
@@ -28,7 +28,7 @@ TEST(OwnFrames, EachIsRecognisedOnce) {
     EXPECT_FALSE(own.match(frame("703#7F"), Instant{2500}));
 }
 
-TEST(OwnFrames, EveryPartOfAFrameCounts) {
+TEST(OwnFrames, EveryPartOfAFrameIsCompared) {
     OwnFrames own;
     own.sent(frame("703#7F00"), Instant{});
     for (const char* other : {"704#7F00", "703#7F", "703#7F0000", "703#7E00", "703#R2", "00000703#7F00"}) {
@@ -37,7 +37,7 @@ TEST(OwnFrames, EveryPartOfAFrameCounts) {
     EXPECT_TRUE(own.match(frame("703#7F00"), Instant{}));
 }
 
-TEST(OwnFrames, EachByteHasItsPlace) {
+TEST(OwnFrames, BytesAreComparedAtTheirPosition) {
     for (const auto& [sent, other] : {std::pair{"123#8000", "123#0001"},
                                       {"123#0000000000000002", "123#0000000000000000"},
                                       {"123#100000", "123#000001"},
@@ -49,7 +49,7 @@ TEST(OwnFrames, EachByteHasItsPlace) {
     }
 }
 
-TEST(OwnFrames, BytesOfARemoteFrameDoNotCount) {
+TEST(OwnFrames, BytesOfARemoteFrameAreNotCompared) {
     OwnFrames own;
     Frame request = frame("123#R2");
     request.data[0] = 0xAA;
@@ -79,7 +79,7 @@ TEST(OwnFrames, DifferentFramesOfTheSameHashAreDifferent) {
     EXPECT_TRUE(own.match(frame("100#0000000000000000"), Instant{}));
 }
 
-TEST(OwnFrames, SeenOnesAreForgottenOneByOne) {
+TEST(OwnFrames, MatchedFramesAreRemovedOneByOne) {
     OwnFrames own;
     own.sent(frame("703#7F"), Instant{0});
     own.sent(frame("703#7F"), Instant{1000000});
@@ -93,7 +93,7 @@ TEST(OwnFrames, SeenOnesAreForgottenOneByOne) {
     EXPECT_TRUE(own.match(frame("703#7F"), Instant{130000000}));
 }
 
-TEST(OwnFrames, WhatDoesNotComeWithinAMinuteIsForgotten) {
+TEST(OwnFrames, UnmatchedFramesAreRemovedAfterAMinute) {
     OwnFrames own;
     own.sent(frame("703#7F"), Instant{0});
     own.sent(frame("703#7F"), Instant{1000000});

@@ -39,7 +39,7 @@ class ReplayEdges : public testing::Test {
 
 }  // namespace
 
-TEST_F(ReplayEdges, NothingToPlayIsPowerOnAtZero) {
+TEST_F(ReplayEdges, EmptyReplayIsPowerOnAtZero) {
     RecordingDevice device{milliseconds(10)};
     play(device, "");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on"));
@@ -47,7 +47,7 @@ TEST_F(ReplayEdges, NothingToPlayIsPowerOnAtZero) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(ReplayEdges, LastLineEndsReplay_AndWhatIsDueThenIsDone) {
+TEST_F(ReplayEdges, LastLineEndsTheReplay_AfterWorkDueThen) {
     RecordingDevice device{milliseconds(10)};
     play(device, "(0.020000) can0 080#\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due", "0.020000 080#"));
@@ -56,7 +56,7 @@ TEST_F(ReplayEdges, LastLineEndsReplay_AndWhatIsDueThenIsDone) {
     EXPECT_THAT(before.told, ElementsAre("0.000000 on", "0.010000 due", "0.019999 080#"));
 }
 
-TEST_F(ReplayEdges, UntilLeavesOutWhatIsLaterAndKeepsWhatIsDueByThen) {
+TEST_F(ReplayEdges, UntilOmitsLaterEventsAndKeepsThoseDueByThen) {
     RecordingDevice device{milliseconds(10)};
     input.until = Instant{20000};
     play(device, "(0.005000) can0 080#\n(0.020000) can0 081#\n(0.020001) can0 082#\n",
@@ -69,7 +69,7 @@ TEST_F(ReplayEdges, UntilLeavesOutWhatIsLaterAndKeepsWhatIsDueByThen) {
     EXPECT_THAT(shorter.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, UntilMayBeTheStartAndNotBefore) {
+TEST_F(ReplayEdges, UntilMayEqualTheStartButNotPrecedeIt) {
     RecordingDevice device;
     input.start = Instant{2000000};
     input.until = Instant{2000000};
@@ -84,7 +84,7 @@ TEST_F(ReplayEdges, UntilMayBeTheStartAndNotBefore) {
     }
 }
 
-TEST_F(ReplayEdges, LogBeginsAtZeroUpToAnHour_AndAtItsFirstFrameBeyond) {
+TEST_F(ReplayEdges, LogStartsAtZeroUpToAnHour_AndAtItsFirstFrameBeyond) {
     RecordingDevice early;
     play(early, "(3600.000000) can0 080#\n");
     EXPECT_THAT(early.told, ElementsAre("0.000000 on", "3600.000000 080#"));
@@ -96,7 +96,7 @@ TEST_F(ReplayEdges, LogBeginsAtZeroUpToAnHour_AndAtItsFirstFrameBeyond) {
                 ElementsAre("power-on at 3600.000001, the first frame of the log; --start SECONDS takes another time"));
 }
 
-TEST_F(ReplayEdges, StartTakesTheFramesFromItOnAndTheStimuliUpToIt) {
+TEST_F(ReplayEdges, StartKeepsLaterFramesAndEarlierStimuli) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(1.000000) can0 080#\n(1.999999) can0 081#\n(2.000000) can0 082#\n(2.500000) can0 083#\n",
@@ -107,7 +107,7 @@ TEST_F(ReplayEdges, StartTakesTheFramesFromItOnAndTheStimuliUpToIt) {
     EXPECT_EQ(outputs, "seconds,signal,value\n2.000000,one,2\n2.000000,two,0\n2.000001,one,3\n");
 }
 
-TEST_F(ReplayEdges, FramesKeepTheLogsTimesAndInterfaceWhenItsStartIsLater) {
+TEST_F(ReplayEdges, FramesKeepTimesAndInterfaceOfTheLogWithALaterStart) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(2.500000) vcan7 300#05\n");
@@ -119,7 +119,7 @@ TEST_F(ReplayEdges, FramesKeepTheLogsTimesAndInterfaceWhenItsStartIsLater) {
     EXPECT_EQ(frames, "(0.010000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndALongerOneIsShortened) {
+TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
     RecordingDevice whole;
     play(whole, "(1.000000) can0 080#\n(3601.000000) can0 081#\n");
     EXPECT_THAT(whole.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 081#"));
@@ -131,7 +131,7 @@ TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndALongerOneIsShortened) {
     EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // in the log's time
 }
 
-TEST_F(ReplayEdges, SilenceIsShortenedAgainInALogThatBeginsLater) {
+TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(3.000000) can0 080#\n(3606.000000) can0 081#\n(7209.500000) can0 082#\n");
@@ -140,7 +140,7 @@ TEST_F(ReplayEdges, SilenceIsShortenedAgainInALogThatBeginsLater) {
                                      "nothing happens before 7209.500000: 3 s of it are left out"));
 }
 
-TEST_F(ReplayEdges, DeviceGoesOnAlonePastTheLongestSilenceUntilItIsTold) {
+TEST_F(ReplayEdges, DeviceRunsAlonePastTheLongestSilenceUntilTheGivenTime) {
     RecordingDevice device{milliseconds(3000000)};
     input.until = Instant{9000000000U};
     play(device, "(1.000000) can0 080#\n");
@@ -148,7 +148,7 @@ TEST_F(ReplayEdges, DeviceGoesOnAlonePastTheLongestSilenceUntilItIsTold) {
                 ElementsAre("0.000000 on", "1.000000 080#", "3000.000000 due", "6000.000000 due", "9000.000000 due"));
 }
 
-TEST_F(ReplayEdges, UntilIsInTheLogsTimeWhereItsStartIsLater) {
+TEST_F(ReplayEdges, UntilUsesTheTimeOfALogThatStartsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
     input.until = Instant{2010000};
@@ -156,7 +156,7 @@ TEST_F(ReplayEdges, UntilIsInTheLogsTimeWhereItsStartIsLater) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, WhatASourceLeavesBehindAtItsEndIsNoFrame) {
+TEST_F(ReplayEdges, FrameLeftByAnEndedSourceIsIgnored) {
     input.source = [](LoggedFrame& frame) {
         frame = {Instant{7200000000U}, "vcan9", parse_frame("080#", "test"), LogMark::received};
         return false;
@@ -173,21 +173,21 @@ TEST_F(ReplayEdges, WhatASourceLeavesBehindAtItsEndIsNoFrame) {
     EXPECT_THAT(later.told, ElementsAre("0.000000 on"));
 }
 
-TEST_F(ReplayEdges, FramesAfterTheEndOfAMarkedLogFollowThoseThatWait) {
+TEST_F(ReplayEdges, FramesAfterTheEndOfAMarkedLogFollowWaitingFrames) {
     RecordingDevice device{milliseconds(100), "705#7F"};
     input.until = Instant{250000};
     play(device, "(0.050000) can0 300#05 R\n");
     EXPECT_EQ(frames, "(0.050000) can0 301#05\n(0.100000) can0 705#7F\n(0.200000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, StimulusEndsASilenceAsWell) {
+TEST_F(ReplayEdges, StimulusEndsASilenceToo) {
     RecordingDevice device;
     play(device, "(1.000000) can0 080#\n", "3601.000000,one,1\n7200.000000,one,2\n");
     EXPECT_THAT(notices, IsEmpty());
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 one=1", "7200.000000 one=2"));
 }
 
-TEST_F(ReplayEdges, ASourceIsReadInsteadOfFrames) {
+TEST_F(ReplayEdges, SourceIsReadInsteadOfFrames) {
     RecordingDevice device;
     int left = 2;
     input.source = [&left](LoggedFrame& frame) {
@@ -198,7 +198,7 @@ TEST_F(ReplayEdges, ASourceIsReadInsteadOfFrames) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 080#", "0.002000 080#"));
 }
 
-TEST_F(ReplayEdges, OutputsAreWrittenWhenTheyChangeAndNotOtherwise) {
+TEST_F(ReplayEdges, OutputsAreWrittenOnlyWhenTheyChange) {
     RecordingDevice device;
     play(device, "(0.001000) can0 080#\n(0.004000) can0 080#\n", "0.002,two,0.5\n0.003,two,0.5\n0.005,two,1234567\n");
     EXPECT_EQ(outputs,
@@ -215,7 +215,7 @@ TEST_F(ReplayEdges, UnknownSignalIsNamedWithItsTime) {
     }
 }
 
-TEST_F(ReplayEdges, MarksSayWhatTheDeviceHears) {
+TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 T\n(0.003000) can0 301#05 T\n(0.004000) can0 301#05 R\n");
@@ -224,14 +224,14 @@ TEST_F(ReplayEdges, MarksSayWhatTheDeviceHears) {
     EXPECT_EQ(frames, "(0.002000) can0 301#05\n");
 }
 
-TEST_F(ReplayEdges, FrameMarkedAsReceivedIsAnothersThoughTheDeviceSentTheSame) {
+TEST_F(ReplayEdges, FrameMarkedAsReceivedIsNotTakenAsAnEcho) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 R\n(0.003000) can0 301#05 T\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 300#05", "0.002000 301#05"));
     EXPECT_EQ(frames, "(0.003000) can0 301#05\n");
 }
 
-TEST_F(ReplayEdges, HeldFrameIsWrittenAfterASecondWithoutItsEcho) {
+TEST_F(ReplayEdges, WaitingFrameIsWrittenAfterASecondWithoutItsEcho) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(1.001000) can0 080#00 R\n(1.001001) can0 080#01 R\n(1.500000) can0 300#06 R\n"
@@ -239,27 +239,27 @@ TEST_F(ReplayEdges, HeldFrameIsWrittenAfterASecondWithoutItsEcho) {
     EXPECT_EQ(frames, "(0.001000) can0 301#05\n(1.600000) can0 301#06\n");
 }
 
-TEST_F(ReplayEdges, HeldFramesOfEqualContentLeaveInTheirOrder) {
+TEST_F(ReplayEdges, WaitingFramesOfEqualContentKeepTheirOrder) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 300#05 R\n(0.003000) can0 301#05 T\n");
     EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second one was never seen
 }
 
-TEST_F(ReplayEdges, HeldFramesAreWrittenBeforeASilenceThatIsLeftOut) {
+TEST_F(ReplayEdges, WaitingFramesAreWrittenBeforeASkippedSilence) {
     RecordingDevice device;
     play(device, "(1.000000) can0 300#05 R\n(9000.000000) can0 080# R\n");
     EXPECT_EQ(frames, "(1.000000) can0 301#05\n");
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(ReplayEdges, EqualTimesAreDueThenStimuliThenFramesInTheirOrder) {
+TEST_F(ReplayEdges, AtEqualTimesDueWorkPrecedesStimuliAndTheseFrames) {
     RecordingDevice device{milliseconds(10)};
     play(device, "(0.010000) can0 081#\n(0.010000) can0 080#\n", "0.010000,two,1\n0.010000,one,1\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due", "0.010000 two=1", "0.010000 one=1",
                                          "0.010000 081#", "0.010000 080#"));
 }
 
-TEST_F(ReplayEdges, OwnFrameOfALogWithoutMarksIsHeardOnceItIsAMinuteOld) {
+TEST_F(ReplayEdges, OwnFrameOfAnUnmarkedLogIsReceivedAfterAMinute) {
     RecordingDevice device;
     play(device,
          "(1.000000) can0 300#05\n(61.000000) can0 301#05\n(62.000000) can0 300#06\n(122.000001) can0 301#06\n");

@@ -25,20 +25,20 @@ std::string replayed(const std::string& log, const std::string& stimuli) {
 
 }  // namespace
 
-TEST(ReplayOrder, StimulusComesBeforeTheFrameOfTheSameTime) {
+TEST(ReplayOrder, StimulusPrecedesTheFrameOfTheSameTime) {
     EXPECT_EQ(replayed("(0.020000) can0 603#4001100000000000\n", "0.020000,internal_fault,1\n"),
               "(0.000000) can0 703#00\n(0.020000) can0 083#1061010100000000\n"
               "(0.020000) can0 583#4F01100001000000\n");
 }
 
-TEST(ReplayOrder, WhatIsDueComesBeforeTheStimulusOfTheSameTime) {
+TEST(ReplayOrder, DueWorkPrecedesTheStimulusOfTheSameTime) {
     // a heartbeat each 100 ms, from its write at 0.05 s on
     EXPECT_EQ(replayed("(0.050000) can0 603#2B17100064000000\n(0.160000) can0 080#\n", "0.150000,internal_fault,1\n"),
               "(0.000000) can0 703#00\n(0.050000) can0 583#6017100000000000\n(0.150000) can0 703#7F\n"
               "(0.150000) can0 083#1061010100000000\n");
 }
 
-TEST(ReplayOrder, HeldFrameIsWrittenWhereTheLogShowsIt_WhicheverCameFirst) {
+TEST(ReplayOrder, WaitingFrameIsWrittenAtItsPlaceInTheLog_WhicheverCameFirst) {
     // Both answers are given at once; the log shows the second one before the first.
     const std::string log =
         "(0.010000) can0 603#4000100000000000 R\n(0.010000) can0 603#4001100000000000 R\n"

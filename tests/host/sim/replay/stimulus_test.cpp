@@ -57,7 +57,7 @@ std::string verdict(const std::string& signal_and_value) {
 
 }  // namespace
 
-TEST(StimulusText, HasTimeSignalValueAndPlace) {
+TEST(StimulusText, StimulusLineHasTimeSignalValueAndPlace) {
     const auto all = read("seconds,signal,value\n\n0.5,one,1\n0.5,two,-2.5e3\n1.25,three,0x10\n");
     ASSERT_EQ(all.size(), 3U);
     EXPECT_EQ(all[0].time, Instant{500000});
@@ -69,7 +69,7 @@ TEST(StimulusText, HasTimeSignalValueAndPlace) {
     EXPECT_DOUBLE_EQ(all[2].value, 16.0);
 }
 
-TEST(StimulusText, RefusalSaysPlaceAndRemedy) {
+TEST(StimulusText, RefusalNamesPlaceAndRemedy) {
     EXPECT_EQ(refusal_of("1.0;one;2\n"), "s.csv:1: `1.0;one;2` has no three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("1.0,one\n"), "s.csv:1: `1.0,one` has no three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("0.5,one,1\n1.0,one,2x\n"), "s.csv:2: value `2x` is no number; write seconds,signal,value");
@@ -79,18 +79,18 @@ TEST(StimulusText, RefusalSaysPlaceAndRemedy) {
     EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the stimuli by time");
 }
 
-TEST(StimulusText, SignalMayBeEmpty_TheRegisterRefusesIt) {
+TEST(StimulusText, EmptySignalIsRead_AndRefusedByTheRegister) {
     EXPECT_EQ(read("1.0,,5\n").at(0).signal, "");
     EXPECT_NE(verdict(",5").find("there is no input ``"), std::string::npos);
 }
 
-TEST(StimulusText, HeadingIsOneOnTheFirstLineOnly) {
+TEST(StimulusText, HeadingIsAcceptedInTheFirstLineOnly) {
     EXPECT_EQ(read("seconds,signal,value\n").size(), 0U);
     EXPECT_NE(refusal_of("0.5,one,1\nseconds,signal,value\n"), "taken");
     EXPECT_NE(refusal_of("Seconds,signal,value\n"), "taken");
 }
 
-TEST(StimulusValue, IsWithinItsRangeLimitsIncluded) {
+TEST(StimulusValue, StimulusValueLiesWithinItsRangeLimitsIncluded) {
     for (const char* fits :
          {"real,-1.5", "real,2.5", "real,0.25", "exact,0.5", "number,-3", "number,4", "truth,0", "truth,1"}) {
         EXPECT_EQ(verdict(fits), "taken") << fits;
@@ -104,7 +104,7 @@ TEST(StimulusValue, IsWithinItsRangeLimitsIncluded) {
     EXPECT_EQ(verdict("truth,-1"), "s.csv:1: truth takes whole numbers from 0 to 1, not -1");
 }
 
-TEST(StimulusValue, IsOneOfAnInput) {
+TEST(StimulusValue, StimulusOfAnOutputOrUnknownSignalIsRefused) {
     for (const char* none : {"shown,0", "other,0"}) {
         EXPECT_NE(verdict(none).find("there is no input `"), std::string::npos) << none;
     }

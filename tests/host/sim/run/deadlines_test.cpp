@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 }  // namespace
 
-TEST(Deadlines, FirstIsTheEarliestThatIsSetNow) {
+TEST(Deadlines, FirstIsTheEarliestPresentDeadline) {
     Deadlines deadlines{5};
     EXPECT_EQ(deadlines.first(), never);
     deadlines.set(4, Instant{40});
@@ -25,7 +25,7 @@ TEST(Deadlines, FirstIsTheEarliestThatIsSetNow) {
     EXPECT_EQ(deadlines.first(), Instant{60});
 }
 
-TEST(Deadlines, DueAreAllUpToNowInAscendingNumber) {
+TEST(Deadlines, DueDeadlinesAreListedInAscendingNumber) {
     Deadlines deadlines{6};
     deadlines.set(5, Instant{10});
     deadlines.set(1, Instant{30});
@@ -34,7 +34,7 @@ TEST(Deadlines, DueAreAllUpToNowInAscendingNumber) {
     EXPECT_THAT(deadlines.due_at(Instant{30}), ElementsAre(1U, 5U));
 }
 
-TEST(Deadlines, OneAloneAndNoneAtAll) {
+TEST(Deadlines, SingleAndNoDeadlineAreHandled) {
     Deadlines one{1};
     one.set(0, Instant{7});
     EXPECT_EQ(one.first(), Instant{7});

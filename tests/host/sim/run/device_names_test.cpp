@@ -23,20 +23,20 @@ std::string refusal(const std::vector<std::string>& names, const std::string& na
 
 }  // namespace
 
-TEST(DeviceNames, WholeNameIsTaken_AlsoWhereItIsTheBeginningOfAnother) {
+TEST(DeviceNames, FullNameMatches_EvenWhenItBeginsAnotherName) {
     EXPECT_EQ(find_device({"ax188001@5", "ax130751"}, "ax188001@5"), 0U);
     EXPECT_EQ(find_device({"ax188001@5", "ax130751"}, "ax130751"), 1U);
     EXPECT_EQ(find_device({"ax188001@5", "ax188001"}, "ax188001"), 1U);
 }
 
-TEST(DeviceNames, NodeMayBeLeftOutWhereOnlyOneDeviceHasTheName) {
+TEST(DeviceNames, NodeIdMayBeOmittedWhenTheNameIsUnique) {
     EXPECT_EQ(find_device({"cbx-ao412@3", "ax188001@5"}, "ax188001"), 1U);
     EXPECT_EQ(find_device({"my@box@5"}, "my@box"), 0U);  // of an EDS file my@box.eds
     EXPECT_EQ(refusal({"ax188001@5", "ax188001@6", "ax130751"}, "ax188001"),
               "`ax188001` may be ax188001@5, ax188001@6; name one of them");
 }
 
-TEST(DeviceNames, NameOfNoDeviceIsRefusedWithThoseThatRun) {
+TEST(DeviceNames, UnknownNameIsRefusedWithTheRunningDevices) {
     EXPECT_EQ(refusal({"ax188001@5", "cbx-ao412"}, "ax1"), "no device `ax1` runs here; there is ax188001@5, cbx-ao412");
     EXPECT_THAT(refusal({"ax188001@5"}, "ax188001@6"), HasSubstr("there is ax188001@5"));
     EXPECT_THAT(refusal({"ax188001@5"}, ""), HasSubstr("no device ``"));

@@ -45,7 +45,7 @@ class Pipe {
 
 }  // namespace
 
-TEST(EventLoop, WakesForADescriptorThatIsReadyAndForNoOther) {
+TEST(EventLoop, LoopWakesForReadyDescriptorsOnly) {
     EventLoop loop;
     Pipe busy;
     Pipe calm;
@@ -56,7 +56,7 @@ TEST(EventLoop, WakesForADescriptorThatIsReadyAndForNoOther) {
     EXPECT_FALSE(loop.is_interrupted());
 }
 
-TEST(EventLoop, WakesWhenTheTimeHasCome) {
+TEST(EventLoop, LoopWakesAtItsTimeout) {
     EventLoop loop;
     Pipe calm;
     loop.wait({{calm.reader(), true, false}}, Duration{0});
@@ -65,7 +65,7 @@ TEST(EventLoop, WakesWhenTheTimeHasCome) {
     EXPECT_FALSE(loop.is_ready(calm.reader()));
 }
 
-TEST(EventLoop, FollowsWhatIsWatchedNow) {
+TEST(EventLoop, LoopWatchesTheDescriptorsOfTheLatestCall) {
     EventLoop loop;
     Pipe one;
     one.say("x");
@@ -88,7 +88,7 @@ TEST(EventLoop, RegularFileIsAlwaysReady) {
     std::fclose(file);
 }
 
-TEST(EventLoop, SignalToEndIsHeardAndTheProcessLives) {
+TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const auto before = std::signal(signal, SIG_DFL);  // whoever started the tests may have it ignored
         {
@@ -101,7 +101,7 @@ TEST(EventLoop, SignalToEndIsHeardAndTheProcessLives) {
     }
 }
 
-TEST(EventLoop, HangupThatIsIgnoredEndsNothing) {
+TEST(EventLoop, IgnoredHangupSignalEndsNothing) {
     const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
     {
         EventLoop loop;
@@ -112,7 +112,7 @@ TEST(EventLoop, HangupThatIsIgnoredEndsNothing) {
     std::signal(SIGHUP, before);
 }
 
-TEST(LineInput, GivesWholeLinesAsTheyCome) {
+TEST(LineInput, WholeLinesAreGivenAsTheyArrive) {
     Pipe pipe;
     LineInput input{pipe.reader()};
     using Lines = std::vector<std::string>;
@@ -128,7 +128,7 @@ TEST(LineInput, GivesWholeLinesAsTheyCome) {
     EXPECT_FALSE(input.is_open());
 }
 
-TEST(LineInput, LineWithoutEndCostsNoMemory) {
+TEST(LineInput, EndlessLineUsesBoundedMemory) {
     Pipe pipe;
     LineInput input{pipe.reader()};
     for (int i = 0; i < 4; ++i) {

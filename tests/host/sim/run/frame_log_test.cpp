@@ -36,11 +36,11 @@ TEST(FrameLog, PlainLinesAreThoseOfCandump) {
     EXPECT_EQ(written(LogFormat::candump), "(1.000001) vcan0 603#4000100000000000\n(1.000002) vcan0 703#00\n");
 }
 
-TEST(FrameLog, MarksSayWhoHasSentAFrame) {
+TEST(FrameLog, MarksShowTheSenderOfAFrame) {
     EXPECT_EQ(written(LogFormat::marked), "(1.000001) vcan0 603#4000100000000000 R\n(1.000002) vcan0 703#00 T\n");
 }
 
-TEST(FrameLog, NameSaysTheFormat) {
+TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("a.log", false), LogFormat::candump);
     EXPECT_EQ(log_format("a.log", true), LogFormat::marked);
     EXPECT_EQ(log_format("a.pcapng", false), LogFormat::pcapng);
@@ -49,7 +49,7 @@ TEST(FrameLog, NameSaysTheFormat) {
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
-TEST(FrameLog, NothingIsWrittenNowhere) {
+TEST(FrameLog, LogWithoutAStreamWritesNothing) {
     FrameLog log{nullptr, LogFormat::pcapng};
     log.begin("can0");
     log.write({}, true);

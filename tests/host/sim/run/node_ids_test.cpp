@@ -27,13 +27,13 @@ struct Nodes {
 
 }  // namespace
 
-TEST(NodeIds, EachDeviceIsNamedWithItsOwn) {
+TEST(NodeIds, EachDeviceIsListedWithItsNodeId) {
     const Nodes nodes{{"cbx-ao412", "ax188001@5", "ax060805@255", "cbx-ao412@200"}};
     EXPECT_THAT(node_id_lines(nodes.all), ElementsAre("cbx-ao412: node-ID 3", "ax188001@5: node-ID 5",
                                                       "ax060805@255: no node-ID", "cbx-ao412@200: no node-ID"));
 }
 
-TEST(NodeIds, DevicesThatShareOneAreToldOnce) {
+TEST(NodeIds, DevicesThatShareANodeIdAreReportedOnce) {
     const Nodes nodes{{"cbx-ao412@5", "ax188001@5", "ax060805@6"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all),
@@ -41,14 +41,14 @@ TEST(NodeIds, DevicesThatShareOneAreToldOnce) {
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());
 }
 
-TEST(NodeIds, DevicesWithoutOneShareNothing) {
+TEST(NodeIds, DevicesWithoutANodeIdAreNoClash) {
     const Nodes nodes{{"ax060805@255", "ax188001@255", "cbx-ao412@0", "cbx-ao412@200"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());
 }
 
 /// LSS (CiA 305, 6.4): one of two devices without node-ID is alone in configuration mode and gets 5, as another has.
-TEST(NodeIds, ANodeIdThatLssGivesASecondTimeIsTold) {
+TEST(NodeIds, NodeIdGivenTwiceByLssIsReported) {
     const Nodes nodes{{"ax060805@5", "ax188001@255"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());

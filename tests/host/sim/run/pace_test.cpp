@@ -46,7 +46,7 @@ class PaceOfARun : public testing::Test {
 
 }  // namespace
 
-TEST_F(PaceOfARun, RunThatKeepsUpIsDoneInOneTurn) {
+TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
     clock = Instant{5000000};
     turn();
     EXPECT_EQ(session->now(), Instant{5000000});
@@ -55,7 +55,7 @@ TEST_F(PaceOfARun, RunThatKeepsUpIsDoneInOneTurn) {
     EXPECT_EQ(pace.summary(), "");
 }
 
-TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverIsLeftToDo) {
+TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverWorkIsLeft) {
     clock = Instant{5000000};
     cost = milliseconds(5);  // far more than the millisecond that a step gains
     turn();
@@ -65,7 +65,7 @@ TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverIsLeftToDo) {
     EXPECT_EQ(pace.lag().us, clock.us - session->now().us);
 }
 
-TEST_F(PaceOfARun, LagIsToldOnceInTenSecondsAndItsEndOnce) {
+TEST_F(PaceOfARun, LagIsReportedOncePerTenSecondsAndItsEndOnce) {
     clock = Instant{610000};
     cost = milliseconds(5);
     turn();
@@ -83,7 +83,7 @@ TEST_F(PaceOfARun, LagIsToldOnceInTenSecondsAndItsEndOnce) {
     EXPECT_THAT(pace.summary(), HasSubstr("s behind the bus"));
 }
 
-TEST_F(PaceOfARun, ShortLagIsShownAndNotTold) {
+TEST_F(PaceOfARun, ShortLagIsShownInTheTableAndNotReported) {
     clock = Instant{300000};
     cost = milliseconds(5);
     turn();

@@ -117,7 +117,7 @@ TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
     }
 }
 
-TEST(RunSession, LinesOfEachDeviceAreThoseOfItsReplay_OnACrowdedBus) {
+TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
     // Heartbeats each 5 ms and requests back to back: an answer (580h + node) overtakes a heartbeat (700h + node) that
     // waits for the bus. The replay of a log with marks has the same order and the same times.
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4", "ax188001@20"}};
@@ -157,7 +157,7 @@ TEST(RunSession, LinesOfEachDeviceAreThoseOfItsReplay_OnACrowdedBus) {
     EXPECT_TRUE(overtaken);
 }
 
-TEST(RunSession, OwnFramesAreNotTakenForAnothersInReplay) {
+TEST(RunSession, OwnFramesAreNotTakenForThoseOfOthersInReplay) {
     // It watches the heartbeat of its own node-ID, 50 ms at most, and sends one every 100 ms: on a bus it never hears
     // itself, so that the watch never begins. Fed with its own frames it would report their absence.
     TestRun run{{"cbx-ao412@3"}};
@@ -184,7 +184,7 @@ TEST(RunSession, SameCallsGiveTheSameLogByteForByte) {
     EXPECT_EQ(one.changes.str(), two.changes.str());
 }
 
-TEST(RunSession, EventsKeepTheirOwnTimesHoweverLateTheClockIsLookedAt) {
+TEST(RunSession, EventsKeepTheirTimesWhenTheClockIsReadLate) {
     TestRun often{{"cbx-ao412@3"}};
     TestRun seldom{{"cbx-ao412@3"}};
     for (TestRun* run : {&often, &seldom}) {
@@ -235,7 +235,7 @@ TEST(RunSession, OutputsAreWrittenWithTheirDeviceWhenThereAreSeveral) {
     EXPECT_THAT(two.changes.str(), HasSubstr("0.000000,cbx-ao412@4.aout1,0\n"));
 }
 
-TEST(LiveTable, ShowsBusNodesStatesAndLastFrames) {
+TEST(LiveTable, TableShowsBusNodesStatesAndLastFrames) {
     TestRun run{{"cbx-ao412@3", "ax188001@20"}};
     run.put(10000, "000#0103");
     run.session->advance_to(Instant{1000000});
@@ -248,7 +248,7 @@ TEST(LiveTable, ShowsBusNodesStatesAndLastFrames) {
     EXPECT_EQ(lines[4], "vcan0 is down; waiting for it");
 }
 
-TEST(LiveTable, FitsTheTerminal) {
+TEST(LiveTable, TableFitsTheTerminal) {
     std::vector<std::string> names;
     for (int node = 1; node <= 40; ++node) {
         names.push_back("cbx-ao412@" + std::to_string(node));
@@ -263,7 +263,7 @@ TEST(LiveTable, FitsTheTerminal) {
     EXPECT_THAT(lines.back(), HasSubstr("and 33 more"));
 }
 
-TEST(ChosenDevices, CatalogueRunsAtOnceWithDifferentNodeIds) {
+TEST(ChosenDevices, AllDevicesOfTheCatalogueRunTogetherWithDifferentNodeIds) {
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     for (ChosenDevice& one : choose_catalogue()) {
         nodes.push_back(std::make_unique<DeviceNode>(one.name, std::move(one.device)));
@@ -280,7 +280,7 @@ TEST(ChosenDevices, CatalogueRunsAtOnceWithDifferentNodeIds) {
     EXPECT_EQ(ids.size(), 4U);
 }
 
-TEST(ChosenDevices, NodeIdBehindTheNameIsChecked) {
+TEST(ChosenDevices, NodeIdAfterTheDeviceNameIsChecked) {
     EXPECT_EQ(choose_device("cbx-ao412@17").name, "cbx-ao412@17");
     for (const char* wrong : {"cbx-ao412@", "cbx-ao412@x", "cbx-ao412@256", "nothing", "cbx-ao412@-1"}) {
         EXPECT_THROW(choose_device(wrong), InputError) << wrong;

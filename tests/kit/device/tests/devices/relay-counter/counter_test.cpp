@@ -5,7 +5,7 @@
 
 namespace canproof::test {
 
-TEST_F(RelayCounterTest, CountsTheInputGoingOn) {
+TEST_F(RelayCounterTest, CounterCountsTheInputGoingOn) {
     verifies<req::RC_COUNT_001, req::RC_S_COUNT_INPUT, req::RC_OD_2010>();
     EXPECT_FALSE(relay_counter::Inputs{}.count_input);
     EXPECT_EQ(read(0x2010).value, 0U);
@@ -16,7 +16,7 @@ TEST_F(RelayCounterTest, CountsTheInputGoingOn) {
     EXPECT_EQ(read(0x2010).value, 2U);
 }
 
-TEST_F(RelayCounterTest, CountsFromZeroAfterAResetOfTheNode) {
+TEST_F(RelayCounterTest, CounterStartsFromZeroAfterResetNode) {
     verifies<req::RC_COUNT_001>();
     inputs.count_input = true;
     set_inputs();
@@ -28,7 +28,7 @@ TEST_F(RelayCounterTest, CountsFromZeroAfterAResetOfTheNode) {
     EXPECT_EQ(read(0x2010).value, 0U);
 }
 
-TEST_F(RelayCounterTest, InputThatIsOnAtPowerOnDoesNotCount) {
+TEST_F(RelayCounterTest, InputThatIsOnAtPowerOnIsNotCounted) {
     verifies<req::RC_COUNT_001>();
     inputs.count_input = true;
     power_on();

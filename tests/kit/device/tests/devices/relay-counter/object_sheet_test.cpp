@@ -20,7 +20,7 @@ class RelayCounterSheet : public ObjectSheet {
 
 }  // namespace
 
-TEST_F(RelayCounterSheet, Objects) {
+TEST_F(RelayCounterSheet, ObjectsMatchTheDataSheet) {
     verifies<req::RC_OD_1000, req::RC_OD_1001, req::RC_OD_1017, req::RC_OD_1018, req::RC_OD_2000, req::RC_OD_2010>();
     check({
         {0x1000, 0, u32, Access::ro, {0}, none, none},

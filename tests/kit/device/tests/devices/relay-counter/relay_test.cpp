@@ -8,7 +8,7 @@
 
 namespace canproof::test {
 
-TEST(RelayCounterRelay, FollowsItsCommandInOperationalOnly) {
+TEST(RelayCounterRelay, RelayFollowsItsCommandInOperationalOnly) {
     verifies<req::RC_T_RELAY>();
     EXPECT_TRUE(relay_counter::contact_is_closed(1, true));
     EXPECT_FALSE(relay_counter::contact_is_closed(0, true));
@@ -16,7 +16,7 @@ TEST(RelayCounterRelay, FollowsItsCommandInOperationalOnly) {
     EXPECT_FALSE(relay_counter::contact_is_closed(1, false));
 }
 
-TEST(RelayCounterRelay, HasARowForEachCommandAndState) {
+TEST(RelayCounterRelay, RelayTableHasARowForEachCommandAndState) {
     verifies<req::RC_T_RELAY>();
     namespace table = generated::relay_counter::relay_contact;
     for (const bool operational : {false, true}) {
