@@ -1,12 +1,13 @@
-// What a proof's harness says: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
-// for every value left open, and that nothing on the way is undefined behaviour. src/host/prove/README.md says how.
+// The functions with which a harness states a theorem: leave values open, assume, call the firmware, claim. `canproof
+// prove` shows that every claim holds for all values left open, and that nothing on the way is undefined behaviour.
+// src/host/prove/README.md says how.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
-// The prover answers these; replay.cpp does when a counterexample runs natively.
+// The prover carries these out itself; replay.cpp implements them when a counterexample runs as a native program.
 extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
@@ -19,34 +20,34 @@ void canproof_proves(const char* requirement) noexcept;
 
 namespace canproof::proofs {
 
-/// Says in a sentence what the theorem shows.
+/// States in a sentence what the theorem shows.
 inline void shows(const char* const statement) noexcept {
     canproof_shows(statement);
 }
 
-/// Says that the theorem shows these requirements; one that is retired or misspelt does not compile.
+/// States that the theorem shows these requirements. The name of a retired or misspelt requirement does not compile.
 template <typename... Requirements>
 void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes values for which this does not hold.
+/// Excludes all values for which `holds` is false.
 inline void assume(const bool holds) noexcept {
     canproof_assume(holds);
 }
 
-/// Must hold. `line` is that of the claim.
+/// Claims that `holds` is true. `line` is the line of the claim in the source.
 inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
     canproof_claim(holds, line);
 }
 
-/// Gives an object any value: each byte is open but those of addresses that it holds; a bool is 0 or 1.
+/// Gives an object any value: every byte is open, except those of addresses that it holds. A bool in it is 0 or 1.
 template <typename T>
 void leave_open(T& object) noexcept {
     canproof_any_state(&object, sizeof(T));
 }
 
-/// Any value of a type: of a number every bit is open.
+/// Any value of a type. Every bit of a number is open.
 template <typename T>
 T any() noexcept {
     T value{};
@@ -62,7 +63,7 @@ T any() noexcept {
     return value;
 }
 
-/// Memory of `size` (at most 2^32) bytes, each of any value; `size` may be open itself.
+/// Memory of `size` bytes, at most 2^32, each of any value. `size` may be an open value itself.
 inline std::uint8_t* any_memory(const std::size_t size) noexcept {
     return canproof_any_memory(size);
 }
