@@ -1,4 +1,4 @@
-// Results, time, sequence numbers, slots, rows of tables and commit markers: every function, for all arguments.
+// Results, time, sequence numbers, slots, rows of tables, commit markers: every function, for all arguments.
 #include "firmware/base/commit_marker.hpp"
 #include "firmware/base/result.hpp"
 #include "firmware/base/sequence_number.hpp"
@@ -67,7 +67,7 @@ void durations_have_their_units() {
     shows("milliseconds are 1000 us and inhibit times 100 us, exactly, for every 16-bit count: those of the objects");
     const std::uint64_t count = any<std::uint16_t>();
     claim(microseconds(count).us == count);
-    // The claims multiply by shifts: 1000 = 1024 - 16 - 8, and 100 = 64 + 32 + 4.
+    // 1000 = 1024 - 16 - 8, 100 = 64 + 32 + 4
     claim(milliseconds(count).us == ((count << 10U) - (count << 4U) - (count << 3U)));
     claim(hundreds_of_microseconds(count).us == ((count << 6U) + (count << 5U) + (count << 2U)));
 }

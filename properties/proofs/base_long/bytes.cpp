@@ -1,5 +1,4 @@
-// The theorems about bytes that take longer to prove: longer numbers, open counts, copies of whole views, and CRC-16 of
-// more than one byte.
+// What takes longer of the bytes: longer numbers, counts that are open, whole copies, CRC-16 of more than one byte.
 #include "firmware/base/bytes.hpp"
 
 #include "firmware/base/crc16.hpp"

@@ -1,4 +1,4 @@
-// Numbers in memory, written and read byte by byte, as their definition says.
+// Numbers in memory as their definition says: byte by byte.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -8,13 +8,12 @@ namespace canproof::proofs {
 
 constexpr std::size_t longest = 8U;
 
-/// Byte number `at` of a number; byte 0 is the least significant one.
+/// Byte `at` of a number.
 inline std::uint8_t byte_of(const std::uint64_t number, const std::size_t at) {
     return static_cast<std::uint8_t>((number >> (8U * at)) & 0xFFU);
 }
 
-/// Memory, a position `at` in it to look at later, and the byte that stands there before the call. claim_put() then
-/// claims that the position holds a byte of the number if it lies where the number was put, and its old byte if not.
+/// What memory holds there: a byte of the number where it was put, and what it held before elsewhere.
 struct Looked {
     std::uint8_t* memory;
     std::size_t size;
@@ -44,7 +43,7 @@ void put_and_look() {
     claim_put(looked, at, N, value);
 }
 
-/// The number that the `count` bytes from `at` on make; those beyond the end of the view count as zero.
+/// The number that bytes from a position make; those beyond the view count as zero.
 inline std::uint64_t number_at(const ByteView bytes, const std::size_t at, const std::size_t count) {
     std::uint64_t number{0U};
     for (std::size_t i = 0U; i < longest; ++i) {

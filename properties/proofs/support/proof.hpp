@@ -1,13 +1,12 @@
-// The functions with which a harness states a theorem: leave values open, assume, call the firmware, claim. `canproof
-// prove` shows that every claim holds for all values left open, and that nothing on the way is undefined behaviour.
-// src/host/prove/README.md says how.
+// What a proof's harness says: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
+// for every value left open, and that nothing on the way is undefined behaviour. src/host/prove/README.md says how.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
-// The prover carries these out itself; replay.cpp implements them when a counterexample runs as a native program.
+// The prover answers these; replay.cpp does when a counterexample runs natively.
 extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
@@ -20,34 +19,34 @@ void canproof_proves(const char* requirement) noexcept;
 
 namespace canproof::proofs {
 
-/// States in a sentence what the theorem shows.
+/// Says in a sentence what the theorem shows.
 inline void shows(const char* const statement) noexcept {
     canproof_shows(statement);
 }
 
-/// States that the theorem shows these requirements. The name of a retired or misspelt requirement does not compile.
+/// Says that the theorem shows these requirements; one that is retired or misspelt does not compile.
 template <typename... Requirements>
 void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes all values for which `holds` is false.
+/// Excludes values for which this does not hold.
 inline void assume(const bool holds) noexcept {
     canproof_assume(holds);
 }
 
-/// Claims that `holds` is true. `line` is the line of the claim in the source.
+/// Must hold. `line` is that of the claim.
 inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
     canproof_claim(holds, line);
 }
 
-/// Gives an object any value: every byte is open, except those of addresses that it holds. A bool in it is 0 or 1.
+/// Gives an object any value: each byte is open but those of addresses that it holds; a bool is 0 or 1.
 template <typename T>
 void leave_open(T& object) noexcept {
     canproof_any_state(&object, sizeof(T));
 }
 
-/// Any value of a type. Every bit of a number is open.
+/// Any value of a type: of a number every bit is open.
 template <typename T>
 T any() noexcept {
     T value{};
@@ -63,7 +62,7 @@ T any() noexcept {
     return value;
 }
 
-/// Memory of `size` bytes, at most 2^32, each of any value. `size` may be an open value itself.
+/// Memory of `size` (at most 2^32) bytes, each of any value; `size` may be open itself.
 inline std::uint8_t* any_memory(const std::size_t size) noexcept {
     return canproof_any_memory(size);
 }

@@ -31,8 +31,7 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
-/// Reads a word at an offset that is not a constant: a tree of choices between the words at all offsets, one level for
-/// each bit of the offset.
+/// Chooses between the words of all places by the bits of the offset.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)

@@ -59,8 +59,7 @@ void wait_for_clang(pid_t process, const std::string& what, const std::string& m
     }
 }
 
-/// The source that belongs to a header, such as `src/firmware/base/bytes.cpp` for `…/src/firmware/base/bytes.hpp`;
-/// empty when the header is none of the project's.
+/// `src/firmware/base/bytes.cpp` of `…/src/firmware/base/bytes.hpp`; empty for a header of somebody else.
 std::filesystem::path source_of_header(const std::string& header) {
     for (const std::string folder : {"src/firmware/", "src/devices/"}) {
         const std::size_t at = header.rfind(folder);

@@ -32,7 +32,7 @@ Term as_truth(const Term& term);
 Term resized(const Term& term, unsigned width);
 /// Byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
-/// `condition ? a : b`; just one of the two terms when the condition is known or both are the same.
+/// `condition ? a : b`, without a choice where there is none.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
 Term all_of(z3::context& context, const std::vector<Term>& truths);
