@@ -6,7 +6,8 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// A place that is not constant makes a choice between all bytes of the object.
+/// An access at an offset that is not a constant becomes a choice between all bytes of the object. This is the largest
+/// object, in bytes, for which the prover makes such a choice.
 constexpr std::size_t most_choices = 8192;
 
 void refuse_large(std::size_t size) {
@@ -15,7 +16,8 @@ void refuse_large(std::size_t size) {
     }
 }
 
-/// How many cells from `at` on are one word from its first byte to its last; 0 where they are not.
+/// The size in bytes of the word that fills the cells from `at` on, from its first byte to its last; 0 when these cells
+/// do not hold one whole word.
 unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     const unsigned bytes = width_of(cells[at].word) / byte_width;
     if (cells[at].byte != 0 || at + bytes > cells.size()) {
@@ -44,7 +46,8 @@ class Choice {
     Term word() const { return from(0, bits_.size()); }
 
   private:
-    /// The places that begin with the bits of `low`, of which `count` are open.
+    /// The choice between the offsets whose upper bits are those of `low`; the lowest `count` bits are still to be
+    /// chosen.
     Term from(std::size_t low, std::size_t count) const {
         if (count == 0) {
             return word_at(cells_, low, bytes_);
@@ -103,7 +106,7 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes) const {
-    if (cells_.size() < bytes) {  // an obligation says that this does not happen
+    if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of the access fails here
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
     if (const auto at = number(offset)) {

@@ -17,8 +17,9 @@ namespace {
 
 const char* const clang = "clang++-19";
 
-/// Undefined behaviour becomes a trap. Null, alignment, objects and address arithmetic are the memory model's own. A
-/// harness may name what is private.
+/// The compiler turns undefined behaviour into a trap, which the prover shows to be never reached. The checks for null
+/// pointers, alignment, object sizes and address arithmetic are switched off here, because the prover's own model of
+/// memory makes them. -fno-access-control lets a harness use private members.
 const std::vector<std::string> bitcode_flags = {
     "-std=c++17",
     "-O1",
@@ -44,7 +45,7 @@ const std::vector<std::string> native_flags = {"-std=c++17",
                                                "-fno-sanitize=vptr",
                                                "-fno-sanitize-recover=all"};
 
-/// Starts the compiler; what it says goes to a file.
+/// Starts the compiler; its messages go to the file `messages`.
 pid_t start_clang(std::vector<std::string> words, const std::string& messages) {
     words.insert(words.end(), {"-fdiagnostics-color=never", "-Wno-everything"});
     std::vector<std::string> shell{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>'" + messages + "'"};
