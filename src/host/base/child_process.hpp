@@ -15,6 +15,7 @@ namespace canproof::host {
 struct Streams {
     int in{-1};
     int out{-1};
+    bool apart{false};  ///< in a process group of its own: Ctrl-C at the terminal does not reach it
 };
 
 /// `words`: a path, or a name to be found in PATH, and the arguments. `more_environment`: `NAME=value`, before ours.

@@ -1,4 +1,4 @@
-// The devices that a command line names: of the catalogue, or from an EDS.
+// The devices that a command line names: of the catalogue, from an EDS, or from an image.
 #pragma once
 
 #include <memory>
@@ -29,6 +29,9 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// FILE or FILE@NODE: a device from an EDS, DCF or XDD; its name is the file's without folder and extension. Throws
 /// InputError, with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
+/// FILE or FILE@NODE: a device of the catalogue whose image runs on the emulated microcontroller; its name is the
+/// device's, with @NODE. Throws InputError and ImageFailed.
+ChosenDevice choose_image(const std::string& text);
 /// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);

@@ -8,8 +8,9 @@
 namespace canproof::host {
 
 struct ConformCommandOptions {
-    std::string device;               ///< of the catalogue; empty: `eds`
+    std::string device;               ///< of the catalogue; empty: `eds` or `arm`
     std::string eds;                  ///< file
+    std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: it runs here
     std::optional<std::string> node;  ///< as shipped without it
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
