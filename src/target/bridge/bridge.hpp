@@ -15,7 +15,7 @@ class Bridge {
   public:
     Bridge(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Obeys until the program has gone, or sends what is no command.
+    /// Obeys until the program has ended, or sends what is no command.
     void serve() {
         bridge::Message message;
         bool goes_on{true};
@@ -92,7 +92,7 @@ class Bridge {
     Inputs inputs_{};
 };
 
-/// What an image says first. `name` is the device's, at most 32 characters.
+/// Makes an image's first message. `name` is the device's, at most 32 characters.
 template <typename Inputs, typename Outputs>
 bridge::Message greeting(const char* const name) {
     std::uint8_t inputs{0U};
@@ -113,7 +113,7 @@ bridge::Message greeting(const char* const name) {
     return message;
 }
 
-/// The whole life of an image: greets the program, is told how large the parameter memory is, and serves.
+/// Does all that an image does: greets the program, takes the size of the parameter memory, and serves.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 void serve(Channel& channel, const char* const name) {
     bridge::Message message = greeting<Inputs, Outputs>(name);

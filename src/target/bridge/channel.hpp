@@ -10,9 +10,9 @@ class Channel {
     Channel(const Channel&) = delete;
     Channel& operator=(const Channel&) = delete;
 
-    /// False when the message is unsound or the program has gone.
+    /// Sends a message. False when it is unsound or the program has ended.
     bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
-    /// Waits for the next message. False when the program has gone, or when it sends what is no message.
+    /// Waits for the next message. False when the program has ended, or sends what is no message.
     bool receive(bridge::Message& message) {
         message = bridge::Message{};
         bool done = read(message.buffer(), bridge::Message::head);
@@ -25,7 +25,7 @@ class Channel {
     Channel() = default;
     ~Channel() = default;
 
-    /// All `count` bytes; waits for them.
+    /// Reads all `count` bytes; waits for them.
     virtual bool read(std::uint8_t* to, std::size_t count) = 0;
     virtual bool write(ByteView bytes) = 0;
 };

@@ -16,7 +16,7 @@ class HostMemory final : public NonVolatileMemory {
     bool commit() override;
 
   private:
-    /// Whether the access was done; `message` becomes its answer.
+    /// Asks for an access, and returns whether it was done; `message` becomes its answer.
     bool ask(bridge::Message& message) const;
 
     Channel& channel_;

@@ -29,7 +29,7 @@ int open(const char (&name)[Size], const std::uint32_t mode) {
     return semihost(sys_open, &block);
 }
 
-/// SYS_READ and SYS_WRITE: the bytes that are left to do.
+/// Calls SYS_READ or SYS_WRITE, and returns how many bytes are left to do.
 std::size_t transfer(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     const struct {
         int handle;
@@ -39,7 +39,7 @@ std::size_t transfer(const int operation, const int handle, const std::uint8_t* 
     return static_cast<std::size_t>(semihost(operation, &block));
 }
 
-/// Until all is done. False at the end of the stream and after an error: then nothing was done.
+/// Transfers all bytes. False at the end of the stream and after an error.
 bool transfer_all(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     std::size_t left{count};
     bool moves{handle >= 0};

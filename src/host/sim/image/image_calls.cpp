@@ -94,7 +94,7 @@ Message ImageCalls::access(Message& wanted) {
     return answer;
 }
 
-/// The queue here is made again as the image has it.
+/// Fills the queue here as the image has it.
 void ImageCalls::take_state(Message& message) {
     state_.deadline = Instant{message.take<std::uint64_t>()};
     state_.node_id = message.take<std::uint8_t>();

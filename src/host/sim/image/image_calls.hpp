@@ -25,7 +25,7 @@ struct DeviceState {
 
 class ImageCalls {
   public:
-    /// The greeting of `link` is taken. `queue` gets what the image wants to send; what is popped there goes out.
+    /// Takes a link whose greeting is read. `queue` gets what the image wants to send; what is popped there goes out.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
     // All of them throw ImageFailed. `inputs` are in the register's order.
@@ -33,14 +33,14 @@ class ImageCalls {
     void set_inputs(const std::vector<double>& inputs, Instant now);
     void receive(const Frame& frame, Instant now);
     void advance(Instant now);
-    /// Nothing but frames that went out.
+    /// Tells only which frames went out.
     void look();
 
-    /// After the last call.
+    /// Returns the state after the last call.
     const DeviceState& state() const { return state_; }
-    /// How many frames went out since then.
+    /// Counts the frames that went out since then.
     std::size_t sent() const { return waiting_ - queue_.size(); }
-    /// Whether the image's last commit was done; true before the first.
+    /// Tells whether the image's last commit was done; true before the first.
     bool has_committed() const { return committed_; }
     const std::string& name() const { return link_->name(); }
 

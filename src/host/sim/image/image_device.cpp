@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Bit for bit: the difference of two zeros counts, and one NaN is itself.
+/// Compares bit for bit: two zeros may differ, and a NaN equals itself.
 bool are_same(const std::vector<double>& some, const std::vector<double>& others) {
     return std::equal(some.begin(), some.end(), others.begin(), others.end(),
                       [](double a, double b) { return bit_cast<std::uint64_t>(a) == bit_cast<std::uint64_t>(b); });
@@ -92,7 +92,7 @@ bool ImageDevice::set_input(const std::string& name, double value, Instant now) 
     return found;
 }
 
-/// It depends on the frames that wait: a block of segments goes on when there is room.
+/// Asks again when frames have gone out: a block of segments goes on when there is room.
 Instant ImageDevice::next_deadline() const {
     if (calls_->sent() != 0) {
         follow_queue();
@@ -101,7 +101,7 @@ Instant ImageDevice::next_deadline() const {
     return calls_->state().deadline;
 }
 
-/// Switches at no node-ID give none.
+/// Gives none for switches that stand at no node-ID.
 std::uint8_t ImageDevice::node_id() const {
     const int number = calls_->state().node_id;
     return NodeId{NodeId::is_one(number) ? number : NodeId::none}.value();

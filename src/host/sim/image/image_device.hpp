@@ -14,7 +14,7 @@ namespace canproof::host {
 
 class ImageDevice final : public SimulatedDevice {
   public:
-    /// `greeting` is that of `link`. Throws ImageFailed when the image has other signals than the twin.
+    /// Takes a link whose greeting is read. Throws ImageFailed when the image has other signals than the twin.
     ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
 
     void set_node_id(NodeId node_id) override;
@@ -35,13 +35,13 @@ class ImageDevice final : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
 
   private:
-    /// What went out of the image's queue goes out of the twin's.
+    /// Takes from the twin's queue what went out of the image's.
     void follow_queue() const;
-    /// What a call has changed in the twin's physical world is told to the image.
+    /// Tells the image what a call has changed in the twin's physical world.
     void follow_inputs(const std::vector<double>& before, Instant now);
     /// Throws ImageFailed when image and twin are not in the same state.
     void compare(Instant now) const;
-    /// What differs; empty: nothing.
+    /// Says what differs; empty: nothing.
     std::string difference() const;
 
     std::unique_ptr<SimulatedDevice> twin_;

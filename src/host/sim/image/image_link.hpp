@@ -35,11 +35,11 @@ class ImageLink {
     const std::string& name() const { return name_; }
     /// Throws ImageFailed.
     void send(bridge::Message& message);
-    /// The image's next message. Throws ImageFailed.
+    /// Waits for the image's next message. Throws ImageFailed.
     bridge::Message receive();
-    /// The first message of an image. Throws ImageFailed.
+    /// Takes the first message of an image. Throws ImageFailed.
     ImageGreeting greeting();
-    /// Throws ImageFailed: the image says what this program does not understand.
+    /// Throws ImageFailed for a message that this program does not understand.
     [[noreturn]] void refuse() const;
 
   private:

@@ -1,5 +1,6 @@
 // What this program and a device's image on the microcontroller (src/target/bridge) say to each other. A message is its
-// length in two bytes, its kind, and values in the order of the bus, the least significant byte first.
+// length in two bytes, its kind, and values in the order of the bus, the least significant byte first. A frame is its
+// identifier (u32), flags (u8: 1 extended, 2 remote), length (u8) and eight bytes.
 #pragma once
 
 #include <algorithm>
@@ -23,9 +24,10 @@ enum class Kind : std::uint8_t {
     // From the image.
     greeting,  ///< protocol, number of inputs and of outputs (u8 each), length of the device's name (u8), its
                ///< characters
-    state,     ///< after each command, see State
-    read,      ///< stored parameters: address (u32), count (u16)
-    write,     ///< address (u32), count (u16), the bytes
+    state,  ///< after each command: next deadline (u64), node-ID and NMT state (u8 each), bit rate (u32), whether the
+            ///< boot-up message waits (u8), number of frames that wait (u8), these, outputs (f64 each)
+    read,   ///< stored parameters: address (u32), count (u16)
+    write,  ///< address (u32), count (u16), the bytes
     commit,
     // From the host. Each command begins with the number (u8) of frames that went out since the last state.
     begin,       ///< answers the greeting: size of the parameter memory (u32)
@@ -37,8 +39,8 @@ enum class Kind : std::uint8_t {
     stored       ///< answers read, write and commit: whether it was done (u8); after a read the bytes
 };
 
-/// One message: written from its begin, or read after it was filled. What does not fit, or is read past the end, makes
-/// it unsound and does nothing else.
+/// One message, to be written or read. A value that does not fit, and one that is read past the end, only make it
+/// unsound.
 class Message {
   public:
     static constexpr std::size_t head = 2U;
@@ -50,7 +52,7 @@ class Message {
     bool is_sound() const { return sound_; }
     Kind kind() const { return static_cast<Kind>(bytes_[head]); }
 
-    /// A number or an enumerator.
+    /// Puts a number or an enumerator.
     template <typename Value>
     void put(const Value value) {
         static_assert(is_value<Value>);
@@ -60,7 +62,7 @@ class Message {
         static_cast<void>(std::memcpy(&bytes_[end_], &value, sizeof(Value)));
         end_ += sizeof(Value);
     }
-    /// Zero of what is not there.
+    /// Takes the next value; zero when there is none.
     template <typename Value>
     Value take() {
         static_assert(is_value<Value>);
@@ -78,7 +80,7 @@ class Message {
             end_ += bytes.size();
         }
     }
-    /// The next `count` bytes; none when there are less. Good as long as the message.
+    /// Takes the next `count` bytes; none when there are less. They are good as long as the message.
     ByteView take_bytes(const std::size_t count) {
         const bool whole = has_left(count);
         const std::size_t from = at_;
@@ -103,19 +105,19 @@ class Message {
         return frame;
     }
 
-    /// As it is sent: the length, then what was put.
+    /// Returns it as it is sent: the length, then what was put.
     ByteView sent() {
         store_le<head>(bytes_.data(), end_ - head);
         return ByteView{bytes_.data(), end_};
     }
-    /// Where a message is read to: first `head` bytes, then as many as expected() says.
+    /// Returns where a message is read to: first `head` bytes, then as many as expected() says.
     std::uint8_t* buffer() { return bytes_.data(); }
-    /// Bytes behind the head; 0 of a message that is none.
+    /// Returns the number of bytes behind the head; 0 for a message that is none.
     std::size_t expected() const {
         const std::uint64_t length = load_le<head>(bytes_.data());
         return (length <= (capacity - head)) ? static_cast<std::size_t>(length) : 0U;
     }
-    /// All of it is there: take() begins behind the kind.
+    /// Ends the reading: take() begins behind the kind.
     void filled() {
         end_ = head + expected();
         at_ = head + sizeof(Kind);

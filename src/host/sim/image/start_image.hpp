@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// An STM32F405 in QEMU with that image; the process ends with the link. Throws InputError when there is no QEMU or no
-/// such file. What else is wrong with the file shows when it does not greet.
+/// Starts an STM32F405 in QEMU with that image; the process ends with the link. Throws InputError when there is no QEMU
+/// or no such file. What else is wrong with the file shows when it does not greet.
 std::unique_ptr<ImageLink> start_image(const std::string& path);
 
 }  // namespace canproof::host
