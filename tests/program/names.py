@@ -81,6 +81,15 @@ def part_numbers():
         assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
 
 
+def images():
+    """ARM images: one that is not there, and one slave in one place."""
+    for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
+                       (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm is a slave in virtual time"),
+                       (("conform", "ax188001", "--arm", "no.elf"), "name a slave")):
+        status, out, err = call(*words)
+        assert status == 2 and out == "" and why in err, f"{words}: {status} {out}{err}"
+
+
 def version():
     """The version is defined in one place, the project() of CMakeLists.txt."""
     cmake = pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt"
@@ -95,4 +104,5 @@ factory()
 named()
 shared()
 switches()
-print("version; node-IDs: refused, named, shared, switches; part numbers, factory data")
+images()
+print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images")

@@ -16,9 +16,10 @@ class VirtualTarget final : public Target {
   public:
     static constexpr std::uint32_t usual_bit_rate = 125000U;
 
-    /// Starts with any slave, switched on at time 0. `bit_rate` in bit/s applies until the slave uses another.
+    /// Any slave; it is switched on at time 0. `bit_rate` in bit/s holds as long as the slave says no other. `name` is
+    /// for the report.
     VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id,
-                  std::uint32_t bit_rate = usual_bit_rate);
+                  std::uint32_t bit_rate = usual_bit_rate, std::string name = "virtual time");
 
     Instant now() const override { return now_; }
     void send(const Frame& frame) override;
@@ -63,7 +64,7 @@ class VirtualTarget final : public Target {
     void step(Instant at);
     Instant next_deadline() const;
 
-    std::string name_{"virtual time"};
+    std::string name_;
     Slave slave_;
     TesterNode tester_;
     ArbitratedBus bus_;
