@@ -29,6 +29,9 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
     const std::vector<Cell>& cells() const { return cells_; }
 
   private:
+    ContentsPointer copied_in_words(const Term& offset, const CellContents& source, const Term& from,
+                                    std::uint64_t count) const;
+
     std::vector<Cell> cells_;
 };
 

@@ -32,6 +32,13 @@ Term as_truth(const Term& term);
 Term resized(const Term& term, unsigned width);
 /// Byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
+/// The lowest `count` bits of a term, where they are the same for all values; no more than 64.
+struct KnownBits {
+    unsigned count{0};
+    std::uint64_t bits{0};
+};
+/// What is plain about the lowest bits: a sum of products by powers of two has its remainder there.
+KnownBits low_bits(const Term& term);
 /// `condition ? a : b`, without a choice where there is none.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
