@@ -40,7 +40,7 @@ function(canproof_join target)
       unset(text_${group})
     endforeach()
   endforeach()
-  set_target_properties(${target} PROPERTIES SOURCES "${compiled}")
+  set_target_properties(${target} PROPERTIES SOURCES "${compiled}" CANPROOF_SOURCES "${sources}")
   # g++ takes an unnamed namespace of an included source for that of a header.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()

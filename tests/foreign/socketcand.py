@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """socketcand.py PROGRAM: python-can and a second run join a run of two devices as clients of socketcand.
 
-The port is the kernel's choice, read from what the program says. Frames by hand: CBX-AO412 7.9.2 (device type 191h with 0008h),
-CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended one: identifiers alone are compared.
+The kernel chooses the port, which the test reads from the output of the program. Frames are written by hand: CBX-AO412 7.9.2 (device type
+191h with 0008h), CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended frame, so the test compares
+identifiers only.
 """
 import collections
 import re
@@ -12,7 +13,7 @@ import threading
 
 import can
 
-PATIENCE = 120  # seconds; only a broken program lets it run out
+PATIENCE = 120  # seconds; reached only by a broken program
 
 
 def frame(identifier, data):
@@ -20,7 +21,7 @@ def frame(identifier, data):
 
 
 def wait_for(bus, identifier, data):
-    """The next frame with this identifier must carry this data."""
+    """Checks that the next frame with this identifier has this data."""
     while True:
         got = bus.recv(PATIENCE)
         assert got is not None, f"nothing came where {identifier:03X}#{data} was due"
@@ -34,7 +35,7 @@ def converse(port):
     two = can.Bus(interface="socketcand", channel="can0", host="127.0.0.1", port=port)
     one.send(frame(0x603, "4000100000000000"))
     wait_for(one, 0x583, "4300100091010800")
-    wait_for(two, 0x603, "4000100000000000")  # another client hears the request
+    wait_for(two, 0x603, "4000100000000000")  # another client receives the request
     wait_for(two, 0x583, "4300100091010800")  # and the answer
     two.send(frame(0x603, "2B1710000A000000"))  # heartbeat every 10 ms
     wait_for(two, 0x583, "6017100000000000")
@@ -44,7 +45,7 @@ def converse(port):
     second = wait_for(one, 0x703, "05")
     period = second.timestamp - first.timestamp
     assert abs(period - 0.010) < 0.0015, f"heartbeat after {period} s"
-    two.send(frame(0x606, "4000100000000000"))  # behind the client that another program is: AX060805 4.2.1
+    two.send(frame(0x606, "4000100000000000"))  # the device behind the other CANopen program: AX060805 4.2.1
     wait_for(two, 0x586, "430010009A010310")
     two.send(frame(0x605, "4000100100000000"))  # 1000h has no sub-index 1
     wait_for(two, 0x585, "8000100111000906")
@@ -53,14 +54,14 @@ def converse(port):
 
 
 def wait_for_boot_up(run, nodes):
-    """Returns when all have said their boot-up message: python-can takes one piece of what it gets for one answer, so that a frame
-    beside the answer to its `open` makes it refuse the server."""
+    """Returns when all nodes have sent their boot-up messages. python-can takes one received piece of data for one answer. It would refuse
+    the server if a frame came together with the answer to its `open`."""
     missing = {f"70{node}#00" for node in nodes}
     while missing:
         line = run.stdout.readline()
         assert line, f"the program ended without {missing}"
         missing.discard(line.split()[2])
-    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and forgotten
+    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and dropped
 
 
 def main():
@@ -69,7 +70,7 @@ def main():
     programs = [run]
     try:
         port = None
-        while not port:  # other lines, such as those that name the devices, come before it
+        while not port:  # other lines, such as the device names, come before it
             said = run.stderr.readline()
             assert said, "the program ended before it named its port"
             port = re.search(r"listens at port (\d+)", said)

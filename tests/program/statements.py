@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""statements.py PROGRAM: `spec statements`, `spec check` and the audit over a small manual with statements, as a shell sees
-them, and the statements of the manuals of this repository. The marks are computed here, by their definition in spec/README.md."""
+"""statements.py PROGRAM: runs `spec statements`, `spec check` and the audit from a shell on a small manual with statements, and checks the
+statements of the manuals of this repository. The marks are computed here by their definition in spec/README.md."""
 import hashlib
 import json
 import pathlib
@@ -105,7 +105,7 @@ def listed(project):
 def compared(project):
     project.statements(GREEN, RATE)
     status, out, _ = project.call("spec", "statements", "M1", "--text", "manual.txt")
-    # "The lamp is green" and "Ten times a second" have 14 + 15 letters; "It never sleeps" has 13 more, the headings 11.
+    # "The lamp is green" and "Ten times a second" have 14 + 15 letters. "It never sleeps" has 13 letters and the headings have 11.
     assert status == 0 and out == ("3: 1: It never sleeps.\n2 mark(s), 0 not in the text\n"
                                    "letters and digits of normative sections: 69.0 % of 42 covered, 1 line(s) not or partly\n"
                                    "letters and digits of the whole text: 54.7 % of 53 covered\n"), out
@@ -144,7 +144,7 @@ def audited(project):
 
 
 def shipped(project):
-    """Each manual of this repository has statements, none of them open, in every normative section."""
+    """Each manual of this repository has statements in every normative section, none of them open."""
     manuals = sorted((SPEC / "manuals").glob("*.toml"))
     assert manuals, f"no manual in {SPEC}"
     for manual in manuals:

@@ -45,9 +45,13 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
     for (char** one = environ; *one != nullptr; ++one) {
         environment.emplace_back(*one);
     }
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, streams.apart ? POSIX_SPAWN_SETPGROUP : 0);
     pid_t process = -1;
-    const int wrong = posix_spawnp(&process, words.front().c_str(), &actions, nullptr, pointers(words).data(),
+    const int wrong = posix_spawnp(&process, words.front().c_str(), &actions, &attributes, pointers(words).data(),
                                    pointers(environment).data());
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong != 0) {
         throw InputError{fmt::format("cannot run {}; build or install it", words.front())};

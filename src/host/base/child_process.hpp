@@ -16,6 +16,7 @@ namespace canproof::host {
 struct Streams {
     int in{-1};
     int out{-1};
+    bool apart{false};  ///< in a process group of its own: Ctrl-C at the terminal does not reach it
 };
 
 /// Starts a program. `words` holds a path, or a name to find in PATH, and the arguments. `more_environment` holds

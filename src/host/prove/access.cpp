@@ -20,7 +20,7 @@ Term aligned(const Object& object, const Term& offset, std::uint64_t alignment) 
     return (rest == constant(context, 0, address_width)).simplify();
 }
 
-/// Those places of an address whose object is there.
+/// The places of an address whose object exists at this moment.
 std::vector<Place> live_places(const Proof& proof, const State& state, const Term& address) {
     std::vector<Place> live;
     for (const Place& one : places_of(address, proof.objects.size())) {
@@ -31,7 +31,8 @@ std::vector<Place> live_places(const Proof& proof, const State& state, const Ter
     return live;
 }
 
-/// Whether the address means one of these places, each with so many bytes.
+/// True when the address means one of these places, `count` bytes from there lie in the object, and the alignment is
+/// right. With `writes`, constants do not count.
 Term means_one(Proof& proof, const std::vector<Place>& places, const Term& count, const AccessSite& site, bool writes) {
     std::vector<Term> good;
     for (const Place& one : places) {
@@ -145,7 +146,8 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
 
 namespace {
 
-/// `alike` for two offsets in one object, `apart` for whatever else.
+/// Compares with `alike` where both addresses lie in the same object (it gets the two offsets), and with `apart`
+/// everywhere else (it gets the two places).
 template <typename Alike, typename Apart>
 Term compared(const Proof& proof, const Term& a, const Term& b, const Alike& alike, const Apart& apart) {
     std::vector<Term> cases;

@@ -1,4 +1,5 @@
-// Reads and writes of memory. That each lies in one object is an obligation.
+// Reads and writes of the memory of the proven program. Each of them adds an obligation: the access must lie inside one
+// object.
 #pragma once
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace canproof::host::prove {
 
-/// An access: how aligned its address must be, and where it stands in the source.
+/// What an access needs beside its address: the alignment that the address must have, and the place in the source, for
+/// messages.
 struct AccessSite {
     std::uint64_t alignment{1};
     std::string where;
@@ -16,13 +18,15 @@ struct AccessSite {
 
 Term load(Proof& proof, const State& state, const Term& address, unsigned bytes, const AccessSite& site);
 void store(Proof& proof, State& state, const Term& address, const Term& word, const AccessSite& site);
-/// memmove; memcpy as well. `count` of 64 bits.
+/// Does what memmove and memcpy do. `count` has 64 bits.
 void copy(Proof& proof, State& state, const Term& to, const Term& from, const Term& count, const std::string& where);
 void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Term& count, const std::string& where);
-/// The address moved by so many bytes. It must stay in its object, or one past its end.
+/// The address plus `by` bytes. With `within_object`, an obligation says that the result stays in the object of the
+/// address or is one past its end.
 Term moved(Proof& proof, const State& state, const Term& address, const Term& by, bool within_object,
            const std::string& where);
-/// Whether two addresses are equal, or the first lies below the second. Addresses of two objects are never equal.
+/// The comparisons of two addresses: are they equal, does the first lie below the second? Addresses of two different
+/// objects are never equal; the object with the smaller number lies below the other.
 Term equal_addresses(const Proof& proof, const Term& a, const Term& b);
 Term below(const Proof& proof, const Term& a, const Term& b);
 

@@ -56,7 +56,8 @@ class Reader {
         return all;
     }
 
-    /// z3 writes a base plus a short offset as base and offset side by side.
+    /// z3 may turn the sum of a base and a short offset into a concatenation: the upper bits of the base, followed by
+    /// the bits of the offset.
     std::vector<Place> of_concatenation(const Term& address) const {
         const Term high = address.arg(0);
         const auto value = number(high);
@@ -77,7 +78,7 @@ class Reader {
                 if (is_false(when)) {
                     continue;
                 }
-                if (a.object && b.object) {  // the sum of two addresses is none
+                if (a.object && b.object) {  // the sum of two addresses is no address
                     all.push_back({when, std::nullopt, offset});
                 } else {
                     all.push_back({when, a.object ? a.object : b.object, offset});
@@ -94,7 +95,7 @@ class Reader {
         return places;
     }
 
-    /// Both lists, an object once.
+    /// Both lists in one, in which each object stands at most once.
     static std::vector<Place> joined(const std::vector<Place>& first, const std::vector<Place>& second) {
         std::vector<Place> all;
         for (const auto* list : {&first, &second}) {

@@ -1,4 +1,4 @@
-// Addresses as terms: each object of the program has a base of its own, far from all others.
+// Addresses as terms. Each object of the program has its own base address, 2^40 bytes from that of the next.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace canproof::host::prove {
 
-/// Number of an object: index into Objects.
+/// The number of an object: its index in Objects.
 using ObjectId = unsigned;
 
-/// Where an address lies when `when` holds: so many bytes behind the start of an object. Without an object it is a
-/// plain number, such as null.
+/// One possible meaning of an address, under the condition `when`: the byte at `offset` of `object`. Without an object
+/// the address is a plain number, `offset`, such as null.
 struct Place {
     Term when;
     std::optional<ObjectId> object;
@@ -22,11 +22,11 @@ struct Place {
 /// The address of an object's first byte.
 Term base_of(z3::context& context, ObjectId object);
 
-/// Every place that an address may mean, each object at most once. An address is a base plus offsets, or a choice
-/// between addresses; what is neither comes out as a place without an object.
+/// Every place that an address may mean, each object at most once. Understood are a base plus offsets and a choice
+/// between addresses; any other term is returned as a place without an object.
 std::vector<Place> places_of(const Term& address, std::size_t objects);
 
-/// The same address built from its places: what was added to a base is one term.
+/// The same address, built anew from its places, so that it is a base plus one offset term, or a choice of such sums.
 Term address_at(z3::context& context, const std::vector<Place>& places);
 
 }  // namespace canproof::host::prove

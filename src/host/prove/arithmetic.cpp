@@ -28,7 +28,8 @@ Term widened(const Term& term, unsigned by, bool is_signed) {
     return is_signed ? z3::sext(term, by) : z3::zext(term, by);
 }
 
-/// Without the overflows that the instruction's flags rule out.
+/// The instruction is defined only where it does not overflow in the ways that its flags rule out ("no signed wrap",
+/// "no unsigned wrap").
 Computed flagged(const llvm::BinaryOperator& instruction, Operation operation, const Term& a, const Term& b) {
     const auto* flags = llvm::cast<llvm::OverflowingBinaryOperator>(&instruction);
     Term defined = yes(a);
@@ -92,7 +93,8 @@ Term counted_ones(const Term& word) {
     return sum;
 }
 
-/// Zeros before the first one, from the top or from the bottom; the width when there is no one.
+/// The number of 0 bits before the first 1 bit, counted from the top or from the bottom; the width of the word when
+/// every bit is 0.
 Term zeros_before(const Term& word, bool from_top) {
     const unsigned width = width_of(word);
     Term count = constant(word.ctx(), width, width);
@@ -112,7 +114,8 @@ Term bytes_reversed(const Term& word) {
     return reversed;
 }
 
-/// The upper or lower word of two side by side, shifted to the left by `by` modulo the width.
+/// A funnel shift: puts `high` and `low` side by side, shifts them by `by` modulo the width of one word, and returns
+/// the upper word after a shift to the left, the lower one after a shift to the right.
 Term funnel(const Term& high, const Term& low, const Term& by, bool left) {
     const unsigned width = width_of(high);
     const Term amount = z3::zext(z3::urem(by, constant(by.ctx(), width, width)), width);

@@ -10,18 +10,19 @@
 
 namespace canproof::host::prove {
 
-/// A result, and what must be true for the instruction to have one.
+/// The result of an instruction, and the condition under which the instruction has one: otherwise it is undefined
+/// behaviour.
 struct Computed {
     Term value;
     Term defined;
 };
 
-/// Empty for an operation that is not modelled, such as one on floating-point numbers.
+/// These three return nothing for an operation that the prover does not model, such as one on floating-point numbers.
 std::optional<Computed> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
 std::optional<Term> compared(llvm::CmpInst::Predicate predicate, const Term& a, const Term& b);
 std::optional<Term> converted(const llvm::CastInst& cast, const Term& from, unsigned width);
 
-/// `a + b`, `a - b` or `a * b`, and whether that is the exact result.
+/// The result of `a + b`, `a - b` or `a * b` cut to the width of `a`, and whether it is exact: nothing was cut off.
 struct Checked {
     Term value;
     Term exact;
@@ -29,7 +30,8 @@ struct Checked {
 enum class Operation { add, subtract, multiply };
 Checked checked(Operation operation, const Term& a, const Term& b, bool is_signed);
 
-/// Intrinsics that compute: smallest, greatest, absolute value, rotations, counts of bits …
+/// The result of an LLVM intrinsic that only computes: minimum, maximum, absolute value, rotation, number of bits that
+/// are set and the like. Empty for one that is not modelled.
 std::optional<Computed> computed(llvm::Intrinsic::ID function, const std::vector<Term>& arguments);
 
 }  // namespace canproof::host::prove

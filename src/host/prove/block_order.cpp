@@ -12,7 +12,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Those that leave the most loops first: in a reversed post-order they come last.
+/// The successors of a block, those that leave the most loops first: a reversed post-order visits them last.
 std::vector<const llvm::BasicBlock*> successors_of(const llvm::BasicBlock& block, const llvm::LoopInfo& loops) {
     std::multimap<unsigned, const llvm::BasicBlock*> by_depth;
     for (const llvm::BasicBlock* one : llvm::successors(&block)) {

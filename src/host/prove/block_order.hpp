@@ -1,4 +1,4 @@
-// In which order the blocks of a function are executed, so that paths meet where they can.
+// The order in which the basic blocks of a function are executed, so that paths can be merged again soon.
 #pragma once
 
 #include <map>
@@ -10,8 +10,9 @@ class Function;
 
 namespace canproof::host::prove {
 
-/// The position of each block: behind all that lead to it, and what follows a loop behind the whole loop. Any order is
-/// right; this one lets all passes of a loop meet before what follows is executed once.
+/// The position of each block in that order: a block comes after all blocks that lead to it (except those that jump
+/// back to the start of a loop), and what follows a loop comes after the whole loop. Every order gives the same
+/// verdict; in this one all passes of a loop are merged before what follows the loop is executed, once.
 std::map<const llvm::BasicBlock*, unsigned> block_order(const llvm::Function& function);
 
 }  // namespace canproof::host::prove

@@ -1,13 +1,19 @@
 #include "host/prove/cell_contents.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "host/prove/unknown.hpp"
 
 namespace canproof::host::prove {
 
 namespace {
 
-/// A place that is not constant makes a choice between all bytes of the object.
+/// An access at an offset that is not a constant becomes a choice between all bytes of the object. This is the largest
+/// object, in bytes, for which the prover makes such a choice.
 constexpr std::size_t most_choices = 8192;
+/// What is copied from or to a place that is not constant is copied word by word up to this size.
+constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {
     if (size > most_choices) {
@@ -15,7 +21,8 @@ void refuse_large(std::size_t size) {
     }
 }
 
-/// How many cells from `at` on are one word from its first byte to its last; 0 where they are not.
+/// The size in bytes of the word that fills the cells from `at` on, from its first byte to its last; 0 when these cells
+/// do not hold one whole word.
 unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     const unsigned bytes = width_of(cells[at].word) / byte_width;
     if (cells[at].byte != 0 || at + bytes > cells.size()) {
@@ -29,28 +36,49 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
+/// The places from 0 to `last` that an offset may mean: an element of an array lies at each so many bytes.
+class Places {
+  public:
+    Places(const Term& offset, std::size_t last) : last_{last} {
+        const KnownBits known = low_bits(offset);
+        constexpr unsigned most = 32;
+        const unsigned count = std::min(known.count, most);
+        step_ = std::size_t{1} << count;
+        first_ = static_cast<std::size_t>(known.bits & (step_ - 1));
+    }
+    std::size_t first() const { return first_; }
+    std::size_t step() const { return step_; }
+    std::size_t last() const { return last_; }
+
+  private:
+    std::size_t first_{0};
+    std::size_t step_{1};
+    std::size_t last_;
+};
+
 /// Chooses between the words of all places by the bits of the offset.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)
         : cells_{cells}, bytes_{bytes}, last_{cells.size() - bytes} {
-        unsigned count = 0;
-        while ((last_ >> count) != 0) {
-            bits_.push_back(as_truth(offset.extract(count, count).simplify()));
-            ++count;
+        const KnownBits known = low_bits(offset);
+        for (unsigned at = 0; (last_ >> at) != 0; ++at) {
+            bits_.push_back(at < known.count ? offset.ctx().bool_val(((known.bits >> at) & 1U) != 0)
+                                             : as_truth(offset.extract(at, at).simplify()));
         }
     }
 
     Term word() const { return from(0, bits_.size()); }
 
   private:
-    /// The places that begin with the bits of `low`, of which `count` are open.
+    /// The choice between the offsets whose upper bits are those of `low`; the lowest `count` bits are still to be
+    /// chosen.
     Term from(std::size_t low, std::size_t count) const {
         if (count == 0) {
             return word_at(cells_, low, bytes_);
         }
         const std::size_t high = low + (std::size_t{1} << (count - 1));
-        if (high > last_ || is_false(bits_[count - 1])) {
+        if (high > last_ || is_false(bits_[count - 1])) {  // a place behind the last one is excluded by an obligation
             return from(low, count - 1);
         }
         if (is_true(bits_[count - 1])) {
@@ -103,7 +131,7 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes) const {
-    if (cells_.size() < bytes) {  // an obligation says that this does not happen
+    if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of the access fails here
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
     if (const auto at = number(offset)) {
@@ -127,7 +155,8 @@ ContentsPointer CellContents::written(const Term& offset, const Term& word) cons
         return std::make_shared<CellContents>(std::move(cells));
     }
     refuse_large(cells.size());
-    for (std::size_t at = 0; at + bytes <= cells.size(); ++at) {
+    const Places places{offset, cells.size() - bytes};
+    for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         const Term here = (offset == constant(offset.ctx(), at, address_width)).simplify();
         if (!is_false(here)) {
             put_word(cells, at, choose(here, word, word_at(cells, at, bytes)));
@@ -152,6 +181,9 @@ ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& 
         return std::make_shared<CellContents>(std::move(cells));
     }
     refuse_large(cells.size());
+    if (how_many && *how_many <= most_in_words && source_cells != nullptr) {
+        return copied_in_words(offset, *source_cells, from, *how_many);
+    }
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const Term behind = (constant(offset.ctx(), at, address_width) - offset).simplify();
         const Term inside = z3::ult(behind, count).simplify();
@@ -161,6 +193,34 @@ ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& 
         }
     }
     return std::make_shared<CellContents>(std::move(cells));
+}
+
+ContentsPointer CellContents::copied_in_words(const Term& offset, const CellContents& source, const Term& from,
+                                              std::uint64_t count) const {
+    if (source.cells_.size() < count || cells_.size() < count) {
+        return shared_from_this();
+    }
+    std::set<std::uint64_t> starts{0};  // where a word begins in any of the places that `from` may mean
+    const Places places{from, source.cells_.size() - count};
+    for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
+        for (std::uint64_t i = 1; i < count; ++i) {
+            const Cell& before = source.cells_[at + i - 1];
+            const Cell& here = source.cells_[at + i];
+            if (here.byte != before.byte + 1 || !same(here.word, before.word)) {
+                starts.insert(i);
+            }
+        }
+    }
+    starts.insert(count);
+    const auto plus = [](const Term& term, std::uint64_t more) {
+        return (term + constant(term.ctx(), more, address_width)).simplify();
+    };
+    ContentsPointer next = shared_from_this();
+    for (auto start = starts.begin(); std::next(start) != starts.end(); ++start) {
+        const auto bytes = static_cast<unsigned>(*std::next(start) - *start);
+        next = next->written(plus(offset, *start), source.read(plus(from, *start), bytes));
+    }
+    return next;
 }
 
 ContentsPointer CellContents::merged(const Term& condition, const ContentsPointer& otherwise) const {

@@ -1,4 +1,4 @@
-// Contents of an object whose size is a number: a cell for each byte.
+// The contents of an object whose size is a known number: one cell for each byte.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace canproof::host::prove {
 
-/// Byte `byte` of `word`: a word that is stored whole is read whole, addresses among them.
+/// One byte of an object: byte number `byte` of `word`. The cells remember the whole word, so that a word that was
+/// stored in one piece (an address, say) is read back as the same term.
 struct Cell {
     Term word;
     unsigned byte{0};
@@ -16,7 +17,7 @@ struct Cell {
 class CellContents : public Contents, public std::enable_shared_from_this<CellContents> {
   public:
     explicit CellContents(std::vector<Cell> cells) : cells_{std::move(cells)} {}
-    /// `size` bytes about which nothing is known.
+    /// `size` bytes with unknown values.
     static std::shared_ptr<const CellContents> unknown(std::uint64_t size, const MakeFresh& fresh);
 
     Term read(const Term& offset, unsigned bytes) const override;
@@ -28,12 +29,15 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
     const std::vector<Cell>& cells() const { return cells_; }
 
   private:
+    ContentsPointer copied_in_words(const Term& offset, const CellContents& source, const Term& from,
+                                    std::uint64_t count) const;
+
     std::vector<Cell> cells_;
 };
 
-/// Puts the bytes of a word into cells from `at` on.
+/// Puts the bytes of a word into the cells from `at` on.
 void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word);
-/// `bytes` cells from `at` on as one word.
+/// The `bytes` cells from `at` on, as one word.
 Term word_at(const std::vector<Cell>& cells, std::size_t at, unsigned bytes);
 
 }  // namespace canproof::host::prove

@@ -17,8 +17,9 @@ namespace {
 
 const char* const clang = "clang++-19";
 
-/// Undefined behaviour becomes a trap. Null, alignment, objects and address arithmetic are the memory model's own. A
-/// harness may name what is private.
+/// The compiler turns undefined behaviour into a trap, which the prover shows to be never reached. The checks for null
+/// pointers, alignment, object sizes and address arithmetic are switched off here, because the prover's own model of
+/// memory makes them. -fno-access-control lets a harness use private members.
 const std::vector<std::string> bitcode_flags = {
     "-std=c++17",
     "-O1",
@@ -44,7 +45,7 @@ const std::vector<std::string> native_flags = {"-std=c++17",
                                                "-fno-sanitize=vptr",
                                                "-fno-sanitize-recover=all"};
 
-/// Starts the compiler; what it says goes to a file.
+/// Starts the compiler; its messages go to the file `messages`.
 pid_t start_clang(std::vector<std::string> words, const std::string& messages) {
     words.insert(words.end(), {"-fdiagnostics-color=never", "-Wno-everything"});
     std::vector<std::string> shell{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>'" + messages + "'"};
@@ -58,15 +59,30 @@ void wait_for_clang(pid_t process, const std::string& what, const std::string& m
     }
 }
 
-/// `src/firmware/base/bytes.cpp` of `…/src/firmware/base/bytes.hpp`; empty for a header of somebody else.
-std::filesystem::path source_of_header(const std::string& header) {
+/// The sources with what a header of the firmware declares: `src/firmware/canopen/sdo_server.cpp` of
+/// `…/src/firmware/canopen/sdo_server.hpp`, and those that begin with its name and have no header, such as
+/// `sdo_server_block.cpp`. None for a header of somebody else.
+std::vector<std::filesystem::path> sources_of_header(const std::string& header) {
+    std::vector<std::filesystem::path> all;
     for (const std::string folder : {"src/firmware/", "src/devices/"}) {
         const std::size_t at = header.rfind(folder);
-        if (at != std::string::npos) {
-            return std::filesystem::path{header.substr(at)}.replace_extension(".cpp");
+        if (at == std::string::npos || std::filesystem::path{header}.extension() != ".hpp") {
+            continue;
         }
+        const std::filesystem::path own = std::filesystem::path{header.substr(at)};
+        for (const auto& one : std::filesystem::directory_iterator(own.parent_path())) {
+            const std::filesystem::path source = own.parent_path() / one.path().filename();
+            const bool belongs = source.stem() == own.stem() ||
+                                 (source.stem().string().rfind(own.stem().string() + "_", 0) == 0 &&
+                                  !std::filesystem::exists(std::filesystem::path{source}.replace_extension(".hpp")));
+            if (source.extension() == ".cpp" && belongs) {
+                all.push_back(source);
+            }
+        }
+        break;
     }
-    return {};
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 }  // namespace
@@ -107,11 +123,11 @@ void Compiler::collect(const Run& run) {
     std::istringstream names{read_file(run.stem + ".d")};
     std::vector<std::filesystem::path>& needed = needs_[run.source];
     for (std::string name; names >> name;) {
-        const auto other = source_of_header(name);
-        const bool is_new = !other.empty() && other != run.source && std::filesystem::exists(other) &&
-                            std::find(needed.begin(), needed.end(), other) == needed.end();
-        if (is_new) {
-            needed.push_back(other);
+        for (const auto& other : sources_of_header(name)) {
+            const bool is_new = other != run.source && std::find(needed.begin(), needed.end(), other) == needed.end();
+            if (is_new) {
+                needed.push_back(other);
+            }
         }
     }
 }

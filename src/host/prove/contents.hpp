@@ -1,4 +1,4 @@
-// The bytes of one object, as they are on a path. Contents never change: each operation makes new ones.
+// The bytes of one object on one path of execution. Contents never change: each operation returns new ones.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace canproof::host::prove {
 class Contents;
 using ContentsPointer = std::shared_ptr<const Contents>;
 
-/// Offsets are 64 bits and in bounds: the caller has made that an obligation.
+/// The interface of all contents. Offsets have 64 bits and are in bounds: the caller has made that an obligation.
 class Contents {
   public:
     Contents() = default;
@@ -19,18 +19,19 @@ class Contents {
     Contents& operator=(const Contents&) = delete;
     virtual ~Contents() = default;
 
-    /// `bytes` bytes from there as one word, the least significant first.
+    /// The `bytes` bytes from `offset` on as one word, the least significant byte first.
     virtual Term read(const Term& offset, unsigned bytes) const = 0;
-    /// With the bytes of a word from there on.
+    /// These contents, but with the bytes of `word` from `offset` on.
     virtual ContentsPointer written(const Term& offset, const Term& word) const = 0;
-    /// With `count` bytes of `source` from `from` on; `source` may be these contents themselves.
+    /// These contents, but from `offset` on with `count` bytes that `source` has from `from` on. `source` may be these
+    /// contents themselves.
     virtual ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
                                    const Term& count) const = 0;
-    /// These where the condition holds, the others elsewhere: of the same object.
+    /// These contents where the condition holds, and `otherwise` where it does not. Both belong to the same object.
     virtual ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const = 0;
 };
 
-/// Makes a new unknown of a width.
+/// Makes a new unknown value with `width` bits.
 using MakeFresh = std::function<Term(unsigned width)>;
 
 }  // namespace canproof::host::prove

@@ -1,4 +1,5 @@
-// Seeded faults: small changes of real functions, each of which some theorem must refute.
+// Seeded faults: small wrong changes of real functions, made on purpose. For each, one theorem must be refuted; this
+// shows that the prover finds faults.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +14,17 @@ namespace canproof::host::prove {
 struct Fault {
     std::string name;
     std::string file;
-    std::string from;  ///< stands there exactly once
+    std::string from;  ///< the text to replace; the file must hold it exactly once
     std::string to;
-    std::string theorem;  ///< that refutes it
+    std::string theorem;  ///< the theorem that must be refuted
 };
 
-/// Reads the table. Throws InputError.
+/// Reads the table of faults from a TOML file. Throws InputError.
 std::vector<Fault> read_faults(const std::filesystem::path& table);
 
-/// Tries each `every`-th fault: whether its theorem is refuted, and the counterexample fails natively too. Prints a
-/// line for each. 0 when all are, else 1.
+/// Tries every `every`-th fault: is its theorem refuted, and does the counterexample fail in the native program too?
+/// Prints two lines for each. Returns 0 when both hold for all faults that were tried (without replays, when all are
+/// refuted), else 1.
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options);
 
 }  // namespace canproof::host::prove

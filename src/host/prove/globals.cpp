@@ -108,7 +108,7 @@ ObjectId Globals::add(const llvm::GlobalValue& global) {
     std::vector<Cell> cells(size, Cell{constant(proof_.context, 0, byte_width), 0});
     const ObjectId id =
         proof_.objects.add({variable->getName().str(), number_of(size), alignment, !variable->isConstant()});
-    ids_.emplace(&global, id);  // first: it may hold its own address
+    ids_.emplace(&global, id);  // before the initial value: that may hold the variable's own address
     fill(cells, 0, *variable->getInitializer());
     proof_.objects.initialise(id, std::make_shared<CellContents>(std::move(cells)));
     return id;
@@ -116,7 +116,7 @@ ObjectId Globals::add(const llvm::GlobalValue& global) {
 
 void Globals::fill(std::vector<Cell>& cells, std::uint64_t at, const llvm::Constant& constant) {
     if (constant.isZeroValue() && !constant.getType()->isPointerTy()) {
-        return;  // it is zero already
+        return;  // all cells are zero already
     }
     if (!constant.getType()->isAggregateType()) {
         const auto bytes = static_cast<unsigned>(layout_.getTypeStoreSize(constant.getType()).getFixedValue());

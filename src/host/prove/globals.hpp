@@ -1,4 +1,4 @@
-// Constants, global variables and functions of a program as terms and objects.
+// The constants, global variables and functions of a program, as terms and objects.
 #pragma once
 
 #include <llvm/IR/Constants.h>
@@ -14,7 +14,8 @@
 
 namespace canproof::host::prove {
 
-/// The value of an instruction: its scalars, one for most types.
+/// The value of an instruction, as the list of its scalars. Most types have one; structures and arrays may have
+/// several.
 using Value = std::vector<Term>;
 
 class Globals {
@@ -22,9 +23,9 @@ class Globals {
     Globals(Proof& proof, const llvm::DataLayout& layout) : proof_{proof}, layout_{layout} {}
 
     Value value(const llvm::Constant& constant);
-    /// The function with this number; nullptr for another object.
+    /// The function whose object has this number; nullptr when that object is not a function.
     const llvm::Function* function(ObjectId id) const;
-    /// Text that a constant address points to.
+    /// The text that a constant address points to.
     std::string text(const Term& address);
 
   private:

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t most_input_bytes = 65536;
 constexpr unsigned address_bytes = address_width / byte_width;
 
-/// The object that an address means, with its cells; the address is a number.
+/// The object that an address points into, with its cells, and the offset of the address, which must be a known number.
 struct Target {
     ObjectId object;
     std::uint64_t offset;
@@ -41,7 +41,7 @@ std::uint64_t size_argument(const HarnessCall& call) {
     return *bytes;
 }
 
-/// Any bytes there.
+/// Gives the bytes at an address any values.
 void leave_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
     Target target = target_of(proof, state, call, bytes);
@@ -67,7 +67,7 @@ bool holds_address(const Proof& proof, const std::vector<Cell>& cells, std::size
     return false;
 }
 
-/// Any bytes there, but those of addresses.
+/// Gives the bytes at an address any values, except that addresses stored there keep theirs.
 void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
     Target target = target_of(proof, state, call, bytes);
@@ -88,7 +88,7 @@ void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     proof.inputs.push_back(std::move(input));
 }
 
-/// Memory of any contents, and of a size that need not be a number.
+/// New memory with any contents. Its size need not be a known number.
 Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     const Term size = call.arguments[0];
     const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },

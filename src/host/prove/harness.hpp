@@ -1,4 +1,5 @@
-// The functions that a proof's harness calls and the prover answers: properties/proofs/support/proof.hpp declares them.
+// The functions that a harness calls and the prover carries out itself; properties/proofs/support/proof.hpp declares
+// them.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 namespace canproof::host::prove {
 
 enum class HarnessEffect {
-    none,       ///< the function is none of the harness
-    goes_on,    ///< done
+    none,       ///< the function is not one of these
+    goes_on,    ///< it is done; the path goes on
     path_ends,  ///< an assumption excludes this path
 };
 
@@ -21,7 +22,7 @@ struct HarnessCall {
     Value result{};
 };
 
-/// Does what the function means.
+/// Carries out the function.
 HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, HarnessCall& call);
 
 }  // namespace canproof::host::prove

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t most_compared = 4096;
 
-/// Which check of the sanitizer stands there (clang's numbers, CodeGenFunction.h).
+/// Names the check of the sanitizer that a trap belongs to. The numbers are clang's own (its CodeGenFunction.h).
 std::string broken_rule(const Value& arguments) {
     const auto rule = arguments.empty() ? std::nullopt : number(arguments[0]);
     static const std::map<std::uint64_t, std::string> names = {
@@ -48,7 +48,7 @@ CallEffect overflow_checked(Proof& proof, llvm::Intrinsic::ID id, const Value& a
     return CallEffect::goes_on;
 }
 
-/// Below zero, zero or above it: which of two ranges has the greater byte where they first differ.
+/// The result of memcmp: below zero, zero or above zero, by the first byte in which the two ranges differ.
 Term memory_compared(Proof& proof, const State& state, const Value& arguments, const std::string& where) {
     const auto count = number(arguments[2]);
     if (!count || *count > most_compared) {

@@ -1,4 +1,4 @@
-// LLVM's intrinsics, and the few functions of the C library that compilers call.
+// Carries out LLVM's intrinsics, and the few functions of the C library that compilers insert calls of.
 #pragma once
 
 #include <llvm/IR/InstrTypes.h>
@@ -9,9 +9,9 @@
 namespace canproof::host::prove {
 
 enum class CallEffect {
-    none,       ///< not known here
-    goes_on,    ///< done; its value is in `result`
-    path_ends,  ///< nothing follows
+    none,       ///< the function is not known here
+    goes_on,    ///< it is done; its value is in `result`
+    path_ends,  ///< nothing follows on this path
 };
 
 CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call, const Value& arguments,

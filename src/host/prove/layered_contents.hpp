@@ -1,4 +1,5 @@
-// Contents of memory of any size: unknown bytes at the bottom, each operation a layer above them.
+// The contents of memory whose size need not be known: unknown bytes at the bottom, and each operation puts a layer
+// above them.
 #pragma once
 
 #include <functional>
@@ -15,17 +16,18 @@ class LayeredContents : public Contents, public std::enable_shared_from_this<Lay
                            const Term& count) const override;
     ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const override;
 
-    /// The byte there.
+    /// The byte at an offset.
     virtual Term at(const Term& offset) const = 0;
 };
 
-/// One byte of unknown memory that was asked for.
+/// One byte of unknown memory that somebody has read.
 struct AskedByte {
     Term offset;
     Term value;
 };
 
-/// The bottom: each offset has an unknown byte, equal offsets the same one. `know` takes that as a fact.
+/// The bottom layer: each offset holds an unknown byte. That equal offsets hold equal bytes is told to the solver as a
+/// fact, through `know`.
 class UnknownBytes : public LayeredContents {
   public:
     UnknownBytes(MakeFresh fresh, std::function<void(const Term&)> know)
@@ -36,7 +38,7 @@ class UnknownBytes : public LayeredContents {
   private:
     MakeFresh fresh_;
     std::function<void(const Term&)> know_;
-    mutable std::vector<AskedByte> asked_;  ///< what is unknown until somebody looks
+    mutable std::vector<AskedByte> asked_;  ///< the bytes that were read so far; reading adds to them
 };
 
 }  // namespace canproof::host::prove

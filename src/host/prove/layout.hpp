@@ -1,4 +1,4 @@
-// Which scalars a type consists of.
+// The scalars (numbers, truth values and addresses) that a type consists of.
 #pragma once
 
 #include <llvm/IR/DataLayout.h>
@@ -9,15 +9,16 @@
 
 namespace canproof::host::prove {
 
-/// One scalar of a type: so many bytes behind its start.
+/// One scalar of a type, `offset` bytes behind the start of the type.
 struct Scalar {
     std::uint64_t offset{0};
     llvm::Type* type{nullptr};
 };
 
-/// The scalars of a type in order; a scalar alone has one. Padding has none.
+/// The scalars of a type in order; a type that is itself a scalar has one. Padding bytes belong to none.
 std::vector<Scalar> scalars_of(llvm::Type* type, const llvm::DataLayout& layout);
-/// Which of the scalars of `type` the indices of an aggregate instruction mean: the first, and how many.
+/// The part of a structure or array that the indices of an LLVM instruction select: the number of its first scalar in
+/// `type`, and how many scalars it has.
 struct ScalarRange {
     std::size_t first{0};
     std::size_t count{0};

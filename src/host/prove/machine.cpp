@@ -1,4 +1,4 @@
-// How execution moves: calls, blocks, branches, meetings.
+// How execution moves on: calls, blocks, branches, and paths that meet again.
 #include "host/prove/machine.hpp"
 
 #include "host/prove/block_order.hpp"
@@ -10,7 +10,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Counts the calls that are open, for as long as it lives.
+/// Counts one more open call for as long as this object lives.
 class Deeper {
   public:
     explicit Deeper(unsigned& depth) : depth_{depth} { ++depth_; }
@@ -167,7 +167,7 @@ void Machine::choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival 
 }
 
 void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival) {
-    std::vector<std::pair<const llvm::Value*, Value>> taken;  // all at once: one phi may use another
+    std::vector<std::pair<const llvm::Value*, Value>> taken;  // all are read before any is set: one phi may use another
     for (const llvm::PHINode& phi : to.phis()) {
         taken.emplace_back(&phi, operand(phi.getIncomingValueForBlock(&from), arrival));
     }

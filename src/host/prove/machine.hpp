@@ -1,4 +1,5 @@
-// Executes a function on terms: all its paths at once, which part at branches and meet again where they can.
+// Executes a function on terms instead of numbers, on all its paths at once: they part at branches and are merged again
+// where they meet.
 #pragma once
 
 #include <llvm/IR/Instructions.h>
@@ -14,13 +15,13 @@ namespace canproof::host::prove {
 
 using Values = std::unordered_map<const llvm::Value*, Value>;
 
-/// Paths that come to a block, as one.
+/// All paths that have come to a block so far, merged into one.
 struct Arrival {
     State state;
     Values values;
 };
 
-/// What a function leaves behind.
+/// What a function leaves behind when it returns.
 struct Return {
     State state;
     Value value;
@@ -31,14 +32,14 @@ class Machine {
     Machine(Proof& proof, const llvm::Module& module)
         : proof_{proof}, layout_{module.getDataLayout()}, globals_{proof, layout_} {}
 
-    /// Empty when no path returns. Throws Unknown.
+    /// Executes a call. Empty when no path returns from it. Throws Unknown.
     std::optional<Return> call(const llvm::Function& function, const std::vector<Value>& arguments, State state);
 
   private:
     struct Frame;
 
     void run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival);
-    /// False when the path ends there.
+    /// Executes one instruction. False when the path ends there.
     bool run(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival);
     void leave(Frame& frame, const llvm::Instruction& terminator, Arrival arrival);
     void branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival);

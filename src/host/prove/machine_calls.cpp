@@ -1,4 +1,4 @@
-// Calls: of the harness, of intrinsics, of functions by name or by address.
+// Calls: of functions that the prover carries out itself, of intrinsics, and of other functions by name or by address.
 #include <llvm/IR/InstrTypes.h>
 
 #include "host/prove/access.hpp"
@@ -15,7 +15,7 @@ std::vector<Value> Machine::arguments_of(Frame& frame, const llvm::CallBase& cal
     std::vector<Value> all;
     for (unsigned i = 0; i < call.arg_size(); ++i) {
         Value value = operand(call.getArgOperand(i), arrival);
-        if (call.isByValArgument(i)) {  // the callee has a copy of its own
+        if (call.isByValArgument(i)) {  // the called function gets its own copy
             const std::uint64_t size = layout_.getTypeAllocSize(call.getParamByValType(i)).getFixedValue();
             const Term bytes = constant(proof_.context, size, address_width);
             const ObjectId id = proof_.objects.add({"an argument", bytes, 16, true});

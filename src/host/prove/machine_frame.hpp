@@ -1,4 +1,4 @@
-// One call under way.
+// What belongs to one call while it is being executed.
 #pragma once
 
 #include "host/prove/machine.hpp"
@@ -8,8 +8,8 @@ namespace canproof::host::prove {
 struct Machine::Frame {
     const llvm::Function& function;
     const std::map<const llvm::BasicBlock*, unsigned>& order;
-    std::map<unsigned, Arrival> waiting{};                 ///< by position of the block
-    std::map<unsigned, const llvm::BasicBlock*> blocks{};  ///< by position
+    std::map<unsigned, Arrival> waiting{};                 ///< the paths that wait for a block, by the block's position
+    std::map<unsigned, const llvm::BasicBlock*> blocks{};  ///< the blocks by position
     std::map<const llvm::BasicBlock*, unsigned> visits{};
     std::vector<ObjectId> locals{};
     std::optional<Return> result{};

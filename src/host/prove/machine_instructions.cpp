@@ -1,4 +1,4 @@
-// What single instructions compute, read and write.
+// Single instructions: what they compute, read and write.
 #include <llvm/ADT/MapVector.h>
 #include <llvm/IR/ConstantRange.h>
 #include <llvm/IR/Operator.h>
@@ -113,7 +113,7 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// The bytes of open states that a value is chosen from.
+/// Collects the bytes of objects left open from which a value is chosen.
 void collect_inputs(const Proof& proof, const Term& value, std::vector<Term>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
         collect_inputs(proof, value.arg(1), found);
@@ -125,7 +125,8 @@ void collect_inputs(const Proof& proof, const Term& value, std::vector<Term>& fo
 
 }  // namespace
 
-/// A byte of an open state that the program reads as a bool is one: 0 or 1. Any other byte must be shown to be one.
+/// LLVM marks what is read as a bool with a range. A byte of an object left open is assumed to lie in it, to be 0 or 1,
+/// when the program reads it so; for every other byte this becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {

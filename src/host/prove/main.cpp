@@ -1,4 +1,5 @@
-// canproof-prove: what `canproof prove` starts, so that the program itself does not load a compiler and a solver.
+// canproof-prove, the program that `canproof prove` starts. It is separate, so that `canproof` itself does not load a
+// compiler library and a solver.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

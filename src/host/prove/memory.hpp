@@ -1,4 +1,4 @@
-// The objects of a program, and what they hold on a path.
+// The objects of a program, and what they hold on one path.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@
 
 namespace canproof::host::prove {
 
-/// What does not change about an object.
+/// What never changes about an object.
 struct Object {
     std::string name;
     Term size;  ///< 64 bits
     std::uint64_t alignment{1};
     bool writable{true};
-    ContentsPointer initial{};  ///< of a global; empty for what a function makes
+    ContentsPointer initial{};  ///< of a global variable; empty for an object that a function makes
 };
 
-/// All objects that a proof has met; none is ever removed.
+/// All objects that a proof has met so far; none is ever removed.
 class Objects {
   public:
     ObjectId add(Object object);
@@ -31,21 +31,22 @@ class Objects {
     std::vector<Object> all_;
 };
 
-/// What the objects hold on one path. An object without contents is not there any more.
+/// What the objects hold on one path. An object without contents does not exist on it, or no longer.
 class Memory {
   public:
     void set(ObjectId id, ContentsPointer contents) { changed_[id] = std::move(contents); }
     void remove(ObjectId id) { changed_.erase(id); }
-    /// Empty where the object is gone.
+    /// Empty when the object does not exist on this path.
     ContentsPointer contents(const Objects& objects, ObjectId id) const;
-    /// What it held on the one path where `condition` is true, and on the other elsewhere.
+    /// Merges the memory of another path into this one: each object holds what it held here where `condition` is true,
+    /// and what it held there where it is false.
     void merge(const Objects& objects, const Term& condition, const Memory& otherwise);
 
   private:
     std::map<ObjectId, ContentsPointer> changed_;
 };
 
-/// Whether `count` bytes from there lie in the object.
+/// True when `count` bytes from `offset` on lie in the object.
 Term in_bounds(const Object& object, const Term& offset, const Term& count);
 
 }  // namespace canproof::host::prove

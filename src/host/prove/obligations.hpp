@@ -1,4 +1,4 @@
-// What must hold on every path, and whether it does.
+// Obligations: what must hold on every path. Finds out whether each of them does.
 #pragma once
 
 #include <string>
@@ -11,33 +11,34 @@ namespace canproof::host::prove {
 enum class Verdict { proven, refuted, unknown };
 std::string name_of(Verdict verdict);
 
-/// `holds` wherever `path` holds.
+/// `holds` must be true wherever all of `path` is true.
 struct Obligation {
     std::vector<Term> path;
     Term holds;
     std::string what;
-    std::string where;  ///< function, file:line
+    std::string where;  ///< the function, the file and the line
 };
 
 class Obligations {
   public:
     Obligations(z3::context& context, Solver& solver) : context_{context}, solver_{solver} {}
 
-    /// What is plainly true counts as proven at once.
+    /// Adds an obligation. One that is true after simplification counts as proven at once.
     void add(const std::vector<Term>& path, const Term& holds, const std::string& what, const std::string& where);
     std::size_t size() const { return count_; }
 
     struct Outcome {
         Verdict verdict{Verdict::proven};
-        std::string reason;  ///< the first obligation that does not hold or is not decided
+        std::string reason;  ///< the first obligation that does not hold or could not be decided
         std::optional<z3::model> counterexample;
     };
-    /// Decides all, several at a time, each in at most so long. `preferred` is true of the counterexample where it can
-    /// be.
+    /// Decides all obligations. One question to the solver covers several of them and may take `milliseconds`. Where
+    /// possible, the counterexample also makes all of `preferred` true.
     Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:
-    /// Those of `first` to `last`; true when the search is over.
+    /// Decides the obligations from `first` up to, but without, `last`. True when one was refuted, which ends the
+    /// search.
     bool settle_range(std::size_t first, std::size_t last, unsigned milliseconds, Outcome& outcome);
     Term broken(const Obligation& one) const;
 

@@ -1,4 +1,4 @@
-// Where an instruction stands in the source.
+// Names of functions and places of instructions in the source, for messages.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ class Instruction;
 
 namespace canproof::host::prove {
 
-/// `canproof::ByteView::part(unsigned long, unsigned long) const`.
+/// The name as a reader of the source knows it: `canproof::ByteView::part(unsigned long, unsigned long) const`.
 std::string readable_name(const llvm::Function& function);
-/// `canproof::ByteView::part(…) const, src/firmware/base/bytes.hpp:64`.
+/// The function, file and line of an instruction: `canproof::ByteView::part(…) const, src/firmware/base/bytes.hpp:64`.
 std::string where_is(const llvm::Instruction& instruction);
-/// The file of a function as the compiler was given it; empty without line tables.
+/// The source file of a function, as its path was given to the compiler; empty when the bitcode has no line tables.
 std::string file_of(const llvm::Function& function);
 unsigned line_of(const llvm::Function& function);
 

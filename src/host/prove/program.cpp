@@ -50,7 +50,8 @@ Program::Program(const std::vector<std::filesystem::path>& bitcode) : context_{s
 
 Program::~Program() = default;
 
-/// Local variables whose address nobody takes become values. No other pass: it might remove what is to be judged.
+/// Turns local variables whose address nobody takes into values. No other pass of LLVM runs: it might remove the very
+/// code that is to be judged.
 void Program::prepare() {
     llvm::LoopAnalysisManager loops;
     llvm::FunctionAnalysisManager functions;

@@ -1,4 +1,4 @@
-// A proof's harness with the firmware that it calls, as LLVM has it.
+// The harness of a proof, linked with the firmware that it calls, as an LLVM module.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,14 @@ namespace canproof::host::prove {
 
 class Program {
   public:
-    /// Links the files; the first holds the theorems. Throws InputError.
+    /// Links the bitcode files; the first must hold the theorems. Throws InputError.
     explicit Program(const std::vector<std::filesystem::path>& bitcode);
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     ~Program();
 
     const llvm::Module& module() const { return *module_; }
-    /// The functions `void canproof::proofs::NAME()` of the first file, in its order.
+    /// The names of the functions `void canproof::proofs::NAME()` of the first file, in their order there.
     const std::vector<std::string>& theorems() const { return theorems_; }
     const llvm::Function& theorem(const std::string& name) const;
 

@@ -14,26 +14,27 @@
 
 namespace canproof::host::prove {
 
-/// What a proof may take before the theorem is unknown.
+/// How much a proof may use. Beyond any of these the theorem is unknown.
 struct Limits {
-    unsigned seconds{3600};               ///< for one obligation; the bound of processor time comes first
+    unsigned seconds{3600};               ///< for one question about obligations; the bound of processor time
+                                          ///< (ProveOptions::seconds) is usually reached before
     unsigned branch_milliseconds{20000};  ///< for the question whether a branch can be taken
-    unsigned visits{2000};                ///< of one block in one call: the bound of loops
-    unsigned depth{64};                   ///< of calls
+    unsigned visits{2000};                ///< of one block in one call: bounds the passes of loops
+    unsigned depth{64};                   ///< of calls inside calls
 };
 
-/// Something that the harness leaves open: the bytes in the order in which it asked. A byte of a state that is part of
-/// an address keeps its value and has no term.
+/// One value, object or memory that the harness leaves open: its bytes in the order in which the harness asked for
+/// them. In an object left open, a byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
-    std::optional<Term> size{};                    ///< of memory of any size
-    std::shared_ptr<const UnknownBytes> memory{};  ///< what was read of it
+    std::optional<Term> size{};                    ///< only for any_memory(): its size
+    std::shared_ptr<const UnknownBytes> memory{};  ///< only for any_memory(): its bytes that were read
 };
 
 struct Proof {
     explicit Proof(const Limits& bounds) : limits{bounds} {}
 
-    /// An unknown of a width.
+    /// A new unknown value with `width` bits.
     Term fresh(unsigned width) { return context.bv_const(("v" + std::to_string(unknowns++)).c_str(), width); }
 
     Limits limits;
@@ -43,11 +44,11 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< of open states, by number of the term
-    std::string statement{};                  ///< what the harness says that it shows
-    std::vector<std::string> requirements{};  ///< that it names
-    std::function<void()> noted{};            ///< after each of both
-    std::set<std::string> functions{};        ///< of the firmware, that were executed
+    std::set<unsigned> state_bytes{};         ///< the bytes of objects left open, by the number of their term
+    std::string statement{};                  ///< the sentence that the harness passes to shows()
+    std::vector<std::string> requirements{};  ///< those that the harness passes to proves()
+    std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`
+    std::set<std::string> functions{};        ///< the functions of the firmware that were executed
 };
 
 }  // namespace canproof::host::prove

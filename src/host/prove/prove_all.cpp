@@ -20,7 +20,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// The files that may hold what is asked for: all of an area, or those that define the theorem.
+/// The files that may hold the theorems asked for: all files of a folder, or those that define the one theorem.
 std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
     std::vector<std::filesystem::path> all;
     if (!std::filesystem::is_directory(options.proofs)) {
@@ -40,7 +40,8 @@ std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
     return all;
 }
 
-/// The process ends with SIGXCPU after so many seconds of its own work, however busy the machine is.
+/// Ends the process with the signal SIGXCPU after `seconds` seconds of its own processor time, however busy the machine
+/// is.
 void bound_processor_time(rlim_t seconds) {
     rlimit bound{};
     if (getrlimit(RLIMIT_CPU, &bound) == 0) {
@@ -49,7 +50,7 @@ void bound_processor_time(rlim_t seconds) {
     }
 }
 
-/// One theorem in a process of its own: what goes wrong there ends that alone.
+/// Decides one theorem in its own process: a crash there ends that process only.
 class Task {
   public:
     Task(const Program& program, TheoremResult result, const std::filesystem::path& place)
@@ -87,7 +88,7 @@ class Task {
 
     void save() const { write_file(place_, json_of(result_).dump()); }
 
-    /// Does not return.
+    /// The work of the child process. Does not return.
     [[noreturn]] void run(Compiler& compiler, const ProveOptions& options) {
         try {
             bound_processor_time(options.seconds);
@@ -112,7 +113,7 @@ class Task {
     std::chrono::steady_clock::time_point began_{};
 };
 
-/// The tasks of one program after the other.
+/// Starts the tasks in order, at most `jobs` at the same time, and collects their results.
 class Queue {
   public:
     Queue(Compiler& compiler, const ProveOptions& options) : compiler_{compiler}, options_{options} {}

@@ -16,7 +16,8 @@ namespace {
 
 const std::string reproduced = "reproduced: ";
 
-/// The line of a sanitizer, or of replay.cpp, that says what is wrong.
+/// The line of the messages that says what is wrong: that of a sanitizer, or else the first one, which
+/// properties/proofs/support/replay.cpp prints.
 std::string complaint(const std::string& messages) {
     std::istringstream lines{messages};
     std::string first;

@@ -1,4 +1,4 @@
-// A counterexample, run natively.
+// Runs a counterexample as a native program.
 #pragma once
 
 #include "host/prove/compile.hpp"
@@ -6,11 +6,11 @@
 
 namespace canproof::host::prove {
 
-/// Compiles the theorem under sanitizers, runs it with the counterexample's values and notes in the result what
+/// Compiles the theorem with sanitizers, runs it with the values of the counterexample, and writes into `result` what
 /// happened.
 void replay(Compiler& compiler, const std::filesystem::path& scratch, TheoremResult& result);
 
-/// Whether the native program failed as well.
+/// True when the native program failed as well.
 bool is_reproduced(const TheoremResult& result);
 
 }  // namespace canproof::host::prove

@@ -1,4 +1,4 @@
-// What came of all theorems: as a table and as JSON.
+// The results of all theorems, as a table and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 namespace canproof::host::prove {
 
 nlohmann::json json_of(const TheoremResult& result);
-/// The reverse. Throws nlohmann's exceptions.
+/// The reverse of json_of(). Throws nlohmann's exceptions.
 TheoremResult result_of(const nlohmann::json& json);
 
 std::string table_of(const std::vector<TheoremResult>& results);

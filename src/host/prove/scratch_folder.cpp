@@ -15,7 +15,8 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;  // what stays behind lies in the folder for such files
+    std::error_code ignored;  // files that cannot be deleted stay in the system's folder for temporary files, which
+                              // does no harm
     std::filesystem::remove_all(path_, ignored);
 }
 

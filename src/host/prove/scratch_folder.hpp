@@ -1,4 +1,4 @@
-// A folder that goes with its owner.
+// A temporary folder that is deleted together with the object that owns it.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@ namespace canproof::host::prove {
 
 class ScratchFolder {
   public:
-    /// Throws InputError when there is no place for it.
+    /// Makes the folder. Throws InputError when that fails.
     ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -1,4 +1,4 @@
-// Questions to z3, and a memory of answers that saves most of them.
+// Asks z3 questions, and remembers some answers, which saves most of the questions.
 #pragma once
 
 #include <deque>
@@ -14,21 +14,21 @@ class Solver {
   public:
     explicit Solver(z3::context& context) : context_{context} {}
 
-    /// Holds from now on, in every question.
+    /// Adds a fact, which every later question takes as true.
     void know(const Term& fact) { facts_.push_back(fact); }
-    /// Whether all of these can be true at once. `unknown` when that takes longer.
+    /// Can all of these be true at the same time? `unknown` when z3 needs more than `milliseconds` to decide it.
     Answer satisfiable(const std::vector<Term>& truths, unsigned milliseconds);
-    /// Values for which the last question that was answered with `yes` holds.
+    /// Values that make the last question true that was answered with `yes`.
     const z3::model& model() const { return models_.front(); }
     std::size_t questions() const { return questions_; }
 
   private:
-    /// Whether one of the last models makes them true.
+    /// True when one of the last models makes all of these, and all facts, true; z3 need not be asked then.
     bool known_to_hold(const std::vector<Term>& truths);
 
     z3::context& context_;
     std::vector<Term> facts_;
-    std::deque<z3::model> models_;  ///< newest first
+    std::deque<z3::model> models_;  ///< the one used last comes first
     std::size_t questions_{0};
 };
 

@@ -1,4 +1,4 @@
-// Where an execution stands: what is true on its path, and what memory holds.
+// The state of an execution: what is true on its path, and what memory holds.
 #pragma once
 
 #include "host/prove/memory.hpp"
@@ -8,17 +8,19 @@ namespace canproof::host::prove {
 struct State {
     std::vector<Term> path;
     Memory memory;
-    double paths{1.0};  ///< how many paths through the program it stands for
+    double paths{1.0};  ///< the number of paths through the program that are merged in it
 };
 
-/// How to choose between two states that meet: true on the path of the first, false on that of the second.
+/// How two paths meet: `first_holds` is true on the first path and false on the second, and chooses between their
+/// values; `path` is what is true on the merged path.
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 
-/// Makes `first` stand for both; what held on `first` alone is chosen by the condition that comes back.
+/// Merges `second` into `first`. The returned condition chooses what held on `first` alone, for values that are not in
+/// memory.
 Term merge(z3::context& context, const Objects& objects, State& first, const State& second);
 
 }  // namespace canproof::host::prove

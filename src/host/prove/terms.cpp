@@ -1,6 +1,73 @@
 #include "host/prove/terms.hpp"
 
+#include <algorithm>
+
 namespace canproof::host::prove {
+
+namespace {
+
+constexpr unsigned longest_word = 64;
+constexpr unsigned deepest_look = 8;  ///< into a term: what lies deeper counts as open
+
+KnownBits lowest(std::uint64_t bits, unsigned count) {
+    const unsigned kept = std::min(count, longest_word);
+    return {kept, kept == longest_word ? bits : bits & ((std::uint64_t{1} << kept) - 1)};
+}
+
+unsigned zeros_of(const KnownBits& known) {
+    unsigned zeros = 0;
+    while (zeros < known.count && ((known.bits >> zeros) & 1U) == 0) {
+        ++zeros;
+    }
+    return zeros;
+}
+
+KnownBits known_product(const KnownBits& a, const KnownBits& b) {
+    return lowest(a.bits * b.bits, std::min(a.count + zeros_of(b), b.count + zeros_of(a)));
+}
+
+/// The bits in which both begin alike.
+KnownBits common(const KnownBits& a, const KnownBits& b) {
+    unsigned count = 0;
+    while (count < std::min(a.count, b.count) && ((a.bits ^ b.bits) >> count & 1U) == 0) {
+        ++count;
+    }
+    return lowest(a.bits, count);
+}
+
+KnownBits known(const Term& term, unsigned depth) {
+    if (const auto value = number(term)) {
+        return lowest(*value, width_of(term));
+    }
+    if (!term.is_bv() || !term.is_app() || depth == deepest_look) {
+        return {};
+    }
+    const auto argument = [&](unsigned at) { return known(term.arg(at), depth + 1); };
+    switch (term.decl().decl_kind()) {
+        case Z3_OP_BADD:
+        case Z3_OP_BMUL: {
+            KnownBits all = argument(0);
+            for (unsigned i = 1; i < term.num_args(); ++i) {
+                const KnownBits more = argument(i);
+                all = term.decl().decl_kind() == Z3_OP_BMUL
+                          ? known_product(all, more)
+                          : lowest(all.bits + more.bits, std::min(all.count, more.count));
+            }
+            return lowest(all.bits, std::min(all.count, width_of(term)));
+        }
+        case Z3_OP_ITE:
+            return common(argument(1), argument(2));
+        case Z3_OP_CONCAT:
+            return argument(term.num_args() - 1);
+        case Z3_OP_ZERO_EXT:
+        case Z3_OP_SIGN_EXT:
+            return argument(0);
+        default:
+            return {};
+    }
+}
+
+}  // namespace
 
 bool same(const Term& a, const Term& b) {
     return z3::eq(a, b);
@@ -56,6 +123,10 @@ Term byte_of(const Term& word, unsigned at) {
         return word;
     }
     return word.extract(byte_width * (at + 1) - 1, byte_width * at).simplify();
+}
+
+KnownBits low_bits(const Term& term) {
+    return known(term, 0);
 }
 
 Term choose(const Term& condition, const Term& a, const Term& b) {

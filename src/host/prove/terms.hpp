@@ -1,4 +1,4 @@
-// Bit vectors and truths of z3, with the few helpers that the prover needs.
+// The terms of z3 (bit vectors and truth values), and a few helpers for them.
 #pragma once
 
 #include <z3++.h>
@@ -9,29 +9,36 @@
 
 namespace canproof::host::prove {
 
-/// A truth, or a bit vector of 8, 16, 32, 64 … bits.
+/// A truth value, or a bit vector of 8, 16, 32, 64 … bits.
 using Term = z3::expr;
 
 constexpr unsigned byte_width = 8U;
 constexpr unsigned address_width = 64U;
 
-/// Whether both are the same node; equal values may still be different nodes.
+/// True when both are the same node of z3. Different nodes may still have equal values.
 bool same(const Term& a, const Term& b);
 bool is_true(const Term& truth);
 bool is_false(const Term& truth);
-/// The value of a constant of at most 64 bits.
+/// The value of a constant of at most 64 bits; empty for any other term.
 std::optional<std::uint64_t> number(const Term& term);
-/// Bits of a term; a truth has one.
+/// The number of bits of a term; a truth value has one.
 unsigned width_of(const Term& term);
 
 Term constant(z3::context& context, std::uint64_t value, unsigned width);
-/// A truth as one bit, and the reverse; other terms stay as they are.
+/// Turns a truth value into a bit vector of one bit, and back; other terms stay as they are.
 Term as_bits(const Term& term);
 Term as_truth(const Term& term);
-/// Fits a bit vector to a width: cuts it, or adds zeros.
+/// Brings a bit vector to a width: cuts off the upper bits, or adds zeros.
 Term resized(const Term& term, unsigned width);
-/// Byte `at` of a word, the least significant first.
+/// Byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
+/// The lowest `count` bits of a term, where they are the same for all values; no more than 64.
+struct KnownBits {
+    unsigned count{0};
+    std::uint64_t bits{0};
+};
+/// What is plain about the lowest bits: a sum of products by powers of two has its remainder there.
+KnownBits low_bits(const Term& term);
 /// `condition ? a : b`, without a choice where there is none.
 Term choose(const Term& condition, const Term& a, const Term& b);
 

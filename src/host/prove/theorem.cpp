@@ -11,7 +11,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-constexpr std::uint64_t most_memory_bytes = 4096;  ///< of a counterexample that is written out
+constexpr std::uint64_t most_memory_bytes = 4096;  ///< most bytes of one memory that a counterexample holds
 
 int byte_in(const z3::model& model, const Term& byte) {
     return static_cast<int>(number(model.eval(byte, true)).value_or(0));
@@ -44,7 +44,7 @@ std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Inpu
     return all;
 }
 
-/// That memory of any size is small: a counterexample can then be written out and run.
+/// The wish that each memory of any size is small, so that the counterexample can be written to a file and run.
 std::vector<Term> small_memory(Proof& proof) {
     constexpr std::uint64_t small = 64;
     std::vector<Term> all;
@@ -56,7 +56,7 @@ std::vector<Term> small_memory(Proof& proof) {
     return all;
 }
 
-/// Whether some values come to the end, so that the assumptions mean something.
+/// Refutes a theorem whose end no values reach: its assumptions contradict each other, and it would prove nothing.
 void refuse_vacuous(Proof& proof, const std::optional<Return>& end, TheoremResult& result) {
     const Answer reached = end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
     if (reached == Answer::no) {

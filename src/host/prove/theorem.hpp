@@ -1,4 +1,4 @@
-// One theorem: what it says, and what came of it.
+// One theorem: what it says, and its result.
 #pragma once
 
 #include <functional>
@@ -10,28 +10,29 @@
 
 namespace canproof::host::prove {
 
-/// What a theorem left open, as it is in a counterexample: a byte each; -1 where the value stays.
+/// One value that a theorem left open, as the counterexample has it: a number for each byte, and -1 for a byte that
+/// keeps its value.
 using InputBytes = std::vector<int>;
 
 struct TheoremResult {
     std::string name;
-    std::string file;  ///< of the harness
-    std::string area;  ///< its folder
+    std::string file;  ///< the file of the harness
+    std::string area;  ///< the name of the folder of that file
     std::string statement{};
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
-    std::string reason{};                  ///< the obligation that fails or is open; why nothing is known
-    std::vector<std::string> functions{};  ///< of the firmware, that were executed
+    std::string reason{};                  ///< the obligation that fails or is undecided, or why the theorem is unknown
+    std::vector<std::string> functions{};  ///< the functions of the firmware that were executed
     double paths{0.0};
     std::size_t obligations{0};
-    std::size_t questions{0};  ///< to z3
+    std::size_t questions{0};  ///< questions to z3
     double seconds{0.0};
-    std::vector<InputBytes> inputs{};  ///< of the counterexample, in the order in which the harness asks
-    std::string replay{};              ///< what the native program does with them
+    std::vector<InputBytes> inputs{};  ///< of the counterexample, in the order in which the harness asks for them
+    std::string replay{};              ///< what the native program does with these inputs
 };
 
-/// Executes the theorem and decides its obligations. A theorem that no path comes to the end of is refuted: its
-/// assumptions contradict each other. `noted` is called when `result` knows what the theorem says.
+/// Executes the theorem and decides its obligations. A theorem whose end no path reaches is refuted: its assumptions
+/// contradict each other. `noted` is called whenever the statement or the requirements in `result` have changed.
 void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted);
 
 }  // namespace canproof::host::prove

@@ -1,12 +1,12 @@
-// Why a theorem stays undecided.
+// The exception that ends a proof without a decision.
 #pragma once
 
 #include <stdexcept>
 
 namespace canproof::host::prove {
 
-/// Something that the prover does not model, or a bound that it reached: names the function and the source line. The
-/// theorem is unknown then, never proven.
+/// Something that the prover does not model, or a bound that was reached; the text names the function and the line in
+/// the source. The theorem is unknown then, never proven.
 class Unknown : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "target/semihost.hpp"
+
 extern "C" {
 void initialise_monitor_handles();
 void fault();
@@ -15,14 +17,6 @@ void fault();
 namespace canproof::target {
 
 namespace {
-
-/// Calls Arm semihosting 2.0: BKPT ABh with the operation in r0 and its block in r1.
-int semihost(int operation, const void* block) {
-    register int r0 asm("r0") = operation;
-    register const void* r1 asm("r1") = block;
-    asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-    return r0;
-}
 
 constexpr int sys_get_cmdline = 0x15;
 

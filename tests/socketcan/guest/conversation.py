@@ -1,4 +1,4 @@
-"""The four devices on vcan0 from one process: asked by cansend and python-can, heard by candump, replayed from the log."""
+"""The four devices on vcan0 in one process: cansend and python-can send requests, candump records, and the log is replayed."""
 import os
 import signal
 import subprocess
@@ -10,7 +10,7 @@ from bench import Ear, Run, boot_up, check, sh, until
 FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
 
-# 1000h: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. In a frame the lowest byte comes first.
+# 1000h device type: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. A frame contains the lowest byte first.
 DEVICE_TYPES = {3: "91010800", 4: "94011CE0", 5: "94010200", 6: "9A010310"}
 DUMP = "/tmp/candump.log"
 
@@ -33,14 +33,14 @@ def ask_with_python_can():
 
 
 def stamps_are_the_kernels(ear, run):
-    """What arrives while the process stands still is logged at the time at which it arrived."""
+    """A frame that arrives while the process is stopped is logged with its time of arrival."""
     run.process.send_signal(signal.SIGSTOP)
     with Ear("vcan0") as other:
         stamps = []
         for number in range(3):
             ear.send(f"7A5#0{number}")
             stamps.append(other.wait(f"7A5#0{number}")[1])
-            time.sleep(0.04)  # far more than the error allowed below
+            time.sleep(0.04)  # far more than the difference allowed below
     run.process.send_signal(signal.SIGCONT)
     until("the last frame in the log", lambda: any(text == "7A5#02" for _, text, _ in run.frames()))
     logged = [at for at, text, _ in run.frames() if text.startswith("7A5#")]
@@ -50,7 +50,7 @@ def stamps_are_the_kernels(ear, run):
 
 
 def dumped():
-    """(seconds, ID#DATA) of candump's own log."""
+    """Returns (seconds, ID#DATA) of the log of candump."""
     with open(DUMP) as dump:
         lines = [line.split() for line in dump]
     return [(float(line[0].strip("()")), line[2]) for line in lines]
@@ -77,7 +77,7 @@ def log_replays(program, run):
 
 
 def check_short(kind, program):
-    """What a build with sanitizers is put through: they speak up, and end it with another status, when something is wrong."""
+    """The short check for a build with sanitizers, which print an error and change the exit status on a defect."""
     with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
         with check(f"{kind}four devices of one process boot up and answer"):
             boot_up(ear, FOUR)

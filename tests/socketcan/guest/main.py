@@ -1,5 +1,5 @@
-"""Every check, in order; `run` names the programs on the kernel's command line. The builds with sanitizers have a network of their own
-beside the program's: vcan0, can0 and can1 there are others than here."""
+"""Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the release build
+in a network of their own, where vcan0, can0 and can1 are other interfaces than here."""
 import ctypes
 import os
 import re
@@ -27,8 +27,8 @@ def make_vcan():
     bench.sh("ip", "link", "set", "vcan0", "up")
 
 
-def check_program(program):
-    readme.check_all(program)  # it makes vcan0
+def check_release(program):
+    readme.check_all()  # this check creates vcan0
     conversation.check_all(program)
     flood.check_all(program)
     interface.check_kernel(program)
@@ -46,14 +46,14 @@ def check_sanitized(kind, program):
 
 
 def take_interfaces():
-    """The second pair of controllers, once it is in this network, under the names of the first."""
+    """Takes the second pair of controllers, once it is in this network, and renames it like the first pair."""
     for old, new in (("can2", "can0"), ("can3", "can1")):
         bench.until(f"{old} here", lambda old=old: f"{old}:" in bench.sh("ip", "link", "show"))
         bench.sh("ip", "link", "set", old, "name", new)
 
 
 def sanitized_beside(kinds):
-    """Starts their checks; the end of a pipe from which their verdicts come, one byte each."""
+    """Starts the checks of these builds. Returns the end of a pipe that delivers their verdicts, one byte each."""
     verdicts, told = os.pipe()
     child = os.fork()
     if child == 0:
@@ -66,7 +66,7 @@ def sanitized_beside(kinds):
         os.write(told, bytes(bench.verdicts))
         os._exit(0)
     os.close(told)
-    assert os.read(verdicts, 1) == b"!"  # its network is made
+    assert os.read(verdicts, 1) == b"!"  # the other network exists now
     for name in ("can2", "can3"):
         bench.sh("ip", "link", "set", name, "netns", str(child))
     return verdicts

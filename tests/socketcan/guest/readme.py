@@ -1,4 +1,4 @@
-"""The commands of the section "Use it on your bus" of src/host/app/README.md, as they stand there, typed into a shell one after the other."""
+"""Types the commands of the section "Use it on your bus" of src/host/app/README.md into a shell, one after the other."""
 import os
 import re
 import subprocess
@@ -16,9 +16,7 @@ def blocks():
 
 
 class Shell:
-    """A shell in a folder where build/release/canproof is `program`; whoever types may become root, and python3 is warm."""
-
-    program = None
+    """A shell in a folder whose build/ is that of the project. Its user may become root, and python3 starts fast (warm_python.py)."""
 
     def __init__(self):
         os.makedirs(f"{FOLDER}/bin", exist_ok=True)
@@ -39,7 +37,7 @@ class Shell:
             return output.read()
 
     def type(self, line, *expected):
-        """Types a line; returns when the shell has said it all and is ready for the next."""
+        """Types a line. Returns when the shell has printed all expected output and is ready for the next line."""
         done = f"{FOLDER}/done"
         if os.path.exists(done):
             os.unlink(done)
@@ -58,21 +56,21 @@ class Shell:
 
 
 def on_vcan(lines):
-    """What each line must bring, by its first words; a line that is not known here fails."""
+    """Checks the output of each line, selected by its first words. A line without an entry here fails."""
     expected = {
         "sudo ip link add dev vcan0": [],
         "sudo ip link set vcan0 up": [],
         "build/release/canproof run": [r"vcan0 703#00"],
         "candump vcan0": [],
         "cansend vcan0": [r"vcan0  583   \[8\]  43 00 10 00 91 01 08 00"],
-        "python3 -c": [r"ID: 0583 .*43 18 10 01 17 00 00 00"],  # vendor-ID of esd: 17h
+        "python3 -c": [r"ID: 0583 .*43 18 10 01 17 00 00 00"],  # 1018h:01 vendor-ID of esd: 17h
         "build/release/canproof replay": [r"can0 703#00|vcan0 703#00(.|\n)*583#4300100091010800\n.*583#4318100117000000\n"],
     }
     follow(lines, expected, "vcan0")
 
 
 def listeners(interface):
-    """Sockets that hear every frame of the interface."""
+    """Returns the sockets that receive every frame of the interface."""
     with open("/proc/net/can/rcvlist_all") as sockets:
         return sum(line.split()[:1] == [interface] for line in sockets)
 
@@ -100,7 +98,7 @@ def on_an_interface(lines):
 
 
 def over_socketcand(lines):
-    # All four have said their boot-up message: a frame beside the answer to its `open` makes python-can refuse the server.
+    # All four boot-up messages must be sent first: python-can refuses a server that sends a frame beside the answer to `open`.
     follow(lines, {"build/release/canproof run": [r"socketcand listens at port 29536", r"(7..#00\b[^#]*){4}"],
                    "python3 -c": [r"ID: 0*583 .*43 18 10 01 17 00 00 00"]}, "lo")
 

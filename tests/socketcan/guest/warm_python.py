@@ -1,11 +1,11 @@
-"""python-can takes the guest seconds to import. One process does it once and forks for every script to be run with it."""
+"""Runs python-can scripts fast. Its import takes seconds in the guest, so one process imports it once and forks for every script."""
 import os
 import sys
 import traceback
 
 ASK, ANSWER, OUTPUT = "/tmp/python.ask", "/tmp/python.answer", "/tmp/python.output"
 
-# What a shell finds as `python3`: it knows `python3 -c SCRIPT`, and that alone.
+# A replacement for `python3`, which supports only `python3 -c SCRIPT`.
 COMMAND = f"""#!/bin/sh
 [ "$1" = -c ] || exit 2
 printf %s "$2" >{ASK}
@@ -19,7 +19,7 @@ def start():
     for path in (ASK, ANSWER):
         os.mkfifo(path)
     if os.fork() == 0:
-        import can  # noqa: F401: what the children find imported
+        import can  # the forked children find the module imported
         while True:
             serve()
 
@@ -43,7 +43,7 @@ def run(script):
     try:
         exec(compile(script, "-c", "exec"), {"__name__": "__main__"})
         status = 0
-    except BaseException:  # pylint: disable=broad-except: as an interpreter does
+    except BaseException:  # as the interpreter does
         traceback.print_exc()
     sys.stdout.flush()
     sys.stderr.flush()
@@ -51,7 +51,7 @@ def run(script):
 
 
 def ask(script):
-    """(exit status, what it printed) of a script."""
+    """Returns (exit status, output) of a script."""
     with open(ASK, "w") as to:
         to.write(script)
     with open(ANSWER) as answer:

@@ -12,6 +12,8 @@
 #include "host/app/cli/eds_device.hpp"
 #include "host/base/input_error.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
+#include "host/sim/image/image_device.hpp"
+#include "host/sim/image/start_image.hpp"
 
 namespace canproof::host {
 
@@ -83,6 +85,21 @@ ChosenDevice choose_eds(const std::string& text) {
     if (at != std::string::npos) {
         chosen.name += text.substr(at);
         set_node(chosen, text.substr(at + 1));
+    }
+    return chosen;
+}
+
+ChosenDevice choose_image(const std::string& text) {
+    const auto at = text.rfind('@');
+    const std::string node = at == std::string::npos ? "" : text.substr(at + 1);
+    auto link = start_image(text.substr(0, at));
+    const ImageGreeting greeting = link->greeting();
+    FactoryOptions none;
+    ChosenDevice chosen =
+        from_catalogue(device_named(greeting.device), greeting.device + (node.empty() ? "" : "@" + node), none);
+    chosen.device = std::make_unique<ImageDevice>(std::move(link), greeting, std::move(chosen.device));
+    if (at != std::string::npos) {
+        set_node(chosen, node);
     }
     return chosen;
 }

@@ -1,4 +1,4 @@
-// The devices that a command line names: from the catalogue or from an EDS.
+// The devices that a command line names: of the catalogue, from an EDS, or from an image.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,10 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file
 /// without folder and extension. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
-/// Returns every device of the catalogue. A device whose node-ID as shipped is taken gets the lowest free node-ID.
+/// FILE or FILE@NODE: a device of the catalogue whose image runs on the emulated microcontroller; its name is the
+/// device's, with @NODE. Throws InputError and ImageFailed.
+ChosenDevice choose_image(const std::string& text);
+/// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 

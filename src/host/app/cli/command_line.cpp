@@ -226,6 +226,9 @@ class ConformCommand : Command {
             app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
         command->add_option("DEVICE", options_.device, "of the catalogue; it runs in virtual time without --bus");
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
+        command->add_option(
+            "--arm", options_.arm,
+            "build/target/bridged_NAME.elf: the slave's image on an STM32F405 in QEMU, in virtual time");
         command->add_option("--node", options_.node, "node-ID of the slave");
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");

@@ -79,23 +79,26 @@ std::uint8_t node_of(const std::string& text) {
     return static_cast<std::uint8_t>(node);
 }
 
-conform::ConformSheet sheet_for(const ConformCommandOptions& options) {
+/// The slave's own sheet, or the one that the user gives. `device` is of the catalogue.
+conform::ConformSheet sheet_for(const ConformCommandOptions& options, const std::string& device) {
     if (!options.eds.empty()) {
         conform::ConformSheet sheet = conform::read_sheet(read_file(options.eds, longest_eds_file), options.eds, 1);
         sheet.node_id = options.node ? node_of(*options.node) : static_cast<std::uint8_t>(sheet.part.info.node_id);
         return sheet;
     }
-    const Part& part = device_named(options.device);
+    const Part& part = device_named(device);
     conform::ConformSheet sheet = conform::sheet_of(built_in_register(), part);
     sheet.node_id = options.node ? node_of(*options.node) : sheet.node_id;
     return sheet;
 }
 
-std::unique_ptr<conform::Target> virtual_target(const ConformCommandOptions& options,
+std::unique_ptr<conform::Target> virtual_target(ChosenDevice chosen, const ConformCommandOptions& options,
                                                 const conform::ConformSheet& sheet) {
-    ChosenDevice chosen = choose(options);
     const std::uint32_t rate = chosen.bit_rate == 0 ? conform::VirtualTarget::usual_bit_rate : chosen.bit_rate;
-    return std::make_unique<conform::VirtualTarget>(std::move(chosen.device), sheet.node_id, rate);
+    const std::string name = options.arm.empty() ? "virtual time"
+                                                 : fmt::format("virtual time, {} in QEMU",
+                                                               std::filesystem::path{options.arm}.filename().string());
+    return std::make_unique<conform::VirtualTarget>(std::move(chosen.device), sheet.node_id, rate, name);
 }
 
 std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options, const conform::ConformSheet& sheet) {
@@ -110,6 +113,18 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     std::unique_ptr<Bus> bus = make_bus(running, static_cast<std::uint32_t>(sheet.part.info.bit_rate));
     bus->on_notice(tell);
     return std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+}
+
+/// One slave, and one place where it is. Throws InputError.
+void check_slave(const ConformCommandOptions& options) {
+    if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
+        throw InputError{
+            "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+    }
+    if (!options.arm.empty() && !options.bus.empty()) {
+        throw InputError{
+            "--arm is a slave in virtual time; put it on a bus with `canproof run --arm`, or leave out one"};
+    }
 }
 
 conform::ConformOptions run_options(const ConformCommandOptions& options) {
@@ -138,13 +153,15 @@ int run_conform(const ConformCommandOptions& options) {
     if (options.list) {
         return list_cases(book);
     }
-    if (options.device.empty() == options.eds.empty()) {
-        throw InputError{
-            "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+    check_slave(options);
+    std::optional<ChosenDevice> image;
+    if (!options.arm.empty()) {
+        image = choose_image(options.arm);
     }
-    const conform::ConformSheet sheet = sheet_for(options);
+    const conform::ConformSheet sheet = sheet_for(options, image ? image->part->name : options.device);
     const std::unique_ptr<conform::Target> target =
-        options.bus.empty() ? virtual_target(options, sheet) : bus_target(options, sheet);
+        options.bus.empty() ? virtual_target(image ? std::move(*image) : choose(options), options, sheet)
+                            : bus_target(options, sheet);
     conform::ConformReport report = conform::run_cases(book, sheet, *target, run_options(options));
     report.program = fmt::format("canproof {}", generated::canproof_version);
     if (options.json) {

@@ -8,9 +8,10 @@
 namespace canproof::host {
 
 struct ConformCommandOptions {
-    std::string device;               ///< name in the catalogue; empty: the device in `eds`
-    std::string eds;                  ///< path of the data sheet
-    std::optional<std::string> node;  ///< node-ID; none: the node-ID as shipped
+    std::string device;               ///< of the catalogue; empty: `eds` or `arm`
+    std::string eds;                  ///< file
+    std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: it runs here
+    std::optional<std::string> node;  ///< as shipped without it
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
     std::vector<std::string> only;   ///< services to run

@@ -25,6 +25,9 @@ std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
     for (const auto& text : options.eds) {
         all.push_back(choose_eds(text));
     }
+    for (const auto& text : options.arm) {
+        all.push_back(choose_image(text));
+    }
     if (all.empty()) {
         all = choose_catalogue(factory);
     }

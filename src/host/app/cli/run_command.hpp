@@ -8,8 +8,9 @@
 namespace canproof::host {
 
 struct RunOptions {
-    std::vector<std::string> devices;  ///< NAME or NAME@NODE; without any here and in `eds`: the whole catalogue
+    std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here, in `eds` and in `arm`: the whole catalogue
     std::vector<std::string> eds;      ///< FILE or FILE@NODE
+    std::vector<std::string> arm;      ///< IMAGE or IMAGE@NODE, on the emulated microcontroller
     std::vector<std::string> factory;  ///< KEY=VALUE or DEVICE.KEY=VALUE
     std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT],
                                        ///< socketcand-client:HOST:PORT[/BUS]

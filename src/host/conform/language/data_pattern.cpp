@@ -20,7 +20,7 @@ struct BytePattern {
     unsigned value{0};
 };
 
-/// `40`, `4?`, `??`
+/// Reads `40`, `4?` or `??`.
 bool read_nibbles(const std::string& text, BytePattern& pattern) {
     if (text.size() != 2) {
         return false;
@@ -37,7 +37,7 @@ bool read_nibbles(const std::string& text, BytePattern& pattern) {
     return true;
 }
 
-/// `%100xx000`
+/// Reads `%100xx000`.
 bool read_bits(const std::string& text, BytePattern& pattern) {
     if (text.size() != 9 || text.front() != '%' || text.find_first_not_of("01x", 1) != std::string::npos) {
         return false;
@@ -49,7 +49,7 @@ bool read_bits(const std::string& text, BytePattern& pattern) {
     return true;
 }
 
-/// Alternatives parted by `|`; empty when the text is no byte.
+/// Reads alternatives separated by `|`; returns none when the text is not a byte.
 std::vector<BytePattern> read_byte(const std::string& text) {
     std::vector<BytePattern> all;
     std::size_t start = 0;
@@ -78,7 +78,7 @@ DataPart byte_part(const std::vector<BytePattern>& all) {
     return part;
 }
 
-/// Bytes that are computed when the step runs.
+/// Returns a part whose bytes are computed when the step runs.
 DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> bytes) {
     DataPart part;
     part.width = width;
@@ -91,7 +91,7 @@ DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> byt
     return part;
 }
 
-/// `u8` … `u64`; 0 for another word.
+/// Returns the width in bytes of `u8` … `u64`; 0 for another word.
 std::size_t width_of(const std::string& word) {
     constexpr std::array<std::pair<const char*, std::size_t>, 8> widths{
         {{"u8", 1}, {"u16", 2}, {"u24", 3}, {"u32", 4}, {"u40", 5}, {"u48", 6}, {"u56", 7}, {"u64", 8}}};

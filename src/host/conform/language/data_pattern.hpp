@@ -1,4 +1,4 @@
-// The data bytes of a frame in a step: what is sent, or what is expected and captured.
+// The data bytes of a frame in a step: to send, or to expect and capture.
 #pragma once
 
 #include <functional>
@@ -14,27 +14,28 @@ namespace canproof::host::conform {
 
 using Captures = std::map<std::string, Value>;
 
-/// One or more bytes of it.
+/// One or more bytes of a pattern.
 struct DataPart {
-    std::size_t width{1};  ///< bytes; 0: as many as the value has
-    /// What to send; empty for a part that only an expectation can have.
+    std::size_t width{1};  ///< in bytes; 0: the width of the value
+    /// Returns the bytes to send; empty for a part that only an expectation can have.
     std::function<Bytes(const Scope&)> bytes;
-    /// Whether `data` from `at` on is so; may capture.
+    /// Returns whether `data` matches from `at` on; may capture values.
     std::function<bool(const Scope&, const Bytes& data, std::size_t at, Captures&)> matches;
 };
 
 class DataPattern {
   public:
-    /// Reads bytes up to the first word that is none. Throws LanguageError.
+    /// Reads bytes up to the first word that is not a byte. Throws LanguageError.
     static DataPattern parse(Scanner& line);
 
-    /// Any data at all.
+    /// Returns a pattern that matches any data.
     static DataPattern any();
 
     bool is_empty() const { return parts_.empty() && !rest_; }
-    /// The rest may be anything.
+    /// Lets the pattern match any further bytes.
     void leave_rest_open() { rest_ = true; }
-    /// What is sent; `...` fills up with zeros to eight bytes. Throws BrokenCase for `??` and for more than eight.
+    /// Returns the bytes to send; `...` pads with zeros to eight bytes. Throws BrokenCase for `??` and for more than
+    /// eight bytes.
     Bytes to_send(const Scope& scope) const;
     bool matches(const Scope& scope, const Bytes& data, Captures& captures) const;
 
@@ -43,7 +44,7 @@ class DataPattern {
     bool rest_{false};  ///< it ends with `...`
 };
 
-/// The data of a frame.
+/// Returns the data of a frame.
 Bytes data_of(const Frame& frame);
 
 }  // namespace canproof::host::conform

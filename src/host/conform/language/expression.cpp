@@ -21,7 +21,7 @@ std::int64_t signed_of(std::uint64_t number) {
     return static_cast<std::int64_t>(number);
 }
 std::int64_t divisor(std::int64_t number) {
-    if (number == 0 || number == -1) {  // -1: the smallest number has no opposite
+    if (number == 0 || number == -1) {  // -1: the smallest number has no positive counterpart
         throw BrokenCase{fmt::format("a division by {}", number)};
     }
     return number;
@@ -39,7 +39,7 @@ struct Operator {
     Operation apply;
 };
 
-// Longer symbols first: `<<` is not `<`. The ranks are those of C.
+// Longer symbols come first, so that `<<` is not read as `<`. The ranks are those of C.
 const std::array<Operator, 18> operators{
     {{"||", 1, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 || b != 0}; }},
      {"&&", 2, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 && b != 0}; }},
@@ -63,7 +63,7 @@ const std::array<Operator, 18> operators{
 constexpr int lowest_rank = 1;
 constexpr int sum_rank = 9;
 
-/// `->` and `+-` are no operators.
+/// Returns the next operator of at least this rank; `->` and `+-` are not operators.
 const Operator* next_operator(Scanner& line, int rank) {
     if (line.sees("->") || line.sees("+-")) {
         return nullptr;
@@ -237,7 +237,7 @@ Expression combine(const Operator& one, Expression left, Expression right) {
             return Value{std::int64_t{same(left(scope), right(scope)) == equal}};
         };
     }
-    if (one.rank <= 2) {  // && and || look at the right side only where the left one leaves it open
+    if (one.rank <= 2) {  // && and || evaluate the right side only if the left one does not decide
         const bool open_when = one.rank == 2;
         return [left, right, open_when](const Scope& scope) {
             const bool first = number_of(left(scope)) != 0;

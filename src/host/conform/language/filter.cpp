@@ -21,7 +21,7 @@ bool is_integer(const Entry& entry) {
     return integer_limits(entry.type) && entry.type != "BOOLEAN";
 }
 
-/// Beyond it a value can be written that the type has and the entry refuses.
+/// Returns whether the entry has an upper limit below that of its type, so that a test can write a value beyond it.
 bool has_upper_limit(const SheetEntry& one) {
     const auto type = integer_limits(one.entry->type);
     const auto highest = highest_of(*one.entry);
@@ -34,7 +34,7 @@ bool has_lower_limit(const SheetEntry& one) {
     return is_integer(*one.entry) && type_size(one.entry->type) <= 4 && lowest && *lowest > type->first;
 }
 
-/// A COB-ID, a mapping, or an object of a service: a write does more than to store a value.
+/// Returns whether a write does more than store a value: a COB-ID, a mapping, or an object of a service.
 bool is_special(const SheetEntry& one) {
     const unsigned index = one.object->index;
     static const std::set<unsigned> special{0x1003, 0x1005, 0x1006, 0x1007, 0x1010, 0x1011, 0x1012, 0x1014, 0x1015,
@@ -116,7 +116,7 @@ Test range_test(Scanner& line, bool index) {
     };
 }
 
-/// `not writable`, or `not 1003 1010`.
+/// Reads `not writable` or `not 1003 1010`.
 Test negated_test(Scanner& line) {
     const std::size_t start = line.position();
     const auto word = word_tests().find(line.rest());
@@ -149,7 +149,7 @@ Test size_test(Scanner& line) {
     };
 }
 
-/// `u8|u16`
+/// Reads alternatives such as `u8|u16`.
 Test any_of_words(Scanner& line, const std::string& text) {
     std::vector<Test> any;
     std::size_t start = 0;
@@ -221,7 +221,7 @@ Filter parse_filter(Scanner& line, const std::string& end) {
 
 namespace {
 
-/// The default as the slave should read it, the node-ID added where the data sheet says so.
+/// Returns the default value that a read should give, with the node-ID added if the data sheet says so.
 Value default_value(const ConformSheet& sheet, const Entry& entry) {
     if (const auto* text = std::get_if<std::string>(&entry.value)) {
         return Value{Bytes(text->begin(), text->end())};

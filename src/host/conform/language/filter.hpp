@@ -1,4 +1,4 @@
-// Which entries of the data sheet a step or a need means: `writable, u16, upper limit`.
+// A filter for entries of the data sheet in a step or a need: `writable, u16, upper limit`.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ struct Filter {
     std::vector<std::function<bool(const SheetEntry&)>> tests;
 
     bool passes(const SheetEntry& one) const;
-    /// All entries that pass, ascending.
+    /// Returns all entries that pass, in ascending order.
     std::vector<SheetEntry> select(const ConformSheet& sheet) const;
 };
 
-/// Up to `end`, or to the end of the line for an empty one. Throws LanguageError.
+/// Reads a filter up to `end`, or to the end of the line if `end` is empty. Throws LanguageError.
 Filter parse_filter(Scanner& line, const std::string& end);
 
-/// An entry as a variable with the fields index, sub, size, bits, type, high, low, default, readable, writable.
+/// Returns an entry as a variable with the fields index, sub, size, bits, type, high, low, default, readable, writable.
 Value entry_value(const ConformSheet& sheet, const SheetEntry& one);
 
 }  // namespace canproof::host::conform

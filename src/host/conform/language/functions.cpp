@@ -18,7 +18,7 @@ std::size_t count_of(const Value& value) {
     return static_cast<std::size_t>(count);
 }
 
-/// Bytes of which no two segments of seven are alike.
+/// Returns bytes in which all segments of seven bytes differ.
 Value pattern(const std::vector<Value>& given) {
     Bytes bytes;
     for (std::size_t i = 0; i < count_of(given[0]); ++i) {

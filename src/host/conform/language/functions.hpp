@@ -15,12 +15,12 @@ struct LanguageFunction {
     std::function<Value(const std::vector<Value>&)> call;
 };
 
-/// nullptr when there is none of that name.
+/// Returns the function of that name; nullptr when there is none.
 const LanguageFunction* find_function(const std::string& name);
-/// `crc, join, le …`, for messages.
+/// Returns `crc, join, le …` for messages.
 std::string function_names();
 
-/// CRC-16 of block transfer (CiA 301, 7.2.4.3.16): polynomial 1021h, start 0.
+/// Returns the CRC-16 of block transfer (CiA 301, 7.2.4.3.16): polynomial 1021h, start 0.
 std::uint16_t block_crc(const Bytes& bytes);
 
 }  // namespace canproof::host::conform

@@ -19,14 +19,14 @@ struct ObjectPlace {
     bool operator==(const ObjectPlace& other) const { return index == other.index && subindex == other.subindex; }
 };
 
-/// `1017h:00`
+/// Returns the place as `1017h:00`.
 std::string words_of(const ObjectPlace& place);
-/// Index and sub-index as an SDO carries them.
+/// Returns index and sub-index as an SDO carries them.
 Bytes multiplexer(const ObjectPlace& place);
 
 using ObjectReference = std::function<ObjectPlace(const Scope&)>;
 
-/// Throws LanguageError.
+/// Reads an object reference. Throws LanguageError.
 ObjectReference parse_object(Scanner& line);
 
 }  // namespace canproof::host::conform

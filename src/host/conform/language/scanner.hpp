@@ -8,7 +8,7 @@
 
 namespace canproof::host::conform {
 
-/// A line that is no step. Says where, what and how to fix it.
+/// A line that is not a valid step. The fault contains the place, the problem and its fix.
 class LanguageError {
   public:
     explicit LanguageError(Fault of) : fault{std::move(of)} {}
@@ -20,30 +20,30 @@ class Scanner {
     Scanner(std::string line, Place place) : line_{std::move(line)}, place_{std::move(place)} {}
 
     bool at_end();
-    /// The next character that is no blank; 0 at the end.
+    /// Returns the next character that is not a blank; 0 at the end.
     char peek();
-    /// Whether the rest begins with `text`, which is then left behind.
+    /// Skips `text` if the rest begins with it. Returns whether it did.
     bool take(const std::string& text);
-    /// The same without blanks before it.
+    /// The same for one character without blanks before it.
     bool take_close(char c);
-    /// take() for a word, behind which no letter, digit or `_` follows.
+    /// Like take(), for a whole word: no letter, digit or `_` follows it.
     bool take_word(const std::string& word);
-    /// Whether the rest begins with `text`.
+    /// Returns whether the rest begins with `text`.
     bool sees(const std::string& text);
     bool sees_word(const std::string& word);
     /// Fails unless take(text).
     void want(const std::string& text, const std::string& mend);
-    /// Letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
+    /// Reads the letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
     std::string word(bool dashes = false);
-    /// Everything up to the next blank; empty at the end. Does not move with peek_token().
+    /// Reads up to the next blank; empty at the end. peek_token() returns the same without moving on.
     std::string token();
     std::string peek_token();
-    /// What stands between double quotes. Fails when there are none.
+    /// Reads the text between double quotes. Fails when there is none.
     std::string quoted();
-    /// Everything up to `end`, which is left behind; up to the end of the line for an empty one.
+    /// Reads up to `end` and skips it; up to the end of the line if `end` is empty.
     std::string up_to(const std::string& end);
     std::string rest() { return up_to(""); }
-    /// Fails when anything is left.
+    /// Fails unless the line is at its end.
     void finish();
 
     std::size_t position() const { return at_; }
@@ -61,7 +61,7 @@ class Scanner {
     std::size_t at_{0};
 };
 
-/// Letters, digits, `_`: what may stand in a name.
+/// Returns whether a character may be part of a name: letters, digits, `_`.
 bool is_name_character(char c);
 
 }  // namespace canproof::host::conform

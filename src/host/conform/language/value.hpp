@@ -1,4 +1,4 @@
-// What a variable of a case holds: a number, bytes, or something with fields.
+// The value of a variable in a case: a number, bytes, or a structure with fields.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 using Bytes = std::vector<std::uint8_t>;
 
 struct Value;
-/// A field by its name; nothing when there is no such field.
+/// Returns a field by its name; nothing when there is no such field.
 using Fields = std::function<std::optional<Value>(const std::string&)>;
 
 struct Value {
@@ -27,28 +27,28 @@ struct Value {
     explicit Value(Bytes of) : bytes{std::move(of)} {}
 };
 
-/// A step cannot be done as it is written: the case is broken, the slave is not judged.
+/// Thrown when a step cannot be done as it is written: the case is broken, the slave is not judged.
 class BrokenCase : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The number, or up to eight bytes as a little-endian unsigned number. Throws BrokenCase.
+/// Returns the number, or up to eight bytes as a little-endian unsigned number. Throws BrokenCase.
 std::int64_t number_of(const Value& value);
-/// The bytes. Throws BrokenCase for a number, whose width is not known.
+/// Returns the bytes. Throws BrokenCase for a number, because its width is unknown.
 const Bytes& bytes_of(const Value& value);
-/// The lowest `count` bytes of a number, little-endian.
+/// Returns the lowest `count` bytes of a number, little-endian.
 Bytes little_endian(std::int64_t number, std::size_t count);
-/// `count` bytes from `start` on, little-endian, unsigned; bytes that are not there count as 0.
+/// Returns `count` bytes from `start` on as a number: little-endian, unsigned; missing bytes count as 0.
 std::int64_t from_little_endian(const Bytes& bytes, std::size_t start, std::size_t count);
-/// For messages: `1234 (4D2h)` or `73 61 76 65`.
+/// Returns the value for messages: `1234 (4D2h)` or `73 61 76 65`.
 std::string words_of(const Value& value);
-/// `73 61 76 65`, cut after 64 bytes.
+/// Returns `73 61 76 65`, cut after 64 bytes.
 std::string hex_words(const Bytes& bytes);
-/// Whether both say the same: bytes with bytes, else as numbers.
+/// Returns whether both are equal: compared as bytes if both are bytes, otherwise as numbers.
 bool same(const Value& a, const Value& b);
 
-/// Variables of a case, or of one call of a procedure: reads fall through to the caller.
+/// The variables of a case, or of one call of a procedure. A read that finds none here continues with the caller.
 class Scope {
   public:
     explicit Scope(const Scope* outer = nullptr) : outer_{outer} {}

@@ -13,7 +13,7 @@ namespace canproof::host::conform {
 
 class BusTarget final : public Target {
   public:
-    /// `name` as `socketcan:can0`. `remote_frames`: whether the bus carries them.
+    /// `name`: for example `socketcan:can0`. `remote_frames`: the bus carries them.
     BusTarget(std::unique_ptr<Bus> bus, std::string name, bool remote_frames);
 
     Instant now() const override;

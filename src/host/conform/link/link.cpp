@@ -10,9 +10,9 @@ namespace {
 
 constexpr double traffic_frame_bits = 125.0;  // eight bytes and about a tenth of stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // a bus that is full takes no more traffic
+constexpr std::size_t most_waiting = 64;  // no more traffic is queued on a full bus
 
-// CiA 301 gives nobody these identifiers (7.3.5): no slave may listen to them.
+// Identifiers that CiA 301 reserves (7.3.5): no slave uses them.
 constexpr std::uint32_t first_high = 0x101U;
 constexpr std::uint32_t first_low = 0x6E0U;
 constexpr std::uint32_t ids_of_a_kind = 0x20U;
@@ -78,7 +78,7 @@ Instant Link::next_background() const {
     return next;
 }
 
-/// A run that is late leaves frames out instead of sending a burst.
+/// Sends the background frames that are due. When late, it skips frames instead of sending a burst.
 void Link::send_background() {
     for (Produced& one : produced_) {
         if (one.next <= now()) {

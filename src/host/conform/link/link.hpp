@@ -1,5 +1,5 @@
-// The tester's end of the bus: sends, keeps what came until a step takes it, repeats frames in the background, and
-// keeps a log.
+// The tester's end of the bus: sends frames, keeps received ones until a step takes them, repeats frames in the
+// background, and keeps a log.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@
 
 namespace canproof::host::conform {
 
-/// Which frames a step means.
+/// The kind of frames that a step refers to.
 struct FrameKey {
     std::uint32_t id{0};
     bool extended{false};
@@ -24,21 +24,21 @@ struct FrameKey {
     }
 };
 
-/// Frames of one kind, collected from some time on.
+/// Frames of some kinds, collected since a point in time.
 struct Watched {
-    std::vector<FrameKey> keys;                      ///< none: all frames that are not the tester's
-    std::function<bool(const FrameRecord&)> counts;  ///< empty: all of that kind
+    std::vector<FrameKey> keys;                      ///< none: all frames except the tester's own
+    std::function<bool(const FrameRecord&)> counts;  ///< empty: all frames of those kinds
     Instant since{};
     std::vector<FrameRecord> frames;
 
     bool fits(const FrameRecord& record) const;
-    /// Microseconds between each frame and the one after it.
+    /// Returns the microseconds between successive frames.
     std::vector<std::uint64_t> gaps() const;
 };
 
 class Link {
   public:
-    /// More frames in one case end it.
+    /// A case with more frames ends.
     static constexpr std::size_t most_logged = 400000;
 
     explicit Link(Target& target);
@@ -52,33 +52,34 @@ class Link {
     void wait(Duration time) { wait_until(now() + time); }
     void wait_until(Instant until);
 
-    /// The oldest frame of that kind that nobody took; waits for one until `deadline`.
+    /// Takes the oldest frame of that kind that was not taken yet; waits for one until `deadline`.
     std::optional<FrameRecord> take(const FrameKey& key, Instant deadline);
-    /// The same without waiting and taking; nullptr when there is none.
+    /// Returns the oldest such frame without waiting and without taking it; nullptr when there is none.
     const FrameRecord* peek(const std::function<bool(const FrameRecord&)>& wanted) const;
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
 
-    /// Collects until end_watch(); what it collects nobody else gets, but a newer watch comes first.
+    /// Collects frames until end_watch(). Steps do not get collected frames; if several watches match, the newest one
+    /// gets the frame.
     std::shared_ptr<const Watched> watch(Watched wanted);
     void end_watch(const std::shared_ptr<const Watched>& watched);
-    /// Waits until `done` or until `deadline`; whether it was `done`.
+    /// Waits until `done` or until `deadline`; returns whether it was `done`.
     bool wait_for(const std::function<bool()>& done, Instant deadline);
 
     void produce(const Frame& frame, Duration period);
     void stop_producing();
     void stop_producing(std::uint32_t id);
-    /// Foreign frames that make up `percent` of the bus; 0: none. `high`: they win over the slave's.
+    /// Sends foreign frames that use `percent` of the bus; 0: none. `high`: they have priority over the slave's.
     void set_traffic(double percent, bool high);
-    /// Identifiers that the slave may listen to: no traffic.
+    /// Excludes identifiers from the traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }
 
-    /// Ends background and watches, forgets what came, and begins an empty log.
+    /// Ends background frames and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// Is told each frame that the tester sends.
+    /// Sets a listener for each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
-    /// When the last frame of a step went over the bus.
+    /// Returns when the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }
 
   private:

@@ -1,4 +1,4 @@
-// NMT commands and what follows a restart.
+// NMT commands, and the boot-up message after a restart.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ enum class NmtCommand : std::uint8_t {
     reset_communication = 0x82
 };
 
-/// Time that a slave may take to boot.
+/// Longest time of a slave's boot.
 constexpr Duration boot_limit = milliseconds(5000);
 
-/// To `node`; 0: to all.
+/// Sends a command to `node`; 0: to all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Takes the boot-up message; heartbeats before it are left behind. False when none comes within `limit`.
+/// Waits for the boot-up message; skips heartbeats before it. Returns false when none comes within `limit`.
 bool take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -23,13 +23,13 @@ Bytes initiate(std::uint8_t command, const ObjectPlace& place) {
 }
 
 struct Block {
-    Bytes data;  ///< of all its segments, the last one's padding included
+    Bytes data;  ///< of all segments, including the padding of the last one
     std::uint8_t segments{0};
     bool last{false};
     std::uint32_t abort{0};
 };
 
-/// The segments of one block as they come.
+/// Receives the segments of one block.
 Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
     Block block;
     while (!block.last && block.segments < std::min<std::size_t>(size, most)) {
@@ -123,14 +123,14 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
 
 namespace {
 
-/// What the client sends of one block, and how.
+/// Sends the blocks of a download, with the faults that a case demands.
 class BlockSender {
   public:
     BlockSender(Link& link, std::uint32_t id, const Bytes& data, const BlockWrite& how)
         : link_{link}, id_{id}, data_{data}, how_{how} {}
 
     std::size_t segments() const { return std::max<std::size_t>(1, (data_.size() + segment_size - 1) / segment_size); }
-    /// Sends segments `from`… as numbers 1…`size`; false when the transfer is broken off.
+    /// Sends segments `from`… with the numbers 1…`size`; returns false when the transfer is broken off.
     bool send_block(std::size_t from, std::uint8_t size, bool first) {
         const std::size_t count = std::min<std::size_t>(size, segments() - from);
         for (std::size_t i = 1; i <= count; ++i) {
@@ -167,7 +167,7 @@ class BlockSender {
 
 }  // namespace
 
-/// The server waits for the segment that was lost: the client ends the transfer.
+/// Ends a transfer whose segment was lost: the server still waits for it.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);

@@ -76,7 +76,7 @@ SdoOutcome SdoClient::read(const ObjectPlace& place) {
     return take_upload(place, answer());
 }
 
-/// An answer to an initiate upload: abort, expedited, or the first of segments.
+/// Completes an upload from its first answer: abort, expedited, or segmented.
 SdoOutcome SdoClient::take_upload(const ObjectPlace& place, const Bytes& first) {
     SdoOutcome outcome;
     if (const auto code = abort_code(first)) {

@@ -1,4 +1,4 @@
-// The client of the default SDO server: whole transfers, each frame of the server judged.
+// The client of the default SDO server: performs whole transfers and checks each frame of the server.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@ namespace canproof::host::conform {
 struct SdoOutcome {
     std::uint32_t abort{0};  ///< 0: done
     Bytes data;              ///< of a read
-    bool switched{false};    ///< a block upload became a normal one
+    bool switched{false};    ///< the server switched a block upload to a normal one
     std::uint32_t blocks{0};
 };
 
 enum class Transfer { automatic, expedited, segments, block };
 
 struct BlockRead {
-    std::vector<std::uint8_t> block_sizes{127};  ///< the last one holds on
+    std::vector<std::uint8_t> block_sizes{127};  ///< the last one is repeated
     bool crc{false};
     std::uint8_t switch_size{0};               ///< pst
-    std::optional<std::uint8_t> short_ack{};   ///< only so many segments of the first block are acknowledged
+    std::optional<std::uint8_t> short_ack{};   ///< only this many segments of the first block are acknowledged
     std::optional<std::size_t> break_after{};  ///< segments
 };
 
@@ -32,7 +32,7 @@ struct BlockWrite {
     bool crc{false};
     bool wrong_crc{false};
     bool without_size{false};
-    std::optional<std::uint32_t> size{};  ///< other than the data have
+    std::optional<std::uint32_t> size{};  ///< a size that differs from the data
     std::optional<unsigned> lose{};       ///< segment of the first block, from 1
     bool lose_last{false};                ///< of the first block
     std::optional<unsigned> repeat{};     ///< segment of the first block that is sent twice
@@ -42,21 +42,22 @@ struct BlockWrite {
 
 class SdoClient {
   public:
-    /// The whole exchange of a block that is broken off, or where the slave says nothing.
+    /// The abort code of an outcome without an abort frame: the client broke off, or the slave did not answer.
     static constexpr std::uint32_t timed_out = 0x05040000U;
 
-    /// `timeout`: for each answer.
+    /// `timeout`: time-out of each answer.
     SdoClient(Link& link, Journal& journal, std::uint8_t node_id, Duration timeout)
         : link_{link}, journal_{journal}, node_id_{node_id}, timeout_{timeout} {}
 
     FrameKey answer_key() const { return {0x580U + node_id_, false, false}; }
     Duration timeout() const { return timeout_; }
-    /// Frames that nobody asked for fail no step.
+    /// Permits unsolicited frames: they no longer fail a step.
     void allow_unasked(bool allowed) { allows_unasked_ = allowed; }
 
-    /// Fills up with zeros to eight bytes. Throws SlaveFailed when a frame of the server came unasked for before.
+    /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when the server sent an unsolicited frame
+    /// before.
     void send(const Bytes& bytes);
-    /// The server's next frame; eight bytes. Throws NoAnswer and SlaveFailed.
+    /// Returns the server's next frame: eight bytes. Throws NoAnswer and SlaveFailed.
     Bytes answer(Duration within);
     Bytes answer() { return answer(timeout_); }
 
@@ -78,11 +79,11 @@ class SdoClient {
     bool allows_unasked_{false};
 };
 
-/// The code of an abort frame; nothing from another frame.
+/// Returns the code of an abort frame; nothing for another frame.
 std::optional<std::uint32_t> abort_code(const Bytes& answer);
-/// `abort 06090011h (sub-index does not exist)`
+/// Returns `abort 06090011h (sub-index does not exist)`.
 std::string abort_words(std::uint32_t code);
-/// Throws SlaveFailed when the frame is not about that object.
+/// Throws SlaveFailed when the frame names another object.
 void want_object(const Bytes& answer, const ObjectPlace& place, const char* what);
 
 }  // namespace canproof::host::conform

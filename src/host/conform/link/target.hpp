@@ -1,4 +1,4 @@
-// Where the slave under test is: a bus in virtual time, or a real one.
+// The connection to the slave under test: a bus in virtual time, or a real one.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace canproof::host::conform {
 
-/// A frame on the bus, with the time that the bus gives it.
+/// A frame on the bus, with its time on the bus.
 struct FrameRecord {
     Instant time{};
     Frame frame{};
     bool own{false};  ///< sent by the tester
 };
 
-/// The user wants an end: Ctrl-C.
+/// Thrown when the user presses Ctrl-C.
 class Interrupted : public std::runtime_error {
   public:
     Interrupted() : std::runtime_error{"interrupted"} {}
@@ -31,29 +31,29 @@ class Target {
 
     virtual Instant now() const = 0;
     virtual void send(const Frame& frame) = 0;
-    /// Frames that wait to be sent.
+    /// Returns the number of frames that wait to be sent.
     virtual std::size_t waiting() const = 0;
-    /// Lets time pass up to `until`; less when a frame has gone over the bus. Throws Interrupted.
+    /// Lets time pass up to `until`; returns earlier when a frame was on the bus. Throws Interrupted.
     virtual void advance(Instant until) = 0;
-    /// From now on an interruption is awaited again.
+    /// Clears an interruption, so that the next Ctrl-C is noticed.
     virtual void go_on() {}
 
-    /// Whether the slave can be switched off and on.
+    /// Returns whether the slave can be switched off and on.
     virtual bool has_power() const { return false; }
     virtual void power(bool) {}
-    /// Whether the bus takes the bit rate that the slave takes.
+    /// Returns whether the bus follows the slave's bit rate.
     virtual bool follows_bit_rate() const { return false; }
-    /// Whether the bus carries remote frames.
+    /// Returns whether the bus carries remote frames.
     virtual bool has_remote_frames() const { return true; }
-    /// bit/s; 0: not known
+    /// Returns the bit rate in bit/s; 0: unknown.
     virtual std::uint32_t bit_rate() const = 0;
-    /// For the report: `virtual time`, `socketcan:can0`.
+    /// Returns the name for the report: `virtual time`, `socketcan:can0`.
     virtual const std::string& name() const = 0;
-    /// Whether a failure would only repeat itself: time and frames are the same each time.
+    /// Returns whether a run always gives the same frames and times, so that repeating a failed case is useless.
     virtual bool is_repeatable() const { return false; }
     virtual BusReport report() const = 0;
 
-    /// Is told every frame, own ones as well, in order of time.
+    /// Sets a listener for every frame, including the tester's own, in order of time.
     void listen(std::function<void(const FrameRecord&)> listener) { listener_ = std::move(listener); }
 
   protected:

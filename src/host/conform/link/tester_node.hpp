@@ -1,4 +1,4 @@
-// The tester as a node of a bus. What it hears comes by the bus's listener.
+// The tester as a node of a bus. It receives frames through the bus's listener.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,4 @@
-// How a case ends other than by its last step, and what is noted on the way.
+// The exceptions that end a case early, and the notes of a case.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace canproof::host::conform {
 
-/// The slave does not do what the case asks for.
+/// The slave does not do what the case demands.
 class SlaveFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -21,17 +21,17 @@ class NoAnswer : public SlaveFailed {
     using SlaveFailed::SlaveFailed;
 };
 
-/// The case does not apply, for this reason.
+/// The case does not apply; the text is the reason.
 class CaseSkipped : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// What a case measures and says.
+/// The measurements and notes of a case.
 struct Journal {
     std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
     std::vector<std::string> notes;
-    std::uint64_t judged{0};  ///< how often the slave could have failed
+    std::uint64_t judged{0};  ///< number of checks that the slave could have failed
 };
 
 }  // namespace canproof::host::conform

@@ -32,8 +32,9 @@ void VirtualTarget::Slave::set_overrun(bool lost, Instant now) {
     }
 }
 
-VirtualTarget::VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id, std::uint32_t bit_rate)
-    : slave_{std::move(device)}, bus_{"virtual", bit_rate, BusFaultRates{}} {
+VirtualTarget::VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id, std::uint32_t bit_rate,
+                             std::string name)
+    : name_{std::move(name)}, slave_{std::move(device)}, bus_{"virtual", bit_rate, BusFaultRates{}} {
     slave_.device().set_node_id(node_id);
     bus_.listen([this](const BusFrame& frame) {
         frame_seen_ = true;

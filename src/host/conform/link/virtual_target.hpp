@@ -1,4 +1,4 @@
-// A simulated slave on a bus of its own, in virtual time: the same steps give the same frames at the same times.
+// A simulated slave on its own bus in virtual time: the same steps give the same frames at the same times.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,15 @@ class VirtualTarget final : public Target {
   public:
     static constexpr std::uint32_t usual_bit_rate = 125000U;
 
-    /// Any slave; it is switched on at time 0. `bit_rate` in bit/s holds as long as the slave says no other.
+    /// Any slave; it is switched on at time 0. `bit_rate` in bit/s holds as long as the slave says no other. `name` is
+    /// for the report.
     VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id,
-                  std::uint32_t bit_rate = usual_bit_rate);
+                  std::uint32_t bit_rate = usual_bit_rate, std::string name = "virtual time");
 
     Instant now() const override { return now_; }
     void send(const Frame& frame) override;
     std::size_t waiting() const override { return tester_.waiting(); }
-    /// Throws StuckDevice for a slave that does not do what is due.
+    /// Throws StuckDevice for a slave that does not process its deadlines.
     void advance(Instant until) override;
     bool has_power() const override { return true; }
     void power(bool on) override;
@@ -36,7 +37,7 @@ class VirtualTarget final : public Target {
     SimulatedDevice& device() { return slave_.device(); }
 
   private:
-    /// The slave with its switch: off, it neither hears nor says anything.
+    /// The slave with a power switch: while off, it neither receives nor sends.
     class Slave final : public BusNode {
       public:
         explicit Slave(std::unique_ptr<SimulatedDevice> device) : node_{"slave", std::move(device)} {}
@@ -63,7 +64,7 @@ class VirtualTarget final : public Target {
     void step(Instant at);
     Instant next_deadline() const;
 
-    std::string name_{"virtual time"};
+    std::string name_;
     Slave slave_;
     TesterNode tester_;
     ArbitratedBus bus_;

@@ -1,4 +1,4 @@
-// A run as HTML pages of the evidence pack's family.
+// Writes a run as HTML pages in the style of the evidence pack.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace canproof::host::conform {
 
-/// index.html, SERVICE.html and failed/ID.html, by path.
+/// Returns index.html, SERVICE.html and failed/ID.html, by path.
 std::map<std::string, std::string> report_pages(const ConformReport& report);
 
 }  // namespace canproof::host::conform

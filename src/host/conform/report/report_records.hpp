@@ -1,4 +1,4 @@
-// A run for other programs: JSON and JUnit.
+// Writes a run for other programs: JSON and JUnit.
 #pragma once
 
 #include <string>

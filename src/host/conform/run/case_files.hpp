@@ -1,4 +1,4 @@
-// The files of spec/conformance/, as the program carries them.
+// The files of spec/conformance/, embedded in the program.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 
 namespace canproof::host::conform {
 
-/// Text by path.
+/// Returns the text of each file by path.
 const std::map<std::string, std::string>& case_files();
 
 }  // namespace canproof::host::conform

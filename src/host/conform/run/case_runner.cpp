@@ -11,9 +11,9 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);  // a frame too many comes by then
+constexpr Duration afterthought = milliseconds(20);  // a superfluous frame arrives within this time
 constexpr Duration power_off_time = milliseconds(200);
-constexpr Duration silent_boot_limit = milliseconds(500);  // of a slave that has sent no boot-up message before
+constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;
 constexpr std::uint16_t identity_index = 0x1018;
 constexpr std::uint16_t store_index = 0x1010;
@@ -46,7 +46,7 @@ CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& 
     link_.reserve(listened_to(sheet));
 }
 
-/// Remembers which objects a download may have changed.
+/// Records which objects a download may have changed.
 void CaseRunner::note_sent(const Frame& frame) {
     const std::uint32_t function = frame.id & 0x780U;
     const unsigned command = frame.data[0] >> 5U;
@@ -91,7 +91,7 @@ bool CaseRunner::reset(NmtCommand command) {
     return booted;
 }
 
-/// Whether any answer comes from the SDO server, right or wrong.
+/// Returns whether the SDO server answers at all, right or wrong.
 bool CaseRunner::answers() {
     constexpr ObjectPlace device_type{0x1000, 0};
     link_.forget();
@@ -155,7 +155,7 @@ void CaseRunner::begin(ConformReport& report) {
     fresh_ = Fresh::no;
 }
 
-/// The value of an entry; empty when it has none, or when the slave answers wrongly, which is reported.
+/// Returns the value of an entry; empty when it has none or the slave answers wrongly, which is reported.
 Bytes CaseRunner::read_at_start(const ObjectPlace& place, ConformReport& report) {
     try {
         return sdo_.read(place).data;
@@ -290,7 +290,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// What came and no step took.
+/// Fails the case for a received frame that no step took.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);
     const std::uint32_t node = sheet_.node_id;

@@ -1,4 +1,4 @@
-// One slave under test: prepares it, runs a case, puts back what the case changed.
+// Prepares a slave under test, runs a case, and restores what the case changed.
 #pragma once
 
 #include <set>
@@ -17,18 +17,18 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Finds the slave, reads its identity and its parameters. What it answers wrongly is reported as a trouble. Throws
-    /// InputError when it does not answer at all.
+    /// Finds the slave and reads its identity and parameters. Wrong answers are reported as troubles. Throws InputError
+    /// when it does not answer at all.
     void begin(ConformReport& report);
-    /// Runs a case, again where it failed on a real bus. Throws Interrupted.
+    /// Runs a case; on a real bus it runs a failed case again. Throws Interrupted.
     CaseResult run(const Case& one);
-    /// Puts back everything that is not as it was at the start; what could not be.
+    /// Restores everything that differs from the start; returns what could not be restored.
     std::vector<std::string> put_everything_back();
-    /// Whether the slave still answers.
+    /// Returns whether the slave still answers.
     bool is_alive() const { return alive_; }
 
   private:
-    /// What a slave has been through since anybody wrote to it.
+    /// The last reset of the slave since the last write to it.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);
@@ -54,9 +54,9 @@ class CaseRunner {
     SdoClient sdo_;
     Snapshot snapshot_;
     std::set<ObjectPlace> written_;
-    bool sent_other_{false};     ///< a frame that may have changed more than parameters
+    bool sent_other_{false};     ///< a frame was sent that may have changed more than parameters
     bool may_store_{false};      ///< the case's risk is to store
-    bool store_changed_{false};  ///< what the slave has stored may not be the snapshot
+    bool store_changed_{false};  ///< the stored parameters of the slave may differ from the snapshot
     Fresh fresh_{Fresh::no};
     bool alive_{true};
     bool boots_silently_{false};  ///< it answered after a reset without a boot-up message

@@ -19,7 +19,7 @@ namespace {
 
 using Calls = std::vector<StepSource::Call>;
 
-/// The place of the first line of a text: behind `'''` it is the next line.
+/// Returns the place of the first line of a text: the line after `'''`.
 Place first_line(const TomlItem& item, const std::string& key) {
     const toml::node* const node = item.table().get(key);
     Place place = item.place(key);

@@ -1,4 +1,4 @@
-// The cases of spec/conformance/, read.
+// The cases of spec/conformance/ after parsing.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace canproof::host::conform {
 
-/// What a case may do to the equipment.
+/// The risk of a case for the equipment.
 enum class Risk { none, output, store, lss, restart };
 enum class Preparation { none, reset_communication, reset_node };
 
@@ -34,16 +34,16 @@ struct Case {
 };
 
 struct CaseBook {
-    std::vector<Case> cases;  ///< by group, then as the files have them
+    std::vector<Case> cases;  ///< by group, then in the order of the files
     std::map<std::string, Procedure> procedures;
 };
 
 /// The services in the order of a run.
 const std::vector<std::string>& case_groups();
 
-/// Everything that can be read; what cannot is a fault with file, line and fix.
+/// Parses all files; each part that cannot be parsed is a fault with file, line and fix.
 CaseBook parse_cases(const std::map<std::string, std::string>& files, Faults& faults);
-/// The cases that the program carries. Throws std::logic_error when they are not sound.
+/// Returns the cases embedded in the program. Throws std::logic_error when they are invalid.
 const CaseBook& built_in_cases();
 
 }  // namespace canproof::host::conform

@@ -1,4 +1,4 @@
-// What a run has found.
+// The results of a run.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace canproof::host::conform {
 
 enum class Verdict {
     passed,
-    failed,     ///< the slave does something else than the case asks for
-    unstable,   ///< failed, then passed
-    skipped,    ///< does not apply, or is not allowed
+    failed,     ///< the slave does not do what the case demands
+    unstable,   ///< it failed first and then passed
+    skipped,    ///< it does not apply or is not allowed
     no_answer,  ///< the slave stopped answering
     broken,     ///< the case itself is wrong
-    not_run     ///< the run ended before
+    not_run     ///< the run ended before this case
 };
-/// `passed`, `no answer` …
+/// Returns `passed`, `no answer` …
 const char* words_of(Verdict verdict);
 
 struct CaseResult {
@@ -31,17 +31,17 @@ struct CaseResult {
     std::string section;
     std::vector<std::string> tests;
     Verdict verdict{Verdict::not_run};
-    std::string why;   ///< of anything but passed
-    std::string step;  ///< at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
+    std::string why;   ///< reason of every verdict except passed
+    std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;                            ///< what could not be put back
+    std::vector<std::string> left;                            ///< what could not be restored
     std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
-    std::vector<FrameRecord> frames;                          ///< of a case that did not pass
+    std::vector<FrameRecord> frames;                          ///< only for a case that did not pass
     unsigned runs{0};
     Duration time{};
 };
 
-/// Returns the result of a case that has not run yet: what the case says of itself.
+/// Returns the result of a case that has not run yet, with the data of the case.
 CaseResult result_of(const Case& one);
 
 struct ConformReport {
@@ -53,18 +53,18 @@ struct ConformReport {
     std::string target;
     unsigned node{0};
     std::uint32_t bit_rate{0};
-    double traffic{0.0};                          ///< foreign frames meanwhile, per cent
+    double traffic{0.0};                          ///< foreign frames during the run, per cent of the bus
     std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
     Duration time{};
     bool interrupted{false};
-    std::vector<std::string> troubles;  ///< what the slave did wrongly before the first case
-    std::vector<std::string> left;      ///< what could not be put back at the end
+    std::vector<std::string> troubles;  ///< wrong behaviour of the slave before the first case
+    std::vector<std::string> left;      ///< what could not be restored at the end
 
     std::size_t count(Verdict verdict) const {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
                                                       [&](const CaseResult& one) { return one.verdict == verdict; }));
     }
-    /// 0: all passed, 1: a case failed, 2: the run could not be finished.
+    /// Returns 0 when all cases passed, 1 when a case failed, 2 when the run could not be finished.
     int exit_status() const;
 };
 

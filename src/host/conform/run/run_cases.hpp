@@ -1,4 +1,4 @@
-// Runs cases against a slave, each from a known state, and puts back what they changed.
+// Runs cases against a slave, each from a known state, and restores what they changed.
 #pragma once
 
 #include <functional>
@@ -20,20 +20,20 @@ struct ConformOptions {
     bool allow_outputs{true};
     bool allow_store{true};
     bool allow_lss{true};
-    double traffic{0.0};  ///< foreign frames all the time, per cent of the bus
+    double traffic{0.0};  ///< foreign frames during the whole run, per cent of the bus
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
-    /// Is told each result as it comes; may be empty.
+    /// Called with each result; may be empty.
     std::function<void(const CaseResult&)> progress;
 };
 
-/// A failed case runs again up to so many times on a real bus.
+/// Most runs of a case: on a real bus a failed case runs again.
 constexpr unsigned most_runs = 4;
 
-/// Throws InputError when an option names no case, and when the slave does not answer at all.
+/// Runs the chosen cases. Throws InputError when an option names no case, and when the slave does not answer at all.
 ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-/// The cases that the options choose. Throws InputError for a name that is none.
+/// Returns the cases that the options choose. Throws InputError for an unknown name.
 std::vector<const Case*> chosen_cases(const CaseBook& book, const ConformOptions& options);
 
 }  // namespace canproof::host::conform

@@ -17,7 +17,7 @@ constexpr std::uint16_t sync_overflow = 0x1019;
 constexpr std::uint16_t consumers = 0x1016;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// A write does something, or the value is not a parameter.
+/// Returns whether a write to the object is a command, or its value is not a parameter.
 bool is_command(std::uint16_t index) {
     return index == 0x1003 || index == 0x1010 || index == 0x1011 || (index >= 0x1F50 && index < 0x1F80);
 }
@@ -26,12 +26,12 @@ bool is_pdo(std::uint16_t index) {
     return index >= 0x1400 && index < 0x1C00;
 }
 
-/// 1400h… for 1600h…, 1800h… for 1A00h…
+/// Returns the communication parameter object of a mapping object: 1400h… for 1600h…, 1800h… for 1A00h….
 std::uint16_t communication_of(std::uint16_t index) {
     return (index & mapping_offset) != 0 ? static_cast<std::uint16_t>(index - mapping_offset) : index;
 }
 
-/// A COB-ID that may only change while its bit 31 is set.
+/// Returns whether the entry is a COB-ID that may change only while its bit 31 is set.
 bool is_cob_id(const ObjectPlace& place) {
     return place.index == 0x1012 || place.index == 0x1014 ||
            (place.index >= 0x1200 && place.index < 0x1300 && (place.subindex == 1 || place.subindex == 2));
@@ -102,7 +102,7 @@ void Snapshot::write(SdoClient& sdo, const ObjectPlace& place, std::int64_t numb
     }
 }
 
-/// COB-ID off, count 0, entries, count, the rest, COB-ID.
+/// Restores a PDO in the order: COB-ID invalid, count 0, entries, count, other parameters, COB-ID.
 void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places& open) {
     const ObjectPlace cob_id{communication, 1};
     const auto mapping = static_cast<std::uint16_t>(communication + mapping_offset);
@@ -128,7 +128,7 @@ void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places&
     }
 }
 
-/// The overflow of the counter changes while no SYNC is sent.
+/// Restores the SYNC objects; the counter overflow may change only while no SYNC is sent.
 void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
     const std::array<std::uint16_t, 3> order{sync_overflow, sync_period, sync_id};
     const bool wanted = std::any_of(order.begin(), order.end(), [&](std::uint16_t index) {
@@ -149,7 +149,7 @@ void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
 void Snapshot::put_back_others(SdoClient& sdo, const Places& open) {
     for (const ObjectPlace& one : open) {
         if (one.index == consumers) {
-            write(sdo, one, 0);  // no two may name one node
+            write(sdo, one, 0);  // two entries must not name the same node
         } else if (is_cob_id(one)) {
             write(sdo, one, from_little_endian(*find(one), 0, 4) | cob_id_off);
         }

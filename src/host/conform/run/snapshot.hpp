@@ -1,4 +1,4 @@
-// The parameters of the slave as they were at the start of a run, and how they are put back.
+// The parameters of the slave at the start of a run, and their restoration.
 #pragma once
 
 #include <map>
@@ -13,20 +13,20 @@ namespace canproof::host::conform {
 
 class Snapshot {
   public:
-    /// Longer values are left alone.
+    /// Longer values (in bytes) are not part of the snapshot.
     static constexpr std::size_t longest_value = 64;
 
-    /// Reads every entry that can be read and written, commands and DOMAINs apart. Gives those that the slave answers
-    /// wrongly, a sentence each: they are not part of it.
+    /// Reads every readable and writable entry except commands and DOMAINs. Returns a sentence for each entry that the
+    /// slave answers wrongly; these are not part of the snapshot.
     std::vector<std::string> take(SdoClient& sdo, const ConformSheet& sheet);
-    /// Writes back those of `places` that read otherwise, in an order that a slave accepts, and reads them again.
-    /// Gives what could not be put back, a sentence each. Throws NoAnswer.
+    /// Writes back the entries of `places` that have changed, in an order that a slave accepts, and reads them again.
+    /// Returns a sentence for each entry that could not be restored. Throws NoAnswer.
     std::vector<std::string> put_back(SdoClient& sdo, const std::set<ObjectPlace>& places);
-    /// Whether the last put_back() had to write.
+    /// Returns whether the last put_back() had to write.
     bool has_written() const { return has_written_; }
     std::size_t size() const { return values_.size(); }
     std::set<ObjectPlace> places() const;
-    /// Nothing when the entry is not part of it.
+    /// Returns the value of an entry; nullptr when the entry is not part of the snapshot.
     const Bytes* find(const ObjectPlace& place) const;
 
   private:

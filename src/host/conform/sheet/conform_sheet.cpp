@@ -92,7 +92,7 @@ ConformSheet sheet_of(const Register& content, const Part& part) {
 
 ConformSheet sheet_of(const Part& part) {
     Register alone;
-    Manual manual;  // an EDS bears its manual's date, which CiA 306 asks for
+    Manual manual;  // CiA 306 requires a date in an EDS: that of the manual
     manual.key = part.info.manual;
     manual.title = part.info.title;
     manual.revision = "1";

@@ -12,7 +12,7 @@ class AbortList {
   public:
     static AbortList parse(Scanner& line);
 
-    /// Throws SlaveFailed for a code that is not among them.
+    /// Throws SlaveFailed for a code that is not in the list.
     void want(std::uint32_t code) const;
 
   private:

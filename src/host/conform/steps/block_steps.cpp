@@ -11,7 +11,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// A number that is computed when the step runs.
+/// An optional number that is computed when the step runs.
 struct Option {
     Expression value;
 

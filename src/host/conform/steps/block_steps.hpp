@@ -5,7 +5,7 @@
 
 namespace canproof::host::conform {
 
-/// Behind the word `block`. `any`: behind `try`.
+/// Parses the rest of a line after the word `block`. `any`: the line begins with `try`.
 Action parse_block(Scanner& line, bool any);
 
 }  // namespace canproof::host::conform

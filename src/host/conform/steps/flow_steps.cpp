@@ -76,7 +76,7 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
                        finding.what, finding.fix, finding.rule.source);
 }
 
-/// Judges the data sheet itself: an error fails the case, a warning is noted.
+/// Checks the data sheet itself: an error fails the case, a warning is noted.
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
     if (sheet.ini.sections.empty()) {
@@ -123,12 +123,12 @@ Action parse_next(Scanner& line, StepSource&) {
     };
 }
 
-/// The turns of a loop: told in messages, and judged when all of them were left out.
+/// The iterations of a loop: their names appear in messages; the case is skipped when all were skipped.
 class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}
 
-    /// `words` names the turn; empty: it needs no name.
+    /// Runs one iteration. `words` names it in messages; may be empty.
     void run(const Steps& steps, const std::string& words) {
         if (++begun_ > most_turns) {
             throw BrokenCase{"a loop without an end"};
@@ -144,7 +144,7 @@ class Turns {
         }
         context_.turns.resize(depth_);
     }
-    /// Throws CaseSkipped when each turn was left out.
+    /// Throws CaseSkipped when every iteration was skipped.
     void finish(const std::string& nothing) const {
         if (done_ == 0) {
             throw CaseSkipped{begun_ == 0 ? nothing : reason_};
@@ -245,7 +245,7 @@ Action parse_choose(Scanner& line, StepSource&) {
     };
 }
 
-/// A PDO as a variable with the fields number, comm, map.
+/// Returns a PDO as a variable with the fields number, comm, map.
 Value pdo_value(unsigned number, bool transmit) {
     Value value{std::int64_t{number}};
     value.fields = [number, transmit](const std::string& field) -> std::optional<Value> {

@@ -1,4 +1,4 @@
-// A frame as a step names it: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
+// A frame in a step: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
 #pragma once
 
 #include <string>
@@ -14,23 +14,23 @@ struct FrameSpec {
     Expression id;
     bool extended{false};
     bool remote{false};
-    bool any_data{true};  ///< nothing is said of the data
+    bool any_data{true};  ///< the step specifies no data
     DataPattern data{DataPattern::any()};
-    Expression remote_length;  ///< of a remote frame; empty: 0
+    Expression remote_length;  ///< length of a remote frame; empty: 0
 
     FrameKey key(const Scope& scope) const;
-    /// The frame to send. Throws BrokenCase.
+    /// Returns the frame to send. Throws BrokenCase.
     Frame frame(const Scope& scope) const;
 };
 
 FrameSpec parse_frame_spec(Scanner& line);
-/// Only the identifier.
+/// Parses only the identifier.
 FrameSpec parse_frame_id(Scanner& line);
 
-/// `185h`, `600h remote`, `00000605h (29 bits)`
+/// Returns `185h`, `600h remote` or `00000605h (29 bits)`.
 std::string words_of(const FrameKey& key);
 
-/// Puts captures and a whole frame, where `name` is not empty, into the scope.
+/// Stores captures and, if `name` is not empty, the whole frame in the scope.
 void keep(Context& context, const FrameRecord& record, const Captures& captures, const std::string& name);
 
 }  // namespace canproof::host::conform

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t usual_wait_us = 1000000;
 
-/// `within 2 s`; 1 s without it.
+/// Parses `within 2 s`; the default is 1 s.
 Expression parse_within(Scanner& line) {
     if (line.take_word("within")) {
         return parse_expression(line, Radix::decimal);
@@ -22,7 +22,7 @@ Expression parse_within(Scanner& line) {
     return [](const Scope&) { return Value{std::int64_t{usual_wait_us}}; };
 }
 
-/// `-> name`; empty without it.
+/// Parses `-> name`; returns an empty name without it.
 std::string parse_capture(Scanner& line) {
     return line.take("->") ? parse_name(line) : std::string{};
 }

@@ -42,13 +42,13 @@ std::string ask_block(Context& context, bool upload) {
         } catch (const NoAnswer&) {
             throw;
         } catch (const SlaveFailed&) {
-            answer = true;  // it tries: the case judges how
+            answer = true;  // the slave tries block transfer; the case judges how
         }
     }
     return *answer ? "" : fmt::format("the slave has no block {} (05040001h)", upload ? "upload" : "download");
 }
 
-/// Bit 0 of a capability word, as 1010h:01 has it.
+/// Checks bit 0 of a capability word such as 1010h:01.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {

@@ -1,4 +1,4 @@
-// What a slave must have for a case to apply.
+// A condition that a slave must meet for a case to apply.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@ namespace canproof::host::conform {
 
 struct Need {
     std::string words;  ///< as written
-    /// Why it is not met; empty when it is. May ask the slave.
+    /// Returns why it is not met; empty when it is met. May send requests to the slave.
     std::function<std::string(Context&)> unmet;
 };
 
-/// Throws LanguageError.
+/// Parses a need. Throws LanguageError.
 Need parse_need(Scanner& line);
 
 }  // namespace canproof::host::conform

@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned deepest_block = 16;
 
-/// Without its comment: a `#` outside of quotes.
+/// Returns a line without its comment, which starts at a `#` outside of quotes.
 std::string without_comment(const std::string& text) {
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {

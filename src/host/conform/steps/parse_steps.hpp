@@ -1,4 +1,4 @@
-// The steps of a case, from text.
+// Parses the steps of a case.
 #pragma once
 
 #include <set>
@@ -10,17 +10,17 @@
 
 namespace canproof::host::conform {
 
-/// The lines that are still to be read.
+/// The lines that are not parsed yet.
 class StepSource {
   public:
     /// `first` is the place of the first line of `text`.
     StepSource(const std::string& text, const Place& first);
 
-    /// Steps up to the `}` of the block, which is left behind; up to the end of the text for the outermost.
+    /// Parses steps up to the `}` of the block and skips it; up to the end of the text for the outermost block.
     Steps block(bool inner);
-    /// Behind the `}` of block(): whether `else` follows on its line, and what.
+    /// Returns the rest of the line after the `}` of block(); it may contain `else`.
     Scanner& closing() { return closing_; }
-    /// Wants `{` at the end of the line, and reads the block.
+    /// Requires `{` at the end of the line and parses the block.
     Steps block_of(Scanner& line);
 
     /// Procedures that the steps call, with the place of the call and the number of arguments.
@@ -45,7 +45,7 @@ class StepSource {
     unsigned depth_{0};
 };
 
-/// A verb: reads the rest of its line, and its block where it has one.
+/// Parses the rest of a verb's line, and its block if it has one.
 using VerbParser = Action (*)(Scanner& line, StepSource& source);
 
 struct Verb {

@@ -58,7 +58,6 @@ void Ending::judge(const SdoOutcome& outcome, const ObjectPlace& place, Context&
     }
 }
 
-/// What is written: the bytes given, or a number as wide as it is said to be.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context) {
     if (width != 0) {
         return little_endian(number_of(value), width);

@@ -1,4 +1,4 @@
-// How a transfer of a step must end, and what it writes.
+// The expected end of a transfer in a step, and the value that it writes.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace canproof::host::conform {
 
-/// How a transfer must end.
+/// The expected end of a transfer.
 struct Ending {
     bool any{false};                 ///< `try`
-    std::optional<AbortList> fails;  ///< nothing: it must succeed
-    std::string name;                ///< behind `->`
-    Expression value;                ///< behind `=` of a read
+    std::optional<AbortList> fails;  ///< absent: it must succeed
+    std::string name;                ///< name after `->`
+    Expression value;                ///< value after `=` of a read
 
-    /// Reads `fails …` or `-> name`. False when neither follows.
+    /// Parses `fails …` or `-> name`. Returns false when neither follows.
     bool take(Scanner& line);
-    /// Throws SlaveFailed when the transfer ended otherwise; keeps its value.
+    /// Throws SlaveFailed when the transfer ended otherwise; stores its value.
     void judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const;
 };
 
-/// What is written: the bytes given, or a number `width` bytes wide; 0: as wide as the data sheet says. Throws
+/// Returns the bytes to write: the given bytes, or a number `width` bytes wide; 0: the width in the data sheet. Throws
 /// BrokenCase.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context);
 

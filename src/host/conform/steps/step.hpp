@@ -1,4 +1,4 @@
-// A step of a case once it is read, and what it acts on.
+// A parsed step of a case, and the context in which it runs.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ struct Procedure {
     std::string file;
 };
 
-/// What a case acts on while it runs.
+/// The context of a running case.
 struct Context {
     Context(Link& a_link, SdoClient& a_client, const ConformSheet& a_sheet,
             const std::map<std::string, Procedure>& the_procedures, Journal& a_journal)
@@ -49,24 +49,24 @@ struct Context {
     Journal& journal;
     Scope root{};
     Scope* scope{&root};
-    const Step* at{nullptr};  ///< the step that runs
+    const Step* at{nullptr};  ///< the running step
     std::map<std::string, std::shared_ptr<const Watched>> watches;
-    std::vector<std::string> turns;  ///< of the loops around it: `P = TPDO 2`
-    unsigned depth{0};               ///< of procedures
+    std::vector<std::string> turns;  ///< names of the iterations of the loops around it: `P = TPDO 2`
+    unsigned depth{0};               ///< nesting depth of procedures
     std::optional<bool> block_upload{};
     std::optional<bool> block_download{};
 
     std::uint8_t node() const { return sheet.node_id; }
 };
 
-/// Runs them one after another; `context.at` stays at the one that throws.
+/// Runs the steps in order; when one throws, `context.at` still points to it.
 void run_steps(const Steps& steps, Context& context);
 
-/// `next unless`: this turn of the loop is left out.
+/// Thrown by `next unless`: skips this iteration of the loop.
 struct NextTurn {
     std::string reason;
 };
-/// `return`: the end of a procedure.
+/// Thrown by `return`: ends a procedure.
 struct Returned {
     Value value;
 };

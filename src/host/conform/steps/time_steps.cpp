@@ -13,10 +13,10 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // a period is waited for so many times as long as it should take
+constexpr std::uint64_t patience = 3;  // a step waits this many times the expected period
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends the watch when the step ends, however it does.
+/// Ends a watch when the step ends, also by an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -31,7 +31,7 @@ class EndingWatch {
     std::shared_ptr<const Watched> watched_;
 };
 
-/// `+- 5 %`, `+- 1`: what a number may be off.
+/// The tolerance of a number: `+- 5 %`, `+- 1`.
 struct Tolerance {
     Expression amount;
     bool percent{false};

@@ -1,0 +1,32 @@
+// The process that emulates a microcontroller, ended by whoever holds it last.
+#pragma once
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <utility>
+
+#include "host/base/child_process.hpp"
+
+namespace canproof::host {
+
+class Emulator {
+  public:
+    /// None.
+    Emulator() = default;
+    explicit Emulator(pid_t process) : process_{process} {}
+    ~Emulator() {
+        if (process_ > 0) {
+            kill(process_, SIGKILL);  // it keeps nothing that an orderly end would save
+            wait_for_process(process_);
+        }
+    }
+    Emulator(Emulator&& other) noexcept : process_{std::exchange(other.process_, -1)} {}
+    Emulator(const Emulator&) = delete;
+    Emulator& operator=(const Emulator&) = delete;
+
+  private:
+    pid_t process_{-1};
+};
+
+}  // namespace canproof::host

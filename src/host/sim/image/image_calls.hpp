@@ -1,0 +1,63 @@
+// The calls of a device whose firmware runs as an image. During a call the image reads and writes its parameter memory,
+// which is here; after it the frames that wait to be sent are here.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "firmware/canopen/nmt.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "host/sim/devices/memory.hpp"
+#include "host/sim/image/image_link.hpp"
+
+namespace canproof::host {
+
+/// How a device is after a call.
+struct DeviceState {
+    Instant deadline{never};
+    std::uint8_t node_id{0};
+    NmtState nmt{NmtState::initialising};
+    std::uint32_t bit_rate{0};  ///< bit/s
+    std::vector<double> outputs;
+};
+
+class ImageCalls {
+  public:
+    /// Takes a link whose greeting is read. `queue` gets what the image wants to send; what is popped there goes out.
+    ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
+
+    // All of them throw ImageFailed. `inputs` are in the register's order.
+    void power_on(const std::vector<double>& inputs, Instant now);
+    void set_inputs(const std::vector<double>& inputs, Instant now);
+    void receive(const Frame& frame, Instant now);
+    void advance(Instant now);
+    /// Tells only which frames went out.
+    void look();
+
+    /// Returns the state after the last call.
+    const DeviceState& state() const { return state_; }
+    /// Counts the frames that went out since then.
+    std::size_t sent() const { return waiting_ - queue_.size(); }
+    /// Tells whether the image's last commit was done; true before the first.
+    bool has_committed() const { return committed_; }
+    const std::string& name() const { return link_->name(); }
+
+  private:
+    bridge::Message command(bridge::Kind kind) const;
+    bridge::Message command(bridge::Kind kind, Instant now) const;
+    bridge::Message command(bridge::Kind kind, Instant now, const std::vector<double>& inputs) const;
+    void call(bridge::Message command);
+    bridge::Message access(bridge::Message& wanted);
+    void take_state(bridge::Message& message);
+
+    std::unique_ptr<ImageLink> link_;
+    TransmitQueue& queue_;
+    Memory& memory_;
+    DeviceState state_;
+    std::size_t waiting_{0};  ///< frames in the queue after the last call
+    bool committed_{true};
+};
+
+}  // namespace canproof::host

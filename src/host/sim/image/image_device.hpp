@@ -1,0 +1,51 @@
+// A device of the catalogue whose firmware runs on the emulated microcontroller, one call after the other, in the time
+// that it is told. A twin, the same device of this program, makes its physical world and gets every call too: where the
+// two do not do the same, they are not of the same sources, or one of the compilers is wrong.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/image/image_calls.hpp"
+
+namespace canproof::host {
+
+class ImageDevice final : public SimulatedDevice {
+  public:
+    /// Takes a link whose greeting is read. Throws ImageFailed when the image has other signals than the twin.
+    ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
+
+    void set_node_id(NodeId node_id) override;
+    bool set_coding_switches(std::uint8_t value) override { return twin_->set_coding_switches(value); }
+    // These five throw ImageFailed, also when image and twin do not do the same.
+    void power_on(Instant now) override;
+    void receive(const Frame& frame, Instant now) override;
+    void advance(Instant now) override;
+    bool set_input(const std::string& name, double value, Instant now) override;
+    Instant next_deadline() const override;
+
+    std::vector<double> inputs() const override { return twin_->inputs(); }
+    const std::vector<std::string>& input_names() const override { return twin_->input_names(); }
+    std::vector<double> outputs() const override { return calls_->state().outputs; }
+    const std::vector<std::string>& output_names() const override { return twin_->output_names(); }
+    std::uint8_t node_id() const override;
+    NmtState state() const override { return calls_->state().nmt; }
+    std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
+
+  private:
+    /// Takes from the twin's queue what went out of the image's.
+    void follow_queue() const;
+    /// Tells the image what a call has changed in the twin's physical world.
+    void follow_inputs(const std::vector<double>& before, Instant now);
+    /// Throws ImageFailed when image and twin are not in the same state.
+    void compare(Instant now) const;
+    /// Says what differs; empty: nothing.
+    std::string difference() const;
+
+    std::unique_ptr<SimulatedDevice> twin_;
+    std::unique_ptr<ImageCalls> calls_;
+};
+
+}  // namespace canproof::host

@@ -1,0 +1,77 @@
+#include "host/sim/image/image_link.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+
+namespace canproof::host {
+
+ImageLink::ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator)
+    : to_{std::move(to)}, from_{std::move(from)}, name_{std::move(name)}, emulator_{std::move(emulator)} {
+    std::signal(SIGPIPE, SIG_IGN);  // an image that has ended is an exception, not the end of the program
+}
+
+void ImageLink::send(bridge::Message& message) {
+    const ByteView bytes = message.sent();
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = write(to_.number(), bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno != EINTR) {
+            throw ImageFailed{fmt::format("{} has ended", name_)};
+        }
+        done += count < 0 ? 0 : static_cast<std::size_t>(count);
+    }
+}
+
+bridge::Message ImageLink::receive() {
+    bridge::Message message;
+    read(message.buffer(), bridge::Message::head);
+    read(message.buffer() + bridge::Message::head, message.expected());
+    message.filled();
+    if (!message.is_sound()) {
+        refuse();
+    }
+    return message;
+}
+
+ImageGreeting ImageLink::greeting() {
+    bridge::Message message = receive();
+    if (message.kind() != bridge::Kind::greeting || message.take<std::uint32_t>() != bridge::protocol) {
+        refuse();
+    }
+    ImageGreeting greeting;
+    greeting.inputs = message.take<std::uint8_t>();
+    greeting.outputs = message.take<std::uint8_t>();
+    const ByteView name = message.take_bytes(message.take<std::uint8_t>());
+    if (!message.is_sound()) {
+        refuse();
+    }
+    greeting.device.assign(name.data(), name.data() + name.size());
+    return greeting;
+}
+
+void ImageLink::read(std::uint8_t* to, std::size_t count) {
+    std::size_t done = 0;
+    while (done < count) {
+        pollfd waited{from_.number(), POLLIN, 0};
+        const int ready = poll(&waited, 1, patience_ms);
+        if (ready == 0) {
+            throw ImageFailed{fmt::format("{} does not answer for {} s", name_, patience_ms / 1000)};
+        }
+        const ssize_t got = ready < 0 ? -1 : ::read(from_.number(), to + done, count - done);
+        if (got == 0 || (got < 0 && errno != EINTR)) {
+            throw ImageFailed{fmt::format("{} has ended", name_)};
+        }
+        done += got < 0 ? 0 : static_cast<std::size_t>(got);
+    }
+}
+
+void ImageLink::refuse() const {
+    throw ImageFailed{
+        fmt::format("{} says what this program does not understand; build both from the same sources", name_)};
+}
+
+}  // namespace canproof::host

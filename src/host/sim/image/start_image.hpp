@@ -1,0 +1,15 @@
+// Starts a device's image on the emulated microcontroller.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/sim/image/image_link.hpp"
+
+namespace canproof::host {
+
+/// Starts an STM32F405 in QEMU with that image; the process ends with the link. Throws InputError when there is no QEMU
+/// or no such file. What else is wrong with the file shows when it does not greet.
+std::unique_ptr<ImageLink> start_image(const std::string& path);
+
+}  // namespace canproof::host

@@ -1,0 +1,33 @@
+// The way to the program that is the board of an image.
+#pragma once
+
+#include "host/sim/image/message.hpp"
+
+namespace canproof::target {
+
+class Channel {
+  public:
+    Channel(const Channel&) = delete;
+    Channel& operator=(const Channel&) = delete;
+
+    /// Sends a message. False when it is unsound or the program has ended.
+    bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
+    /// Waits for the next message. False when the program has ended, or sends what is no message.
+    bool receive(bridge::Message& message) {
+        message = bridge::Message{};
+        bool done = read(message.buffer(), bridge::Message::head);
+        done = done && read(message.buffer() + bridge::Message::head, message.expected());
+        message.filled();
+        return done && message.is_sound();
+    }
+
+  protected:
+    Channel() = default;
+    ~Channel() = default;
+
+    /// Reads all `count` bytes; waits for them.
+    virtual bool read(std::uint8_t* to, std::size_t count) = 0;
+    virtual bool write(ByteView bytes) = 0;
+};
+
+}  // namespace canproof::target

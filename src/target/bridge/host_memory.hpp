@@ -1,0 +1,26 @@
+// The parameter memory of an image whose board is a program: it keeps the bytes, and says what became of each access.
+#pragma once
+
+#include "firmware/base/non_volatile_memory.hpp"
+#include "target/bridge/channel.hpp"
+
+namespace canproof::target {
+
+class HostMemory final : public NonVolatileMemory {
+  public:
+    HostMemory(Channel& channel, const std::size_t size) : channel_{channel}, size_{size} {}
+
+    std::size_t size() const override { return size_; }
+    bool read(std::size_t at, MutableBytes to) const override;
+    bool write(std::size_t at, ByteView bytes) override;
+    bool commit() override;
+
+  private:
+    /// Asks for an access, and returns whether it was done; `message` becomes its answer.
+    bool ask(bridge::Message& message) const;
+
+    Channel& channel_;
+    std::size_t size_;
+};
+
+}  // namespace canproof::target
