@@ -77,7 +77,7 @@ class Link {
     /// Ends background frames and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// Sets a listener for each frame that the tester sends.
+    /// Is told each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// Returns when the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }

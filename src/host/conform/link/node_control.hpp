@@ -20,7 +20,7 @@ constexpr Duration boot_limit = milliseconds(5000);
 
 /// Sends a command to `node`; 0: to all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Waits for the boot-up message; skips heartbeats before it. Returns false when none comes within `limit`.
+/// Takes the boot-up message; heartbeats before it are left behind. False when none comes within `limit`.
 bool take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -38,7 +38,7 @@ class Target {
     /// Clears an interruption, so that the next Ctrl-C is noticed.
     virtual void go_on() {}
 
-    /// Returns whether the slave can be switched off and on.
+    /// Whether the slave can be switched off and on.
     virtual bool has_power() const { return false; }
     virtual void power(bool) {}
     /// Returns whether the bus follows the slave's bit rate.

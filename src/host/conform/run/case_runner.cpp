@@ -11,7 +11,7 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);  // a superfluous frame arrives within this time
+constexpr Duration afterthought = milliseconds(20);  // a frame too many comes by then
 constexpr Duration power_off_time = milliseconds(200);
 constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;

@@ -34,9 +34,9 @@ struct CaseResult {
     std::string why;   ///< reason of every verdict except passed
     std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;                            ///< what could not be restored
+    std::vector<std::string> left;                            ///< what could not be put back
     std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
-    std::vector<FrameRecord> frames;                          ///< only for a case that did not pass
+    std::vector<FrameRecord> frames;                          ///< of a case that did not pass
     unsigned runs{0};
     Duration time{};
 };
@@ -64,7 +64,7 @@ struct ConformReport {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
                                                       [&](const CaseResult& one) { return one.verdict == verdict; }));
     }
-    /// Returns 0 when all cases passed, 1 when a case failed, 2 when the run could not be finished.
+    /// 0: all passed, 1: a case failed, 2: the run could not be finished.
     int exit_status() const;
 };
 
