@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/assess/fuzz/task_pool.hpp"
+#include "host/base/shard.hpp"
 
 namespace canproof::host {
 
@@ -29,6 +30,8 @@ struct CampaignOptions {
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, on a terminal as well
     bool restart{false};
+    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets, and leaves the passes to `merge`
+    std::string merge;             ///< folder with the corpus folders of all shards, in place of fuzzing; empty: fuzz
 };
 
 /// Exit status: 0 nothing found, 1 a finding, 2 a target that did not run its time, 130 interrupted without a finding.
