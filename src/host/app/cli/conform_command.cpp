@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "generated/version.hpp"
 #include "host/app/cli/built_in.hpp"
@@ -130,6 +132,24 @@ conform::ConformOptions run_options(const ConformCommandOptions& options) {
     return running;
 }
 
+bool is_of_a_report(const std::filesystem::directory_entry& entry) {
+    static const std::set<std::string> records{"junit.xml", "report.json", "report.txt"};
+    const std::filesystem::path name = entry.path().filename();
+    return entry.is_regular_file() && (name.extension() == ".html" || records.count(name.string()) != 0);
+}
+
+/// The report replaces its folder as a whole. Throws InputError for one that holds anything but an old report.
+void check_report_folder(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
+        return;
+    }
+    const std::filesystem::directory_iterator entries{folder};
+    if (!std::filesystem::exists(folder / "report.json") ||
+        !std::all_of(begin(entries), end(entries), is_of_a_report)) {
+        throw InputError{fmt::format("{} holds other files; name an empty folder, or a new one", folder.string())};
+    }
+}
+
 }  // namespace
 
 int run_conform(const ConformCommandOptions& options) {
@@ -140,6 +160,9 @@ int run_conform(const ConformCommandOptions& options) {
     if (options.device.empty() == options.eds.empty()) {
         throw InputError{
             "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+    }
+    if (!options.report.empty()) {
+        check_report_folder(options.report);
     }
     const conform::ConformSheet sheet = sheet_for(options);
     const std::unique_ptr<conform::Target> target =
