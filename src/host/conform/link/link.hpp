@@ -80,6 +80,8 @@ class Link {
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// When the last frame of a step went over the bus.
     Instant last_sent() const { return last_sent_; }
+    /// How late the tester itself has been at most since the case began: a busy machine. Zero in virtual time.
+    Duration worst_delay() const { return worst_delay_; }
 
   private:
     struct Produced {
@@ -106,6 +108,7 @@ class Link {
     std::uint32_t traffic_number_{0};
     Instant last_sent_{};
     Frame last_frame_{};
+    Duration worst_delay_{};
     std::function<void(const Frame&)> on_send_;
 };
 

@@ -11,7 +11,8 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);  // a frame too many comes by then
+constexpr Duration afterthought = milliseconds(20);     // a frame too many comes by then
+constexpr Duration tolerated_delay = milliseconds(20);  // of the tester; more is told with a failure
 constexpr Duration power_off_time = milliseconds(200);
 constexpr Duration silent_boot_limit = milliseconds(500);  // of a slave that has sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;
@@ -218,6 +219,9 @@ void CaseRunner::run_once(const Case& one, CaseResult& result) {
     result.why.clear();
     result.step.clear();
     judge(one, result);
+    if (result.verdict == Verdict::failed && link_.worst_delay().us > tolerated_delay.us) {
+        result.why += fmt::format("; the tester itself was up to {} ms late", link_.worst_delay().us / 1000U);
+    }
     result.times = journal_.times;
     result.notes = journal_.notes;
     if (result.verdict != Verdict::passed && result.verdict != Verdict::skipped) {
