@@ -19,7 +19,7 @@ constexpr std::uint32_t sdo_answer = 0x585;
 TEST(ConformRun, PassesWhatASoundSlaveDoes) {
     const CaseResult result = run_steps_on_slave("sdo 40 00 10 00\nanswer 43 00 10 00\nread 1017:00 = 0");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
-    EXPECT_EQ(result.times.at("SDO answer").size(), 2U);
+    EXPECT_EQ(result.times.at("SDO answer").times.size(), 2U);
 }
 
 TEST(ConformRun, NamesTheStepThatFails) {

@@ -42,6 +42,7 @@ Link::~Link() {
 }
 
 void Link::take_in(const FrameRecord& record) {
+    use_.add(record);
     if (log_.size() < most_logged) {
         log_.push_back(record);
     }

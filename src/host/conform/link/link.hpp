@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "host/conform/link/bus_use.hpp"
 #include "host/conform/link/target.hpp"
 
 namespace canproof::host::conform {
@@ -76,6 +77,8 @@ class Link {
     /// Ends background and watches, forgets what came, and begins an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
+    /// All frames since the link was made.
+    const BusUse& bus_use() const { return use_; }
     /// Is told each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// When the last frame of a step went over the bus.
@@ -100,6 +103,7 @@ class Link {
     std::deque<FrameRecord> inbox_;
     std::vector<std::shared_ptr<Watched>> watches_;
     std::vector<FrameRecord> log_;
+    BusUse use_;
     std::vector<Produced> produced_;
     std::set<std::uint32_t> reserved_;
     Duration traffic_period_{};

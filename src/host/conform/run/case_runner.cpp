@@ -67,7 +67,7 @@ void CaseRunner::note_sent(const Frame& frame) {
 bool CaseRunner::reset(NmtCommand command) {
     link_.begin_case();
     send_nmt(link_, command, sheet_.node_id);
-    bool booted = take_boot_up(link_, sheet_.node_id, boots_silently_ ? silent_boot_limit : boot_limit);
+    bool booted = take_boot_up(link_, sheet_.node_id, boots_silently_ ? silent_boot_limit : boot_limit).has_value();
     if (!booted && answers()) {
         boots_silently_ = true;
         booted = true;

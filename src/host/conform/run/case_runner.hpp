@@ -26,6 +26,8 @@ class CaseRunner {
     std::vector<std::string> put_everything_back();
     /// Whether the slave still answers.
     bool is_alive() const { return alive_; }
+    /// Every frame since the runner was made.
+    const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
     /// What a slave has been through since anybody wrote to it.
