@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -110,7 +111,11 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     running.bus = options.bus;
     std::unique_ptr<Bus> bus = make_bus(running, static_cast<std::uint32_t>(sheet.part.info.bit_rate));
     bus->on_notice(tell);
-    return std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+    auto target = std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+    if (options.by_hand) {
+        target->switch_by_hand(STDIN_FILENO, tell);
+    }
+    return target;
 }
 
 conform::ConformOptions run_options(const ConformCommandOptions& options) {
@@ -160,6 +165,9 @@ int run_conform(const ConformCommandOptions& options) {
     if (options.device.empty() == options.eds.empty()) {
         throw InputError{
             "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+    }
+    if (options.by_hand && options.bus.empty()) {
+        throw InputError{"--by-hand is for a slave on a bus; in virtual time the program switches it off and on"};
     }
     if (!options.report.empty()) {
         check_report_folder(options.report);

@@ -22,6 +22,7 @@ struct ConformCommandOptions {
     bool allow_outputs{false};
     bool allow_store{false};
     bool allow_lss{false};
+    bool by_hand{false};  ///< the user switches the slave off and on
     double traffic{0.0};  ///< per cent of the bus
 };
 

@@ -72,7 +72,7 @@ bool CaseRunner::reset(NmtCommand command) {
         boots_silently_ = true;
         booted = true;
     }
-    if (!booted && target_.has_power()) {
+    if (!booted && target_.power_switch() != PowerSwitch::nobody) {
         target_.power(false);
         link_.wait(power_off_time);
         link_.forget();
@@ -357,10 +357,10 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
 std::vector<std::string> CaseRunner::put_everything_back() {
     target_.go_on();
     sdo_.allow_unasked(true);
-    if (!reset(NmtCommand::reset_node)) {
-        return {"the slave does not answer; its parameters could not be put back"};
-    }
     try {
+        if (!reset(NmtCommand::reset_node)) {
+            return {"the slave does not answer; its parameters could not be put back"};
+        }
         const std::vector<std::string> left = snapshot_.put_back(sdo_, snapshot_.places());
         if (store_changed_) {
             save_parameters();
@@ -368,6 +368,8 @@ std::vector<std::string> CaseRunner::put_everything_back() {
         return left;
     } catch (const SlaveFailed& failed) {
         return {fmt::format("its parameters could not be put back: {}", failed.what())};
+    } catch (const Interrupted&) {
+        return {"interrupted again before its parameters were put back"};
     }
 }
 

@@ -80,7 +80,7 @@ Action parse_power(Scanner& line, StepSource&) {
     line.finish();
     return [cycle, on](Context& context) {
         Target& target = context.link.target();
-        if (!target.has_power()) {
+        if (target.power_switch() == PowerSwitch::nobody) {
             throw CaseSkipped{"nobody can switch the slave off and on here"};
         }
         if (cycle) {
