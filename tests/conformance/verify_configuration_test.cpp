@@ -41,13 +41,6 @@ TEST_F(VerifyConfiguration, KeepsWhatTheToolLeft) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, IsLostAtAResetWhenItWasNotStored) {
-    verifies<req::CO_VERIFY_001>();
-    leave_date_and_time();
-    send("000#8105");
-    talk(zero);
-}
-
 TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
@@ -98,12 +91,6 @@ TEST_F(VerifyConfiguration, AProcessValueIsNoConfiguration) {
           {"605#2B00220032000000", {"585#6000220000000000"}},    // 2200h = 50, which an RPDO may carry
           {"605#2302220000008040", {"585#6002220000000000"}}});  // 2202h = 4.0, likewise
     talk(kept);
-}
-
-TEST_F(VerifyConfiguration, EachPartCanBeWrittenAlone) {
-    verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
-    leave_date_and_time();
-    talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
 
 // Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
