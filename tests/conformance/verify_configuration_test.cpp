@@ -41,14 +41,7 @@ TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, UnstoredDateAndTimeAreLostAtAReset) {
-    verifies<req::CO_VERIFY_001>();
-    leave_date_and_time();
-    send("000#8105");
-    talk(zero);
-}
-
-TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
+TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication
@@ -100,15 +93,9 @@ TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
-    verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
-    leave_date_and_time();
-    talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
-}
-
-// Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
-// AX060805 4.2.12
-TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
+// Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
+// 4.2.12
+TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);

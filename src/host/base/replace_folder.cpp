@@ -51,7 +51,7 @@ void exchange(const fs::path& fresh, const fs::path& folder) {
 }  // namespace
 
 void replace_folder(const fs::path& folder, const std::map<std::string, std::string>& files) {
-    const fs::path named = fs::weakly_canonical(folder);
+    const fs::path named = fs::weakly_canonical(fs::absolute(folder));
     const fs::path target = named.has_filename() ? named : named.parent_path();
     const fs::path fresh = target.parent_path() / ("." + target.filename().string() + ".new");
     fs::remove_all(fresh);

@@ -44,11 +44,11 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< the bytes of objects left open, by the number of their term
-    std::string statement{};                  ///< the sentence that the harness passes to shows()
-    std::vector<std::string> requirements{};  ///< those that the harness passes to proves()
-    std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`
-    std::set<std::string> functions{};        ///< the functions of the firmware that were executed
+    std::set<unsigned> state_bytes{};         ///< of open states, by number of the term
+    std::string statement{};                  ///< what the harness says that it shows
+    std::vector<std::string> requirements{};  ///< that it names
+    std::function<void()> noted{};            ///< after each of both
+    std::set<std::string> functions{};        ///< of the firmware, that were executed
 };
 
 }  // namespace canproof::host::prove

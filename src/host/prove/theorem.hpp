@@ -21,8 +21,8 @@ struct TheoremResult {
     std::string statement{};
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
-    std::string reason{};                  ///< the obligation that fails or is undecided, or why the theorem is unknown
-    std::vector<std::string> functions{};  ///< the functions of the firmware that were executed
+    std::string reason{};                  ///< the obligation that fails or is open; why nothing is known
+    std::vector<std::string> functions{};  ///< of the firmware, that were executed
     double paths{0.0};
     std::size_t obligations{0};
     std::size_t questions{0};  ///< questions to z3

@@ -21,7 +21,7 @@ class LoadedTarget final : public host::conform::Target {
     void send(const Frame& frame) override { inner_.send(frame); }
     std::size_t waiting() const override { return inner_.waiting(); }
     void advance(Instant until) override;
-    bool has_power() const override { return true; }
+    host::conform::PowerSwitch power_switch() const override { return inner_.power_switch(); }
     void power(bool on) override { inner_.power(on); }
     bool follows_bit_rate() const override { return true; }
     std::uint32_t bit_rate() const override { return inner_.bit_rate(); }

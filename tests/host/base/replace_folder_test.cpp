@@ -22,7 +22,17 @@ TEST(ReplaceFolder, ReplacedFolderHasTheNewFilesOnly) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
+TEST(ReplaceFolder, MayBeNamedFromTheCurrentFolder) {
+    const ScratchFolder folder;
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / ".");
+    EXPECT_NO_THROW(replace_folder("pack", {{"a", "1"}}));
+    std::filesystem::current_path(before);
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "1");
+    EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
+TEST(ReplaceFolder, StaysAsItIsWhenOneFileCannotBeWritten) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);

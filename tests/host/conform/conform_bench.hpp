@@ -70,6 +70,8 @@ class BusLikeTarget final : public Target {
     }
     /// Simulates Ctrl-C at that time.
     void interrupt_at(Instant time) { interrupt_at_ = time; }
+    /// The tester runs on so much later each time that it waits.
+    void be_late_by(Duration delay) { delay_ = delay; }
     SimulatedDevice& device() { return inner_.device(); }
 
     Instant now() const override { return inner_.now(); }
@@ -79,7 +81,7 @@ class BusLikeTarget final : public Target {
         if (interrupt_at_ <= inner_.now()) {
             throw Interrupted{};
         }
-        inner_.advance(until);
+        inner_.advance(until + delay_);
     }
     void go_on() override { interrupt_at_ = never; }
     bool has_remote_frames() const override { return false; }
@@ -90,6 +92,7 @@ class BusLikeTarget final : public Target {
   private:
     VirtualTarget inner_;
     Instant interrupt_at_{never};
+    Duration delay_{};
 };
 
 inline std::unique_ptr<SimulatedDevice> sound_slave() {

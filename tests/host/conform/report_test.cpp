@@ -1,4 +1,5 @@
 // The report of a conformance run.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,12 +62,45 @@ TEST(ConformReportFiles, JsonHasVerdictsAndTimes) {
     EXPECT_EQ(json["sheet_sha256"].get<std::string>().size(), 64U);
 }
 
-TEST(ConformSpread, SpreadIsSmallestMeanAndLargest) {
-    const Spread spread = spread_of({10, 40, 25});
-    EXPECT_EQ(spread.smallest, 10U);
-    EXPECT_EQ(spread.mean, 25U);
-    EXPECT_EQ(spread.largest, 40U);
-    EXPECT_EQ(spread_of({}).count, 0U);
+// Eleven gaps of a heartbeat of 100 ms, of which the case accepts 95 to 105 ms in the mean and 80 to 120 ms each.
+TEST(ConformReportFiles, DrawMeasuredTimesWithTheLimitsOfTheCase) {
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report =
+        run_on(target, case_text("heartbeat", "write 1017:00 = 100\nperiod 700+N = 100 ms +- 5 % over 11 jitter 20 %"));
+    const std::string page = report_files(report).at("sdo.html");
+    EXPECT_THAT(page, HasSubstr("gap of 705h"));
+    EXPECT_THAT(page, HasSubstr("mean 95.000 to 105.000, each 80.000 to 120.000"));
+    EXPECT_THAT(page, HasSubstr("11 times between 80.000 ms and 120.000 ms"));
+    // 240 wide: the limits at 0, 90, 150 and 240
+    for (const char* const x : {"0.0", "90.0", "150.0", "240.0"}) {
+        EXPECT_THAT(page, HasSubstr(fmt::format("<line x1=\"{0}\" x2=\"{0}\"", x)));
+    }
+    const auto times = nlohmann::json::parse(write_json(report))["cases"][0]["times"]["gap of 705h"];
+    EXPECT_EQ(times["accepted_mean"]["least_us"], 95000.0);
+    EXPECT_EQ(times["accepted_each"]["most_us"], 120000.0);
+    EXPECT_EQ(times["histogram"]["from_us"], 80000.0);
+    EXPECT_EQ(times["histogram"]["bin_us"], 1000.0);
+    EXPECT_EQ(times["histogram"]["counts"][20], 11);  // 100 ms: the slave is exact in virtual time
+}
+
+// 80 % of 125 kbit/s for two seconds.
+TEST(ConformReportFiles, ShowTheMeasuredLoadOfTheBus) {
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report =
+        run_on(target, case_text("full", "traffic 80 % high\nwait 2 s\ntraffic off\nwait 8 s\nread 1000:00"));
+    ASSERT_TRUE(report.highest_load().has_value());
+    EXPECT_NEAR(*report.highest_load(), 80.0, 8.0);
+    EXPECT_NEAR(*report.mean_load(), 16.0, 4.0);
+    EXPECT_THAT(report_files(report).at("index.html"), HasSubstr("in the busiest second; "));
+    EXPECT_GT(nlohmann::json::parse(write_json(report))["bus"]["tester_frames"], 1000);
+}
+
+TEST(ConformReportFiles, GiveNoLoadWithoutABitRate) {
+    ConformReport report = some_report();
+    report.bit_rate = 0;
+    EXPECT_FALSE(report.mean_load().has_value());
+    EXPECT_THAT(report_files(report).at("index.html"), HasSubstr("the bit rate is not known"));
+    EXPECT_FALSE(nlohmann::json::parse(write_json(report))["bus"].contains("mean_load_percent"));
 }
 
 }  // namespace

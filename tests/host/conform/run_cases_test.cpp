@@ -19,7 +19,7 @@ constexpr std::uint32_t sdo_answer = 0x585;
 TEST(ConformRun, CorrectSlavePasses) {
     const CaseResult result = run_steps_on_slave("sdo 40 00 10 00\nanswer 43 00 10 00\nread 1017:00 = 0");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
-    EXPECT_EQ(result.times.at("SDO answer").size(), 2U);
+    EXPECT_EQ(result.times.at("SDO answer").times.size(), 2U);
 }
 
 TEST(ConformRun, FailingStepIsNamed) {
@@ -173,7 +173,24 @@ TEST(ConformRun, FailingCaseOnABusRunsFourTimes) {
     EXPECT_EQ(report.results.at(0).runs, 4U);
 }
 
-TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
+// A producer of 100 ms that the slave may miss for 120 ms: a tester that is 30 ms late is the one that fails.
+TEST(ConformRun, FailureNamesATesterThatIsLate) {
+    const std::string steps =
+        "write 1016:01 = ($other << 16) | 120\nproduce 700+$other: 05 every 100 ms\nwait 50 ms\nclear\n"
+        "silence 080+N for 1 s";
+    BusLikeTarget on_time{sound_slave()};
+    EXPECT_EQ(run_on(on_time, case_text("some", steps)).results.at(0).verdict, Verdict::passed);
+    BusLikeTarget late{sound_slave()};
+    late.be_late_by(milliseconds(30));
+    const CaseResult result = run_on(late, case_text("some", steps)).results.at(0);
+    EXPECT_EQ(result.verdict, Verdict::failed);
+    EXPECT_THAT(result.why, HasSubstr("; the tester itself was up to 30 ms late"));
+    BusLikeTarget other{sound_slave()};
+    EXPECT_THAT(run_on(other, case_text("some", "read 1000:00 fails any")).results.at(0).why,
+                testing::Not(HasSubstr("late")));
+}
+
+TEST(ConformRun, RiskNeedsItsPermission) {
     BusLikeTarget target{sound_slave()};
     ConformOptions options;
     options.allow_outputs = options.allow_store = options.allow_lss = false;

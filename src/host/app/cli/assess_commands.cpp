@@ -46,15 +46,27 @@ class FuzzCommand : Command {
         command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
         command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
         command->add_flag("--restart", options_.restart, "discard an unfinished campaign");
-        command->callback([this, &chosen] {
+        auto* shard = command->add_option("--shard", shard_,
+                                          "I/N: fuzz part I of N of the targets; other machines fuzz the other parts");
+        command
+            ->add_option("--merge", options_.merge,
+                         "folder with the corpus folders of all shards: sort, measure and report their findings")
+            ->excludes(shard);
+        command->callback([this, shard, &chosen] {
             options_.minutes = hours_ > 0.0 ? hours_ * 60.0 : options_.minutes;
-            chosen = [this] { return fuzz_targets(options_); };
+            chosen = [this, shard] {
+                if (shard->count() != 0) {
+                    options_.shard = parse_shard(shard_);
+                }
+                return fuzz_targets(options_);
+            };
         });
     }
 
   private:
     CampaignOptions options_;
-    double hours_{0.0};  ///< 0: --minutes applies
+    std::string shard_;
+    double hours_{0.0};  ///< 0: --minutes counts
 };
 
 class AuditCommand : Command {
@@ -170,7 +182,7 @@ class MutateCommand : Command {
                             "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
                           "the firmware's code instead of generated cells: conditions, statements, variables …");
-        command->add_flag(
+        auto* kills = command->add_flag(
             "--kills", options_.kills,
             "record for each new or changed test the items of which it notices a mutant (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
@@ -180,11 +192,26 @@ class MutateCommand : Command {
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
-        command->callback([this, &chosen] { chosen = [this] { return mutate(options_); }; });
+        auto* shard =
+            command
+                ->add_option("--shard", shard_, "I/N: judge the Ith of N parts, for other machines to judge the others")
+                ->excludes(kills);
+        command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
+            ->excludes(shard)
+            ->excludes(kills);
+        command->callback([this, shard, &chosen] {
+            chosen = [this, shard] {
+                if (shard->count() != 0) {
+                    options_.shard = parse_shard(shard_);
+                }
+                return mutate(options_);
+            };
+        });
     }
 
   private:
     MutateOptions options_;
+    std::string shard_;
 };
 
 class DiffCommand : Command {

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "generated/version.hpp"
 #include "host/app/cli/built_in.hpp"
@@ -112,7 +115,11 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     running.bus = options.bus;
     std::unique_ptr<Bus> bus = make_bus(running, static_cast<std::uint32_t>(sheet.part.info.bit_rate));
     bus->on_notice(tell);
-    return std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+    auto target = std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+    if (options.by_hand) {
+        target->switch_by_hand(STDIN_FILENO, tell);
+    }
+    return target;
 }
 
 /// One slave, and one place where it is. Throws InputError.
@@ -146,6 +153,24 @@ conform::ConformOptions run_options(const ConformCommandOptions& options) {
     return running;
 }
 
+bool is_of_a_report(const std::filesystem::directory_entry& entry) {
+    static const std::set<std::string> records{"junit.xml", "report.json", "report.txt"};
+    const std::filesystem::path name = entry.path().filename();
+    return entry.is_regular_file() && (name.extension() == ".html" || records.count(name.string()) != 0);
+}
+
+/// The report replaces its folder as a whole. Throws InputError for one that holds anything but an old report.
+void check_report_folder(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
+        return;
+    }
+    const std::filesystem::directory_iterator entries{folder};
+    if (!std::filesystem::exists(folder / "report.json") ||
+        !std::all_of(begin(entries), end(entries), is_of_a_report)) {
+        throw InputError{fmt::format("{} holds other files; name an empty folder, or a new one", folder.string())};
+    }
+}
+
 }  // namespace
 
 int run_conform(const ConformCommandOptions& options) {
@@ -158,7 +183,13 @@ int run_conform(const ConformCommandOptions& options) {
     if (!options.arm.empty()) {
         image = choose_image(options.arm);
     }
-    const conform::ConformSheet sheet = sheet_for(options, image ? image->part->name : options.device);
+    if (options.by_hand && options.bus.empty()) {
+        throw InputError{"--by-hand is for a slave on a bus; in virtual time the program switches it off and on"};
+    }
+    if (!options.report.empty()) {
+        check_report_folder(options.report);
+    }
+    const conform::ConformSheet sheet = sheet_for(options);
     const std::unique_ptr<conform::Target> target =
         options.bus.empty() ? virtual_target(image ? std::move(*image) : choose(options), options, sheet)
                             : bus_target(options, sheet);

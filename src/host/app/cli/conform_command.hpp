@@ -23,7 +23,8 @@ struct ConformCommandOptions {
     bool allow_outputs{false};
     bool allow_store{false};
     bool allow_lss{false};
-    double traffic{0.0};  ///< background traffic in per cent of the bus's capacity
+    bool by_hand{false};  ///< the user switches the slave off and on
+    double traffic{0.0};  ///< per cent of the bus
 };
 
 /// Prints the verdicts and writes the report. Returns the exit status: 0 all passed, 1 a case failed, 2 the run could

@@ -15,6 +15,7 @@
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
 #include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/mutation_shard.hpp"
 #include "host/assess/mutation/survivor_records.hpp"
 #include "host/assess/mutation/test_server.hpp"
 #include "host/base/files.hpp"
@@ -122,6 +123,30 @@ int write_kills(const std::filesystem::path& root, const std::filesystem::path& 
     return 0;
 }
 
+/// Judges alterations with the test programs. `count`: how many there are in all.
+std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
+                                   const std::vector<AlteredCell>& cells, std::size_t count) {
+    const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
+    if (options.code) {
+        return mutate_code({programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs}, cells,
+                           count, progress);
+    }
+    return mutate_cells(
+        {programs / "canproof_tests", programs / "canproof_properties", programs / "verdicts", options.jobs}, cells,
+        progress);
+}
+
+/// Judges one shard of `cells` and leaves its outcomes for `--merge`.
+int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
+                const std::vector<AlteredCell>& cells, std::size_t count) {
+    const auto share = share_of(cells, *options.shard);
+    const auto file = programs / "shards" / mutation_shard_name(options.code, *options.shard);
+    write_file(file, write_mutation_shard(*options.shard, judge(options, programs, share, count)));
+    fmt::print("shard {}: {} of {} alterations judged: {}\n", options.shard->text(), share.size(), cells.size(),
+               file.string());
+    return 0;
+}
+
 }  // namespace
 
 int mutate(const MutateOptions& options) {
@@ -145,13 +170,11 @@ int mutate(const MutateOptions& options) {
         fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
         cells = sample_of(cells, options.sample, options.seed);
     }
-    const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
-    auto outcomes = options.code
-                        ? mutate_code({programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs},
-                                      cells, all.size(), progress)
-                        : mutate_cells({programs / "canproof_tests", programs / "canproof_properties",
-                                        programs / "verdicts", options.jobs},
-                                       cells, progress);
+    if (options.shard) {
+        return judge_shard(options, programs, cells, all.size());
+    }
+    auto outcomes = options.merge.empty() ? judge(options, programs, cells, all.size())
+                                          : merge_mutation_shards(options.merge, options.code, cells);
     const auto unneeded = justify(outcomes, records);
     print_survivors(outcomes);
     if (whole) {

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "host/base/shard.hpp"
 
 namespace canproof::host {
 
@@ -16,9 +19,11 @@ struct MutateOptions {
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
+    std::optional<Shard> shard{};  ///< only this part of a run: its outcomes are left below `programs`
+    std::string merge;             ///< folder of all shards of a run, in place of judging; empty: judge
 };
 
-/// Prints the survivors. Returns the exit status: 1 when an alteration survives without a reason.
+/// Returns the exit status: 1 when an alteration survives without a reason. A shard has no survivors to report.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

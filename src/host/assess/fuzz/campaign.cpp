@@ -13,6 +13,7 @@
 #include "host/assess/fuzz/campaign_display.hpp"
 #include "host/assess/fuzz/campaign_files.hpp"
 #include "host/assess/fuzz/campaign_report.hpp"
+#include "host/assess/fuzz/campaign_shards.hpp"
 #include "host/assess/fuzz/fuzz_all.hpp"
 #include "host/assess/fuzz/measure_coverage.hpp"
 #include "host/assess/fuzz/minimise_corpora.hpp"
@@ -37,7 +38,7 @@ struct Phase {
 };
 
 constexpr std::array<Phase, 5> phases{{{"fuzzing", fuzz_all},
-                                       {"sorting findings", sort_findings},
+                                       {phase_after_fuzzing, sort_findings},
                                        {"measuring coverage", measure_coverage},
                                        {"minimising corpora", minimise_corpora},
                                        {"second pass with valgrind", look_again_with_valgrind}}};
@@ -69,6 +70,10 @@ unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
 }
 
+std::string shard_of(const CampaignOptions& options) {
+    return options.shard ? options.shard->text() : "";
+}
+
 CampaignState new_state(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                         const CampaignFiles& files) {
     CampaignState state;
@@ -79,6 +84,7 @@ CampaignState new_state(const CampaignOptions& options, const std::vector<FuzzTa
                      : static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
     state.jobs = options.jobs;
     state.rounds = rounds_for(options, targets.size());
+    state.shard = shard_of(options);
     state.phase = phases[0].name;
     for (const FuzzTarget& target : targets) {
         TargetRecord record;
@@ -110,7 +116,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
             throw InputError{fmt::format("{} is not of this version ({}); --restart starts a new campaign",
                                          files.state().string(), error.what())};
         }
-        const bool same = state.minutes == options.minutes && has_targets(state, targets);
+        const bool same =
+            state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
             throw InputError{
                 fmt::format("{} contains an unfinished campaign of {} minutes, started {}; give the same command to "
@@ -147,7 +154,35 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Runs the phases from the one that the state names. Returns false when interrupted.
+/// Whether a target ended before its time and left no finding.
+bool is_broken(const CampaignState& state) {
+    return std::any_of(state.targets.begin(), state.targets.end(),
+                       [](const TargetRecord& one) { return one.broken_slices > 0; });
+}
+
+bool is_fuzzed(const CampaignState& state) {
+    return state.phase != phases[0].name;
+}
+
+/// Fuzzes the targets of one shard, and leaves what they found for `--merge`.
+int run_shard(const CampaignContext& context) {
+    if (!is_fuzzed(context.state)) {
+        context.display.say(phases[0].name);
+        const bool done = phases[0].run(context);
+        context.display.leave(context.state);
+        context.state.phase = done ? phase_after_fuzzing : phases[0].name;
+        context.save();
+        if (!done) {
+            context.display.say("interrupted; the same command goes on");
+            return was_interrupted;
+        }
+    }
+    context.display.say(fmt::format("shard {} has fuzzed {} target(s); give the folder above {} to --merge",
+                                    context.state.shard, context.targets.size(), context.options.corpus));
+    return is_broken(context.state) ? was_broken : 0;
+}
+
+/// From the phase that the state names; false when interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });
@@ -188,8 +223,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         display.say("interrupted; the same command continues");
         return was_interrupted;
     }
-    const bool broken = std::any_of(state.targets.begin(), state.targets.end(),
-                                    [](const TargetRecord& one) { return one.broken_slices > 0; });
+    const bool broken = is_broken(state);
     display.say(fmt::format("no finding in {} executions{}", grouped(state.executions()),
                             broken ? ", but not every target ran for its full time" : ""));
     return broken ? was_broken : 0;
@@ -199,11 +233,19 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
 
 int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     options.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-    const auto targets = find_fuzz_targets(options.build, options.targets);
-    require_programs(options, targets);
+    const auto targets = share_of(find_fuzz_targets(options.build, options.targets), options.shard.value_or(Shard{}));
     const CampaignFiles files{options.corpus};
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
-    CampaignState state = begin_or_go_on(options, targets, files, display);
+    if (options.shard) {
+        if (options.seed == 0) {
+            throw InputError{"a shard needs --seed, the same for each; write --seed 1"};
+        }
+        CampaignState state = begin_or_go_on(options, targets, files, display);
+        return run_shard({options, targets, files, state, display, interrupted});
+    }
+    require_programs(options, targets);
+    CampaignState state = options.merge.empty() ? begin_or_go_on(options, targets, files, display)
+                                                : merge_shards(options.merge, targets, files);
     const CampaignContext context{options, targets, files, state, display, interrupted};
     const auto last = last_night(files);
     const bool finished = run_phases(context);

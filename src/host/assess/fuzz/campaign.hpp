@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/assess/fuzz/task_pool.hpp"
+#include "host/base/shard.hpp"
 
 namespace canproof::host {
 
@@ -30,6 +31,8 @@ struct CampaignOptions {
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, even on a terminal
     bool restart{false};
+    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets, and leaves the passes to `merge`
+    std::string merge;             ///< folder with the corpus folders of all shards, in place of fuzzing; empty: fuzz
 };
 
 /// Runs the campaign. Returns the exit status: 0 no finding, 1 a finding, 2 a target that stopped before its time, 130

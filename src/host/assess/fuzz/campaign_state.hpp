@@ -78,7 +78,8 @@ struct CampaignState {
     std::uint64_t seed{0};
     unsigned jobs{1};
     unsigned rounds{1};
-    std::string phase;  ///< current phase; `done` at the end
+    std::string shard;  ///< `2/3`: this machine fuzzes that part of the targets; empty: all
+    std::string phase;  ///< the one under way; `done` at the end
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
@@ -107,7 +108,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, target, title, signature, first_seen
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinePoint, share, hit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FileLines, path, lines, hit, unreached, functions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LineCoverage, measured, files, over_time)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, rounds, phase, targets, findings,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, rounds, shard, phase, targets, findings,
                                    coverage, remarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hit, edges, per_second, findings)
 

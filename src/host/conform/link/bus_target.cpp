@@ -1,6 +1,18 @@
 #include "host/conform/link/bus_target.hpp"
 
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
 namespace canproof::host::conform {
+
+namespace {
+
+constexpr Duration longest_wait = milliseconds(1000);
+
+}  // namespace
 
 BusTarget::BusTarget(std::unique_ptr<Bus> bus, std::string name, bool remote_frames)
     : bus_{std::move(bus)},
@@ -33,13 +45,47 @@ void BusTarget::advance(Instant until) {
     frame_seen_ = false;
     turn(now());
     while (!frame_seen_ && now() < until) {
-        const Instant due = earliest(bus_->next_deadline(), until);
-        loop_.wait(bus_->watches(), elapsed(now(), due));
-        if (loop_.is_interrupted()) {
-            throw Interrupted{};
-        }
-        turn(now());
+        wait(until, bus_->watches());
     }
+}
+
+void BusTarget::wait(Instant until, std::vector<Watch> watches) {
+    const Instant due = earliest(bus_->next_deadline(), until);
+    loop_.wait(watches, elapsed(now(), due));
+    if (loop_.is_interrupted()) {
+        throw Interrupted{};
+    }
+    turn(now());
+}
+
+void BusTarget::switch_by_hand(int descriptor, std::function<void(const std::string&)> say) {
+    hand_ = descriptor;
+    say_ = std::move(say);
+}
+
+void BusTarget::power(bool on) {
+    static_cast<void>(tcflush(hand_, TCIFLUSH));  // an Enter too many answers no later question
+    say_(on ? "Switch the slave on, then press Enter." : "Switch the slave off, then press Enter.");
+    do {
+        std::vector<Watch> watches = bus_->watches();
+        watches.push_back({hand_, true, false});
+        wait(now() + longest_wait, std::move(watches));
+    } while (!line_came());
+}
+
+/// Throws Interrupted when nobody can say a line any more.
+bool BusTarget::line_came() {
+    if (!loop_.is_ready(hand_)) {
+        return false;
+    }
+    std::array<char, 256> piece{};
+    const ssize_t count = read(hand_, piece.data(), piece.size());
+    if (count == 0) {
+        say_("Standard input has ended: nobody switches the slave.");
+        throw Interrupted{};
+    }
+    const auto end = piece.begin() + std::max<ssize_t>(count, 0);
+    return std::find(piece.begin(), end, '\n') != end;
 }
 
 }  // namespace canproof::host::conform

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,6 +22,10 @@ class BusTarget final : public Target {
     std::size_t waiting() const override { return tester_.waiting(); }
     void advance(Instant until) override;
     void go_on() override { loop_.forget_interruption(); }
+    /// From now on the user is the power switch: `say` shows what to do, a line on `descriptor` says that it is done.
+    void switch_by_hand(int descriptor, std::function<void(const std::string&)> say);
+    PowerSwitch power_switch() const override { return say_ ? PowerSwitch::hand : PowerSwitch::nobody; }
+    void power(bool on) override;
     bool has_remote_frames() const override { return remote_frames_; }
     std::uint32_t bit_rate() const override { return report().bit_rate; }
     const std::string& name() const override { return name_; }
@@ -28,6 +33,8 @@ class BusTarget final : public Target {
 
   private:
     void turn(Instant at);
+    void wait(Instant until, std::vector<Watch> watches);
+    bool line_came();
 
     EventLoop loop_;
     std::unique_ptr<Bus> bus_;
@@ -36,6 +43,8 @@ class BusTarget final : public Target {
     TesterNode tester_;
     std::chrono::steady_clock::time_point start_;
     bool frame_seen_{false};
+    int hand_{-1};
+    std::function<void(const std::string&)> say_;
 };
 
 }  // namespace canproof::host::conform

@@ -42,6 +42,7 @@ Link::~Link() {
 }
 
 void Link::take_in(const FrameRecord& record) {
+    use_.add(record);
     if (log_.size() < most_logged) {
         log_.push_back(record);
     }
@@ -106,7 +107,9 @@ Frame Link::traffic_frame() {
 }
 
 void Link::pass(Instant until) {
-    target_.advance(earliest(until, next_background()));
+    const Instant due = earliest(until, next_background());
+    target_.advance(due);
+    worst_delay_.us = std::max(worst_delay_.us, elapsed(due, now()).us);
     send_background();
     if (log_.size() >= most_logged) {
         throw BrokenCase{"the case takes more frames than a log holds; make it shorter"};
@@ -198,6 +201,7 @@ void Link::begin_case() {
     watches_.clear();
     inbox_.clear();
     log_.clear();
+    worst_delay_ = {};
 }
 
 }  // namespace canproof::host::conform

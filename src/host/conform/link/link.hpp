@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "host/conform/link/bus_use.hpp"
 #include "host/conform/link/target.hpp"
 
 namespace canproof::host::conform {
@@ -77,10 +78,14 @@ class Link {
     /// Ends background frames and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// Sets a listener for each frame that the tester sends.
+    /// All frames since the link was made.
+    const BusUse& bus_use() const { return use_; }
+    /// Is told each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// Returns when the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }
+    /// How late the tester itself has been at most since the case began: a busy machine. Zero in virtual time.
+    Duration worst_delay() const { return worst_delay_; }
 
   private:
     struct Produced {
@@ -99,6 +104,7 @@ class Link {
     std::deque<FrameRecord> inbox_;
     std::vector<std::shared_ptr<Watched>> watches_;
     std::vector<FrameRecord> log_;
+    BusUse use_;
     std::vector<Produced> produced_;
     std::set<std::uint32_t> reserved_;
     Duration traffic_period_{};
@@ -107,6 +113,7 @@ class Link {
     std::uint32_t traffic_number_{0};
     Instant last_sent_{};
     Frame last_frame_{};
+    Duration worst_delay_{};
     std::function<void(const Frame&)> on_send_;
 };
 

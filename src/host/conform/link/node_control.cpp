@@ -9,15 +9,15 @@ void send_nmt(Link& link, NmtCommand command, std::uint8_t node) {
     link.send(frame);
 }
 
-bool take_boot_up(Link& link, std::uint8_t node, Duration limit) {
+std::optional<Instant> take_boot_up(Link& link, std::uint8_t node, Duration limit) {
     const Instant deadline = link.now() + limit;
     const FrameKey key{0x700U + node, false, false};
     for (auto record = link.take(key, deadline); record; record = link.take(key, deadline)) {
         if (record->frame.length == 1U && record->frame.data[0] == 0U) {
-            return true;
+            return record->time;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace canproof::host::conform

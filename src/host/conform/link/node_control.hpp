@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "host/conform/link/link.hpp"
 
@@ -20,7 +21,8 @@ constexpr Duration boot_limit = milliseconds(5000);
 
 /// Sends a command to `node`; 0: to all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Waits for the boot-up message; skips heartbeats before it. Returns false when none comes within `limit`.
-bool take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
+/// Takes the boot-up message; heartbeats before it are left behind. Returns when it went over the bus; nothing when
+/// none comes within `limit`.
+std::optional<Instant> take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -64,7 +64,7 @@ Bytes SdoClient::answer(Duration within) {
         throw NoAnswer{fmt::format("no answer of the SDO server within {} ms", within.us / 1000U)};
     }
     ++journal_.judged;
-    journal_.times["SDO answer"].push_back(elapsed(link_.last_sent(), record->time).us);
+    journal_.times["SDO answer"].add(elapsed(link_.last_sent(), record->time).us, within.us);
     if (record->frame.length != max_frame_length) {
         throw SlaveFailed{fmt::format("an SDO answer of {} bytes instead of 8", record->frame.length)};
     }

@@ -25,6 +25,13 @@ class Interrupted : public std::runtime_error {
     Interrupted() : std::runtime_error{"interrupted"} {}
 };
 
+/// Who switches the slave off and on.
+enum class PowerSwitch {
+    nobody,
+    hand,    ///< the user, when told to; takes seconds
+    program  ///< at once
+};
+
 class Target {
   public:
     virtual ~Target() = default;
@@ -38,8 +45,8 @@ class Target {
     /// Clears an interruption, so that the next Ctrl-C is noticed.
     virtual void go_on() {}
 
-    /// Returns whether the slave can be switched off and on.
-    virtual bool has_power() const { return false; }
+    virtual PowerSwitch power_switch() const { return PowerSwitch::nobody; }
+    /// Returns when the slave is off, or on; frames come meanwhile. Throws Interrupted.
     virtual void power(bool) {}
     /// Returns whether the bus follows the slave's bit rate.
     virtual bool follows_bit_rate() const { return false; }

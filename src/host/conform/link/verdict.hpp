@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/conform/link/measured.hpp"
+
 namespace canproof::host::conform {
 
 /// The slave does not do what the case demands.
@@ -29,7 +31,7 @@ class CaseSkipped : public std::runtime_error {
 
 /// The measurements and notes of a case.
 struct Journal {
-    std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
+    std::map<std::string, Measured> times;  ///< by what was measured
     std::vector<std::string> notes;
     std::uint64_t judged{0};  ///< number of checks that the slave could have failed
 };

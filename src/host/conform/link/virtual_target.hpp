@@ -26,7 +26,7 @@ class VirtualTarget final : public Target {
     std::size_t waiting() const override { return tester_.waiting(); }
     /// Throws StuckDevice for a slave that does not process its deadlines.
     void advance(Instant until) override;
-    bool has_power() const override { return true; }
+    PowerSwitch power_switch() const override { return PowerSwitch::program; }
     void power(bool on) override;
     bool follows_bit_rate() const override { return true; }
     std::uint32_t bit_rate() const override { return bus_.report(now_).bit_rate; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/conform/report/measured_times.hpp"
 #include "host/conform/report/report_pages.hpp"
 #include "host/conform/report/report_records.hpp"
 
@@ -31,6 +32,13 @@ std::string summary_lines(const ConformReport& report) {
     }
     text.back() = '\n';
     text += report.interrupted ? "interrupted; what was written is put back\n" : "";
+    text += fmt::format("bus load: {}\n", load_words(report));
+    for (const auto& [what, measured] : times_of_all(report)) {
+        const Spread spread = spread_of(measured.times);
+        text += fmt::format("{}: {} times, {:.3f} ms at least, {:.3f} ms in the median, {:.3f} ms at most\n", what,
+                            spread.count, static_cast<double>(spread.smallest) / 1000.0,
+                            static_cast<double>(spread.median) / 1000.0, static_cast<double>(spread.largest) / 1000.0);
+    }
     for (const std::string& one : report.troubles) {
         text += "before the first case: " + one + "\n";
     }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "host/conform/report/report_records.hpp"
+#include "host/conform/report/measured_times.hpp"
 #include "host/conform/run/cases.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -52,7 +52,8 @@ std::string summary_page(const ConformReport& report) {
         {"Bus", escaped(report.target)},
         {"Node-ID", fmt::format("{}", report.node)},
         {"Bit rate", report.bit_rate == 0 ? "not known" : fmt::format("{} bit/s", report.bit_rate)},
-        {"Foreign traffic", fmt::format("{:.0f} %", report.traffic)},
+        {"Foreign traffic asked for", fmt::format("{:.0f} %", report.traffic)},
+        {"Bus load measured", load_words(report)},
         {"Program", escaped(report.program)}};
     for (const auto& [what, text] : report.identity) {
         facts.push_back({escaped(what), escaped(text)});
@@ -89,19 +90,9 @@ std::string summary_page(const ConformReport& report) {
         body += "<p>Not put back: " + escaped(one) + "</p>\n";
     }
     body += "<h2>The run</h2>\n" + html_table({{"What"}, {"Value"}}, facts);
+    const std::string times = times_table(times_of_all(report));
+    body += times.empty() ? "" : "<h2>Measured times of all cases</h2>\n" + times;
     return html_page("Conformance test", "index.html", {navigation(report), ""}, body);
-}
-
-std::string times_table(const CaseResult& one) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& [what, times] : one.times) {
-        const Spread spread = spread_of(times);
-        rows.push_back({escaped(what), fmt::format("{}", spread.count),
-                        fmt::format("{:.3f}", static_cast<double>(spread.smallest) / 1000.0),
-                        fmt::format("{:.3f}", static_cast<double>(spread.mean) / 1000.0),
-                        fmt::format("{:.3f}", static_cast<double>(spread.largest) / 1000.0)});
-    }
-    return rows.empty() ? "" : html_table({{"Measured"}, {"Count"}, {"Min, ms"}, {"Mean, ms"}, {"Max, ms"}}, rows);
 }
 
 std::string service_page(const ConformReport& report, const std::string& group) {
@@ -113,7 +104,7 @@ std::string service_page(const ConformReport& report, const std::string& group) 
             rows.push_back({has_page(one) ? fmt::format("<a href=\"{}\">{}</a>", page_of(one), id) : id,
                             state(one.verdict), escaped(fmt::format("{}", fmt::join(one.numbers, ", "))),
                             escaped(one.shows), escaped(one.section), escaped(one.why)});
-            const std::string table = times_table(one);
+            const std::string table = times_table(one.times);
             times += table.empty() ? "" : fmt::format("<h3>{}</h3>\n{}", id, table);
         }
     }
@@ -142,7 +133,7 @@ std::string case_page(const ConformReport& report, const CaseResult& one) {
                 (record.own ? " tester" : " slave") + "\n";
     }
     body += "</pre>\n";
-    const std::string times = times_table(one);
+    const std::string times = times_table(one.times);
     body += times.empty() ? "" : "<h2>Measured times</h2>\n" + times;
     return html_page(one.id, page_of(one), {navigation(report), ""}, body);
 }

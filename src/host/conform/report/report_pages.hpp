@@ -8,7 +8,7 @@
 
 namespace canproof::host::conform {
 
-/// Returns index.html, SERVICE.html and failed/ID.html, by path.
+/// index.html, SERVICE.html and case-ID.html of each that did not pass, by path.
 std::map<std::string, std::string> report_pages(const ConformReport& report);
 
 }  // namespace canproof::host::conform

@@ -1,8 +1,8 @@
 #include "host/conform/report/report_records.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -11,15 +11,34 @@
 
 namespace canproof::host::conform {
 
-Spread spread_of(const std::vector<std::uint64_t>& times) {
-    if (times.empty()) {
-        return {};
+namespace {
+
+/// Only limits that are finite: JSON has no other numbers.
+nlohmann::ordered_json limits_of(const TimeLimits& limits) {
+    nlohmann::ordered_json json{{"least_us", limits.least}};
+    if (std::isfinite(limits.most)) {
+        json["most_us"] = limits.most;
     }
-    const auto [low, high] = std::minmax_element(times.begin(), times.end());
-    return {times.size(), *low, std::accumulate(times.begin(), times.end(), std::uint64_t{0}) / times.size(), *high};
+    return json;
 }
 
-namespace {
+nlohmann::ordered_json times_of(const Measured& measured) {
+    const Spread spread = spread_of(measured.times);
+    nlohmann::ordered_json json{{"count", spread.count},          {"min_us", spread.smallest},
+                                {"median_us", spread.median},     {"mean_us", spread.mean},
+                                {"p99_us", spread.percentile_99}, {"max_us", spread.largest}};
+    if (measured.of_mean) {
+        json["accepted_mean"] = limits_of(*measured.of_mean);
+    }
+    if (measured.of_each) {
+        json["accepted_each"] = limits_of(*measured.of_each);
+    }
+    if (!measured.times.empty()) {
+        const Histogram histogram = histogram_of(measured);
+        json["histogram"] = {{"from_us", histogram.low}, {"bin_us", histogram.width}, {"counts", histogram.counts}};
+    }
+    return json;
+}
 
 nlohmann::ordered_json case_of(const CaseResult& one) {
     nlohmann::ordered_json json;
@@ -36,10 +55,8 @@ nlohmann::ordered_json case_of(const CaseResult& one) {
     json["us"] = one.time.us;
     json["notes"] = one.notes;
     json["not_put_back"] = one.left;
-    for (const auto& [what, times] : one.times) {
-        const Spread spread = spread_of(times);
-        json["times"][what] = {
-            {"count", spread.count}, {"min_us", spread.smallest}, {"mean_us", spread.mean}, {"max_us", spread.largest}};
+    for (const auto& [what, measured] : one.times) {
+        json["times"][what] = times_of(measured);
     }
     return json;
 }
@@ -55,6 +72,17 @@ std::string write_json(const ConformReport& report) {
     json["node"] = report.node;
     json["bit_rate"] = report.bit_rate;
     json["traffic_percent"] = report.traffic;
+    json["bus"] = {{"frames", report.bus_use.frames()},
+                   {"tester_frames", report.bus_use.own_frames()},
+                   {"error_frames", report.error_frames},
+                   {"lost_frames", report.lost_frames},
+                   {"bits", report.bus_use.bits()}};
+    if (const auto load = report.mean_load()) {
+        json["bus"]["mean_load_percent"] = *load;
+    }
+    if (const auto load = report.highest_load()) {
+        json["bus"]["busiest_second_percent"] = *load;
+    }
     json["identity"] = report.identity;
     json["us"] = report.time.us;
     json["interrupted"] = report.interrupted;

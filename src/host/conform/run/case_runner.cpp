@@ -11,7 +11,8 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);  // a superfluous frame arrives within this time
+constexpr Duration afterthought = milliseconds(20);     // a frame too many comes by then
+constexpr Duration tolerated_delay = milliseconds(20);  // of the tester; more is told with a failure
 constexpr Duration power_off_time = milliseconds(200);
 constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;
@@ -66,12 +67,12 @@ void CaseRunner::note_sent(const Frame& frame) {
 bool CaseRunner::reset(NmtCommand command) {
     link_.begin_case();
     send_nmt(link_, command, sheet_.node_id);
-    bool booted = take_boot_up(link_, sheet_.node_id, boots_silently_ ? silent_boot_limit : boot_limit);
+    bool booted = take_boot_up(link_, sheet_.node_id, boots_silently_ ? silent_boot_limit : boot_limit).has_value();
     if (!booted && answers()) {
         boots_silently_ = true;
         booted = true;
     }
-    if (!booted && target_.has_power()) {
+    if (!booted && target_.power_switch() != PowerSwitch::nobody) {
         target_.power(false);
         link_.wait(power_off_time);
         link_.forget();
@@ -218,6 +219,9 @@ void CaseRunner::run_once(const Case& one, CaseResult& result) {
     result.why.clear();
     result.step.clear();
     judge(one, result);
+    if (result.verdict == Verdict::failed && link_.worst_delay().us > tolerated_delay.us) {
+        result.why += fmt::format("; the tester itself was up to {} ms late", link_.worst_delay().us / 1000U);
+    }
     result.times = journal_.times;
     result.notes = journal_.notes;
     if (result.verdict != Verdict::passed && result.verdict != Verdict::skipped) {
@@ -353,10 +357,10 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
 std::vector<std::string> CaseRunner::put_everything_back() {
     target_.go_on();
     sdo_.allow_unasked(true);
-    if (!reset(NmtCommand::reset_node)) {
-        return {"the slave does not answer; its parameters could not be put back"};
-    }
     try {
+        if (!reset(NmtCommand::reset_node)) {
+            return {"the slave does not answer; its parameters could not be put back"};
+        }
         const std::vector<std::string> left = snapshot_.put_back(sdo_, snapshot_.places());
         if (store_changed_) {
             save_parameters();
@@ -364,6 +368,8 @@ std::vector<std::string> CaseRunner::put_everything_back() {
         return left;
     } catch (const SlaveFailed& failed) {
         return {fmt::format("its parameters could not be put back: {}", failed.what())};
+    } catch (const Interrupted&) {
+        return {"interrupted again before its parameters were put back"};
     }
 }
 

@@ -26,6 +26,8 @@ class CaseRunner {
     std::vector<std::string> put_everything_back();
     /// Returns whether the slave still answers.
     bool is_alive() const { return alive_; }
+    /// Every frame since the runner was made.
+    const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
     /// The last reset of the slave since the last write to it.

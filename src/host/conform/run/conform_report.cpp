@@ -33,6 +33,21 @@ CaseResult result_of(const Case& one) {
     return result;
 }
 
+std::optional<double> ConformReport::mean_load() const {
+    if (bit_rate == 0 || time.us == 0) {
+        return std::nullopt;
+    }
+    const double seconds = static_cast<double>(time.us) / 1.0e6;
+    return 100.0 * static_cast<double>(bus_use.bits()) / (static_cast<double>(bit_rate) * seconds);
+}
+
+std::optional<double> ConformReport::highest_load() const {
+    if (bit_rate == 0) {
+        return std::nullopt;
+    }
+    return 100.0 * static_cast<double>(bus_use.busiest_second()) / static_cast<double>(bit_rate);
+}
+
 int ConformReport::exit_status() const {
     if (interrupted || count(Verdict::broken) != 0 || results.empty()) {
         return 2;

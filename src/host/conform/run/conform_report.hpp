@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/conform/link/bus_use.hpp"
+#include "host/conform/link/measured.hpp"
 #include "host/conform/link/target.hpp"
 #include "host/conform/run/cases.hpp"
 
@@ -34,9 +37,9 @@ struct CaseResult {
     std::string why;   ///< reason of every verdict except passed
     std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;                            ///< what could not be restored
-    std::map<std::string, std::vector<std::uint64_t>> times;  ///< µs, by what was measured
-    std::vector<FrameRecord> frames;                          ///< only for a case that did not pass
+    std::vector<std::string> left;          ///< what could not be put back
+    std::map<std::string, Measured> times;  ///< by what was measured
+    std::vector<FrameRecord> frames;        ///< of a case that did not pass
     unsigned runs{0};
     Duration time{};
 };
@@ -56,6 +59,9 @@ struct ConformReport {
     double traffic{0.0};                          ///< foreign frames during the run, per cent of the bus
     std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
     Duration time{};
+    BusUse bus_use;
+    std::uint64_t error_frames{0};
+    std::uint64_t lost_frames{0};  ///< came faster than they were read
     bool interrupted{false};
     std::vector<std::string> troubles;  ///< wrong behaviour of the slave before the first case
     std::vector<std::string> left;      ///< what could not be restored at the end
@@ -64,7 +70,11 @@ struct ConformReport {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
                                                       [&](const CaseResult& one) { return one.verdict == verdict; }));
     }
-    /// Returns 0 when all cases passed, 1 when a case failed, 2 when the run could not be finished.
+    /// Measured: all frames of the run, per cent of its bit rate. Nothing where the bit rate is not known.
+    std::optional<double> mean_load() const;
+    /// The same of the second that had most.
+    std::optional<double> highest_load() const;
+    /// 0: all passed, 1: a case failed, 2: the run could not be finished.
     int exit_status() const;
 };
 

@@ -97,6 +97,10 @@ ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target&
         report.left = runner.put_everything_back();
     }
     report.time = elapsed(start, target.now());
+    report.bus_use = runner.bus_use();
+    const BusReport bus = target.report();
+    report.error_frames = bus.errors;
+    report.lost_frames = bus.lost;
     return report;
 }
 

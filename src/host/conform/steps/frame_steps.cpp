@@ -74,8 +74,8 @@ Action parse_awaited(Scanner& line, bool passes_over) {
             const Bytes data = data_of(record->frame);
             if (spec.data.matches(*context.scope, data, captures)) {
                 ++context.journal.judged;
-                context.journal.times["wait for " + words_of(key)].push_back(
-                    elapsed(context.link.last_sent(), record->time).us);
+                context.journal.times["wait for " + words_of(key)].add(
+                    elapsed(context.link.last_sent(), record->time).us, us);
                 keep(context, *record, captures, name);
                 return;
             }

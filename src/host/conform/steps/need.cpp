@@ -18,7 +18,8 @@ using Unmet = std::function<std::string(Context&)>;
 
 const char* const known =
     "use 1017, 1017:00, 1017:00: FILTER, no 100C, some: FILTER, tpdos >= 1, rpdos >= 1, guarding, lss, block upload, "
-    "block download, sync producer, power, bit rate, saves, restores, remote frames, eds SECTION.KEY = VALUE";
+    "block download, sync producer, power, exact power, bit rate, saves, restores, remote frames, eds SECTION.KEY = "
+    "VALUE";
 
 bool has(const Context& context, unsigned index, unsigned subindex = 0) {
     return context.sheet.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex)).entry != nullptr;
@@ -83,7 +84,15 @@ Unmet parse_word_need(Scanner& line) {
              return unless(met, "the EDS has no SYNC producer (1005h writable, and 1006h)");
          }},
         {"power",
-         [](Context& c) { return unless(c.link.target().has_power(), "nobody can switch the slave off and on here"); }},
+         [](Context& c) {
+             return unless(c.link.target().power_switch() != PowerSwitch::nobody,
+                           "nobody can switch the slave off and on here");
+         }},
+        {"exact power",
+         [](Context& c) {
+             return unless(c.link.target().power_switch() == PowerSwitch::program,
+                           "nobody can switch the slave off to the millisecond here");
+         }},
         {"bit rate",
          [](Context& c) { return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate"); }},
         {"remote frames",

@@ -51,21 +51,23 @@ Action parse_nmt(Scanner& line, StepSource&) {
     };
 }
 
-void want_boot_up(Context& context) {
-    if (!take_boot_up(context.link, context.node())) {
+/// Returns when the boot-up message went over the bus.
+Instant want_boot_up(Context& context) {
+    const std::optional<Instant> time = take_boot_up(context.link, context.node());
+    if (!time) {
         throw NoAnswer{fmt::format("no boot-up message within {} s", boot_limit.us / 1000000U)};
     }
     ++context.journal.judged;
+    return *time;
 }
 
 Action parse_reset(Scanner& line, StepSource&) {
     const NmtCommand command = parse_reset_kind(line);
     line.finish();
     return [command](Context& context) {
-        const Instant start = context.link.now();
         send_nmt(context.link, command, context.node());
-        want_boot_up(context);
-        context.journal.times["boot-up"].push_back(elapsed(start, context.link.now()).us);
+        const Instant booted = want_boot_up(context);
+        context.journal.times["boot-up"].add(elapsed(context.link.last_sent(), booted).us, boot_limit.us);
     };
 }
 
@@ -78,7 +80,7 @@ Action parse_power(Scanner& line, StepSource&) {
     line.finish();
     return [cycle, on](Context& context) {
         Target& target = context.link.target();
-        if (!target.has_power()) {
+        if (target.power_switch() == PowerSwitch::nobody) {
             throw CaseSkipped{"nobody can switch the slave off and on here"};
         }
         if (cycle) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -120,7 +121,7 @@ Action parse_count(Scanner& line, StepSource&) {
         const auto count = static_cast<double>(seen->frames.size());
         const double off = tolerance.of(wanted, *context.scope);
         ++context.journal.judged;
-        context.journal.times["gap of " + words_of(spec.key(*context.scope))] = seen->gaps();
+        context.journal.times["gap of " + words_of(spec.key(*context.scope))] = {seen->gaps(), {}, {}};
         const bool too_few = !at_most && count < wanted - off;
         const bool too_many = !at_least && count > wanted + off;
         if (too_few || too_many) {
@@ -148,32 +149,51 @@ std::string ms(double us) {
     return fmt::format("{:.3f} ms", us / 1000.0);
 }
 
-void judge_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
-    const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
-    const auto shortest = static_cast<double>(*low);
-    const auto longest = static_cast<double>(*high);
+/// The gaps with the limits that the step gives.
+Measured measured_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
+    Measured measured{gaps, {}, {}};
+    TimeLimits each{0.0, std::numeric_limits<double>::infinity()};
     if (spec.mean) {
-        const double mean = static_cast<double>(std::accumulate(gaps.begin(), gaps.end(), std::uint64_t{0})) /
-                            static_cast<double>(gaps.size());
         const auto wanted = static_cast<double>(number_of(spec.mean(scope)));
         const double off = spec.tolerance.of(wanted, scope);
-        if (std::abs(mean - wanted) > off) {
+        measured.of_mean = TimeLimits{wanted - off, wanted + off};
+        if (spec.jitter.amount) {
+            const double jitter = spec.jitter.of(wanted, scope);
+            each = {wanted - jitter, wanted + jitter};
+        }
+    }
+    if (spec.shortest) {
+        each.least = std::max(each.least, static_cast<double>(number_of(spec.shortest(scope))));
+    }
+    if (spec.longest) {
+        each.most = std::min(each.most, static_cast<double>(number_of(spec.longest(scope))));
+    }
+    if (spec.jitter.amount || spec.shortest || spec.longest) {
+        measured.of_each = each;
+    }
+    return measured;
+}
+
+void judge_gaps(const Measured& measured) {
+    const std::vector<std::uint64_t>& gaps = measured.times;
+    if (measured.of_mean) {
+        const auto [least, most] = *measured.of_mean;
+        const double mean = static_cast<double>(std::accumulate(gaps.begin(), gaps.end(), std::uint64_t{0})) /
+                            static_cast<double>(gaps.size());
+        if (mean < least || mean > most) {
+            throw SlaveFailed{fmt::format("the mean period is {} where the case wants {} ± {}", ms(mean),
+                                          ms((least + most) / 2.0), ms((most - least) / 2.0))};
+        }
+    }
+    if (measured.of_each) {
+        const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
+        if (const auto shortest = static_cast<double>(*low); shortest < measured.of_each->least) {
             throw SlaveFailed{
-                fmt::format("the mean period is {} where the case wants {} ± {}", ms(mean), ms(wanted), ms(off))};
+                fmt::format("a gap of {} where {} is the least", ms(shortest), ms(measured.of_each->least))};
         }
-        const double jitter = spec.jitter.of(wanted, scope);
-        if (spec.jitter.amount && (wanted - shortest > jitter || longest - wanted > jitter)) {
-            throw SlaveFailed{fmt::format("gaps from {} to {} where each must be {} ± {}", ms(shortest), ms(longest),
-                                          ms(wanted), ms(jitter))};
+        if (const auto longest = static_cast<double>(*high); longest > measured.of_each->most) {
+            throw SlaveFailed{fmt::format("a gap of {} where {} is the most", ms(longest), ms(measured.of_each->most))};
         }
-    }
-    if (spec.shortest && shortest < static_cast<double>(number_of(spec.shortest(scope)))) {
-        throw SlaveFailed{fmt::format("a gap of {} where {} is the least", ms(shortest),
-                                      ms(static_cast<double>(number_of(spec.shortest(scope)))))};
-    }
-    if (spec.longest && longest > static_cast<double>(number_of(spec.longest(scope)))) {
-        throw SlaveFailed{fmt::format("a gap of {} where {} is the most", ms(longest),
-                                      ms(static_cast<double>(number_of(spec.longest(scope)))))};
     }
 }
 
@@ -189,14 +209,15 @@ void run_period(const PeriodSpec& spec, Context& context) {
     const auto wanted = static_cast<std::size_t>(gaps) + 1;
     const Instant deadline = context.link.now() + Duration{expected * patience} + grace;
     const bool all = context.link.wait_for([&] { return seen->frames.size() >= wanted; }, deadline);
-    context.journal.times["gap of " + name] = seen->gaps();
+    const Measured measured = measured_gaps(spec, seen->gaps(), *context.scope);
+    context.journal.times["gap of " + name] = measured;
     ++context.journal.judged;
     if (!all) {
         throw SlaveFailed{fmt::format("{} came {} times within {}, where the case wants {} frames", name,
                                       seen->frames.size(), ms(static_cast<double>(expected * patience + grace.us)),
                                       wanted)};
     }
-    judge_gaps(spec, seen->gaps(), *context.scope);
+    judge_gaps(measured);
 }
 
 Action parse_period(Scanner& line, StepSource&) {

@@ -1,0 +1,132 @@
+#include "host/assess/fuzz/campaign_shards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "host/base/input_error.hpp"
+#include "host/base/shard.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The corpus folder of one machine, and its state.
+struct ReadShard {
+    CampaignFiles files;
+    std::string name;
+    Shard shard;
+    CampaignState state;
+};
+
+ReadShard read_shard(const fs::path& folder) {
+    const CampaignFiles files{folder};
+    try {
+        auto state = read_json(files.state()).get<CampaignState>();
+        const Shard shard = parse_shard(state.shard);
+        return {files, folder.string(), shard, std::move(state)};
+    } catch (const nlohmann::json::exception&) {
+        throw InputError{
+            fmt::format("{} is not what `canproof fuzz --shard` of this version leaves; run that shard "
+                        "again",
+                        files.state().string())};
+    }
+}
+
+std::vector<ReadShard> read_shards(const fs::path& folder) {
+    std::vector<ReadShard> all;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator{folder, none}) {
+        if (fs::exists(CampaignFiles{entry.path()}.state())) {
+            all.push_back(read_shard(entry.path()));
+        }
+    }
+    std::sort(all.begin(), all.end(), [](const ReadShard& a, const ReadShard& b) {
+        return std::tie(a.shard.number, a.name) < std::tie(b.shard.number, b.name);
+    });
+    return all;
+}
+
+void require_one_campaign(const std::vector<ReadShard>& all) {
+    std::vector<Shard> shards;
+    std::vector<std::string> names;
+    for (const ReadShard& one : all) {
+        shards.push_back(one.shard);
+        names.push_back(one.name);
+        const CampaignState& first = all.front().state;
+        if (one.state.minutes != first.minutes || one.state.seed != first.seed) {
+            throw InputError{
+                fmt::format("{} fuzzed {} minutes with seed {}, {} fuzzed {} minutes with seed {}; give "
+                            "each shard the same --minutes and --seed",
+                            all.front().name, first.minutes, first.seed, one.name, one.state.minutes, one.state.seed)};
+        }
+        if (one.state.phase != phase_after_fuzzing) {
+            throw InputError{fmt::format("{} has not finished fuzzing; give the command of shard {} again", one.name,
+                                         one.state.shard)};
+        }
+    }
+    require_all_shards(shards, names);
+}
+
+/// Copies the files of a folder with their times, which say when in the campaign an input was found.
+void copy_files(const fs::path& from, const fs::path& to) {
+    fs::create_directories(to);
+    for (const fs::path& file : files_in(from)) {
+        const fs::path copy = to / file.filename();
+        fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+        fs::last_write_time(copy, fs::last_write_time(file));
+    }
+}
+
+/// The campaign began when its first shard did.
+void copy_beginning(const std::vector<ReadShard>& all, const CampaignFiles& files) {
+    const auto began = [](const ReadShard& one) { return fs::last_write_time(one.files.work() / "began"); };
+    const auto& first = *std::min_element(all.begin(), all.end(),
+                                          [&](const ReadShard& a, const ReadShard& b) { return began(a) < began(b); });
+    write_text(files.work() / "began", first.state.started + "\n");
+    fs::last_write_time(files.work() / "began", began(first));
+}
+
+}  // namespace
+
+CampaignState merge_shards(const fs::path& folder, const std::vector<FuzzTarget>& targets, const CampaignFiles& files) {
+    const std::vector<ReadShard> all = read_shards(folder);
+    require_one_campaign(all);
+    CampaignState merged = all.front().state;
+    merged.shard.clear();
+    merged.jobs = 0;
+    merged.targets.clear();
+    merged.remarks.clear();
+    for (const ReadShard& one : all) {
+        merged.started = std::min(merged.started, one.state.started);
+        merged.jobs += one.state.jobs;
+        merged.rounds = std::max(merged.rounds, one.state.rounds);
+        for (const std::string& remark : one.state.remarks) {
+            merged.remarks.push_back(fmt::format("shard {}: {}", one.shard.text(), remark));
+        }
+    }
+    for (std::size_t place = 0; place < targets.size(); ++place) {
+        const ReadShard& from = all[place % all.size()];
+        const std::size_t at = place / all.size();
+        if (from.state.targets.size() != size_of_share(targets.size(), from.shard) ||
+            from.state.targets[at].name != targets[place].name) {
+            throw InputError{fmt::format("{} fuzzed other targets; run shard {} with this build's targets", from.name,
+                                         from.shard.text())};
+        }
+        merged.targets.push_back(from.state.targets[at]);
+    }
+    fs::remove_all(files.work());
+    fs::create_directories(files.work());
+    copy_beginning(all, files);
+    for (std::size_t place = 0; place < targets.size(); ++place) {
+        const CampaignFiles& from = all[place % all.size()].files;
+        copy_files(from.inputs(targets[place].name), files.inputs(targets[place].name));
+        copy_files(from.artifacts(targets[place].name), files.artifacts(targets[place].name));
+    }
+    return merged;
+}
+
+}  // namespace canproof::host

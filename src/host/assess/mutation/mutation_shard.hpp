@@ -1,0 +1,25 @@
+// Mutation on several machines: each judges a shard of the alterations, and one of them merges the outcomes. The merged
+// run leaves the same files, byte for byte, as a run on one machine that took the same tests in the same order.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/assess/mutation/mutation_outcome.hpp"
+#include "host/assess/mutation/test_server.hpp"
+#include "host/base/shard.hpp"
+
+namespace canproof::host {
+
+/// Name of a shard's file: `code_mutation-2-of-3.json`.
+std::string mutation_shard_name(bool code, const Shard& shard);
+
+std::string write_mutation_shard(const Shard& shard, const std::vector<MutationOutcome>& outcomes);
+
+/// Returns the outcomes of `cells` from the shards in `folder`, in the order of `cells`. Throws InputError when a shard
+/// is missing, stands there twice, or judged other alterations.
+std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,
+                                                   const std::vector<AlteredCell>& cells);
+
+}  // namespace canproof::host

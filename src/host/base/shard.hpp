@@ -1,0 +1,42 @@
+// A part of a list of work that several machines share: `2/3` is the second of three. Element k of the list, counted
+// from 0, belongs to part k mod 3 + 1, so that long and short work spreads evenly.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace canproof::host {
+
+struct Shard {
+    std::size_t number{1};  ///< 1…count
+    std::size_t count{1};   ///< 1…max_shards
+
+    /// `2/3`
+    std::string text() const;
+    /// Whether the element at `place`, counted from 0, belongs to it.
+    bool holds(std::size_t place) const { return place % count == number - 1; }
+};
+
+constexpr std::size_t max_shards = 10'000;
+
+/// Reads `2/3`. Throws InputError when the text is something else, or the number lies beyond the count.
+Shard parse_shard(const std::string& text);
+
+/// Throws InputError unless the shards are 1/n to n/n, each once. `names`: where each comes from, for the message.
+void require_all_shards(const std::vector<Shard>& shards, const std::vector<std::string>& names);
+
+/// Returns the elements that belong to a shard, in their order.
+template <typename T>
+std::vector<T> share_of(const std::vector<T>& all, const Shard& shard) {
+    std::vector<T> share;
+    for (std::size_t place = shard.number - 1; place < all.size(); place += shard.count) {
+        share.push_back(all[place]);
+    }
+    return share;
+}
+
+/// Returns how many of `all` elements belong to a shard.
+std::size_t size_of_share(std::size_t all, const Shard& shard);
+
+}  // namespace canproof::host

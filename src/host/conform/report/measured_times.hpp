@@ -1,0 +1,24 @@
+// What a run has measured, in words and drawn: the load of the bus, and times with what the cases accept of them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "host/conform/link/measured.hpp"
+#include "host/conform/run/conform_report.hpp"
+
+namespace canproof::host::conform {
+
+/// `3.1 % on average, 47.0 % in the busiest second; 812 frames, 400 of them from the tester, 0 error frames, 0 lost`
+std::string load_words(const ConformReport& report);
+
+/// Times that mean the same in each case, over all cases: `SDO answer` and `boot-up`.
+std::map<std::string, Measured> times_of_all(const ConformReport& report);
+
+/// A histogram as an SVG element. A dashed line stands at each accepted limit that lies in its range.
+std::string draw_times(const Measured& measured);
+
+/// One row for each kind of time; empty without any.
+std::string times_table(const std::map<std::string, Measured>& times);
+
+}  // namespace canproof::host::conform

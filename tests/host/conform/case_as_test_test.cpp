@@ -1,0 +1,43 @@
+// Conformance cases that stand in place of a test of their own: each runs on the conformance slave, and its verdict
+// counts for the requirements that it names.
+//
+// A test of tests/conformance stays a test while it holds more than a case can: it runs on the microcontroller as well,
+// where no case runs, or it wants one exact abort code, time or frame where CiA 301 leaves a slave the choice.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/host/conform/conform_bench.hpp"
+
+namespace canproof::host::conform::test {
+
+namespace {
+
+class CaseAsTest : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(CaseAsTest, PassesOnTheConformanceSlave) {
+    const std::vector<Case>& cases = built_in_cases().cases;
+    const auto one = std::find_if(cases.begin(), cases.end(), [](const Case& any) { return any.id == GetParam(); });
+    ASSERT_NE(one, cases.end()) << GetParam();
+    ASSERT_FALSE(one->tests.empty()) << "it counts for no requirement";
+    for (const std::string& requirement : one->tests) {
+        RecordProperty(requirement, "test");
+    }
+    VirtualTarget target{sound_slave(), 5};
+    ConformOptions options;
+    options.cases = {one->id};
+    const CaseResult result = run_cases(built_in_cases(), slave_sheet(), target, options).results.at(0);
+    EXPECT_EQ(result.verdict, Verdict::passed) << result.why << " " << result.step;
+}
+
+INSTANTIATE_TEST_SUITE_P(Store, CaseAsTest,
+                         testing::Values("verify-configuration-unsaved", "verify-configuration-parts"),
+                         [](const auto& one) {
+                             std::string name = one.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace canproof::host::conform::test

@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""conform_report.py PROGRAM: where `canproof conform --report` writes. A relative name works, a second run leaves the same bytes, and a
+folder with files of others is refused before the run and stays as it is."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+
+
+def conform(folder, report):
+    return subprocess.run([PROGRAM, "conform", "ax188001", "--case", "2.1", "--report", report], cwd=folder, capture_output=True,
+                          text=True)
+
+
+def contents(folder):
+    return {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+def check_relative_name(folder):
+    done = conform(folder, "out")
+    assert done.returncode == 0, done.stderr
+    first = contents(folder / "out")
+    assert {"index.html", "sdo.html", "report.json", "report.txt", "junit.xml"} <= set(first), sorted(first)
+    again = conform(folder, "./out/")
+    assert again.returncode == 0, again.stderr
+    assert contents(folder / "out") == first, "a second run leaves other bytes"
+
+
+def check_refusal(folder):
+    for names in (["notes.txt"], ["page.html"], ["report.json", "notes.txt"]):
+        place = folder / names[0].replace(".", "-")
+        place.mkdir()
+        for name in names:
+            (place / name).write_text("mine", encoding="utf-8")
+        before = contents(folder)
+        for report, cwd in ((place.name, folder), (".", place)):
+            done = conform(cwd, report)
+            assert done.returncode == 2 and "holds other files" in done.stderr, done
+            assert "passed" not in done.stdout, "the run came first"
+            assert contents(folder) == before, "files of others are gone"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        check_relative_name(pathlib.Path(folder))
+    with tempfile.TemporaryDirectory() as folder:
+        check_refusal(pathlib.Path(folder))
+
+
+main()
