@@ -193,8 +193,7 @@ class MutateCommand : Command {
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         auto* shard =
-            command
-                ->add_option("--shard", shard_, "I/N: judge the Ith of N parts, for other machines to judge the others")
+            command->add_option("--shard", shard_, "I/N: judge part I of N; other machines judge the other parts")
                 ->excludes(kills);
         command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
             ->excludes(shard)
