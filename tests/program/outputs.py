@@ -115,12 +115,12 @@ def unreadable_inputs(folder):
 def no_register(folder):
     spec = folder / "spec"
     spec.mkdir()
-    refused(canproof("spec", "check", "--spec", spec), "an empty register", "holds no .toml file")
+    refused(canproof("spec", "check", "--spec", spec), "an empty register", "contains no .toml file")
     (spec / "empty.toml").write_text("")
     result = canproof("spec", "check", "--spec", spec)
     expect(result.returncode != 0, "a register without an item is sound")
     os.mkfifo(spec / "pipe.toml")
-    refused(canproof("spec", "check", "--spec", spec), "a pipe in a register", "pipe.toml: it is a pipe that nobody writes to")
+    refused(canproof("spec", "check", "--spec", spec), "a pipe in a register", "pipe.toml: it is a pipe without a writer")
     refused(canproof("spec", "check", "--spec", spec / "pipe.toml"), "a pipe as register", "is no folder")
 
 

@@ -68,7 +68,7 @@ int wait_for_process(pid_t process) {
 std::array<int, 2> make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw InputError{"no pipe to be had; close other programs"};
+        throw InputError{"no pipe can be opened; close other programs"};
     }
     return ends;
 }

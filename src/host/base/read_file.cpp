@@ -89,7 +89,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
     }
     std::string text = read_to_end(file.number(), path, most);
     if (text.empty() && S_ISFIFO(about.st_mode)) {
-        refuse(path, "it is a pipe that nobody writes to; name a file");
+        refuse(path, "it is a pipe without a writer; name a file");
     }
     return text;
 }

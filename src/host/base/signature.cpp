@@ -29,7 +29,7 @@ Key key_in(const std::filesystem::path& file, const char* kind, const Read& read
     Key key{memory ? read(memory.get(), nullptr, no_password, nullptr) : nullptr, &EVP_PKEY_free};
     if (!key) {
         throw InputError{
-            fmt::format("{} holds no {} key in PEM without a password; `openssl genpkey -algorithm ed25519` "
+            fmt::format("{} contains no {} key in PEM without a password; `openssl genpkey -algorithm ed25519` "
                         "makes a private one, `openssl pkey -pubout` its public one",
                         file.string(), kind)};
     }

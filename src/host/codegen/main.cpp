@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     app.add_option("--spec", spec, "folder of the register")->required()->check(CLI::ExistingDirectory);
     app.add_option("--out", out, "folder to write to")->required();
     std::string package;
-    app.add_option("--package", package, "canproof's own spec/: its shared rules hold for a register without canopen/")
+    app.add_option("--package", package, "spec/ of canproof: its shared rules apply to a register without canopen/")
         ->check(CLI::ExistingDirectory);
     bool changeable = false;
     app.add_flag("--changeable", changeable, "cells that a running program can alter, and the list of alterations");

@@ -44,8 +44,8 @@ bool is_background(const std::string& path, const std::string& body) {
 
 std::string write_embedded(const SpecFiles& files) {
     std::string text =
-        "// Written by canproof's speccompiler: the register's own files, for a program without a folder beside it; "
-        "statements, decisions, hazards and reviews are left out.\n"
+        "// Written by canproof's speccompiler: the register's files, embedded in the program. Statements, decisions, "
+        "hazards and reviews are left out.\n"
         "#include \"host/register/embedded_spec.hpp\"\n\nnamespace canproof::host {\n\n"
         "const SpecFiles& embedded_spec() {\n    static const SpecFiles files{\n";
     for (const auto& [path, body] : files) {

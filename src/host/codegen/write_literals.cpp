@@ -111,8 +111,8 @@ std::string write_enumerations(const Part& part) {
 std::string write_signals(const Part& part) {
     std::string text = opening(part, "#include <array>\n#include <cstdint>\n");
     for (const bool input : {true, false}) {
-        text += input ? "/// What the physical world gives the device.\nstruct Inputs {\n"
-                      : "/// What the device gives the physical world.\nstruct Outputs {\n";
+        text += input ? "/// Physical inputs of the device.\nstruct Inputs {\n"
+                      : "/// Physical outputs of the device.\nstruct Outputs {\n";
         for (const Signal& signal : part.signals) {
             if (signal.input == input) {
                 text += member(signal);

@@ -47,7 +47,7 @@ std::string write_profile(const Part& part, Cells cells) {
                         part.cpp_name());
     text += lss.rates;
     text += fmt::format(
-        "/// What the node does for this device, beside its objects.\n"
+        "/// The services of the node, in addition to its objects.\n"
         "{} NodeProfile profile{{\n"
         "    LimitAbort::{},\n    ErrorList::{},\n    EmcyContent::{},\n    0x{:02X}U,\n"
         "    {},\n    {},\n    {},\n    TpdoTrigger::{}}};\n\n",

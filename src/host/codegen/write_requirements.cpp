@@ -22,9 +22,8 @@ std::string id_type(const Item& item, const std::string& word) {
 
 std::string write_requirements(const Register& content, const Part& part) {
     std::string text =
-        "// Written by canproof's speccompiler from spec/: every id of this part in force as a type, for implements<> "
-        "and\n"
-        "// verifies<>. Retired ids are not here.\n#pragma once\n\nnamespace canproof::req {\n\n";
+        "// Written by canproof's speccompiler from spec/: a type for each id of this part in force, for "
+        "implements<>\n// and verifies<>. Retired ids have no type.\n#pragma once\n\nnamespace canproof::req {\n\n";
     std::set<std::string> retired;
     for (const Requirement& requirement : part.requirements) {
         if (!requirement.retired.empty()) {

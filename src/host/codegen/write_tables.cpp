@@ -71,7 +71,7 @@ std::string row_check(const TableCode& code, const Table& table) {
         hidden = fmt::format("({}) || (find({}) != &row)", hidden, fmt::join(lasts, ", "));
     }
     return fmt::format(
-        "/// No row hides another.\nconstexpr bool finds_each_row() noexcept {{\n"
+        "/// Returns whether the lookup finds each row.\nconstexpr bool finds_each_row() noexcept {{\n"
         "    for (const Row& row : rows) {{\n        if ({}) {{\n"
         "            return false;\n        }}\n    }}\n    return true;\n}}\n"
         "static_assert(finds_each_row());\n\n",
@@ -88,7 +88,7 @@ std::string find_in(const TableCode& code, const Table& table, Cells cells) {
                             : fmt::format("(row.{0} == {0})", column.name));
     }
     return fmt::format(
-        "/// The row for these inputs; nullptr outside the table's domain.\n{} const Row* find({}) noexcept "
+        "/// Returns the row for these inputs; nullptr outside the table's domain.\n{} const Row* find({}) noexcept "
         "{{\n"
         "    for (const Row& row : rows) {{\n        if ({}) {{\n            return &row;\n        }}\n    }}\n    "
         "return nullptr;\n}}\n\n{}",
@@ -117,7 +117,8 @@ std::string error_names(const Part& part) {
     if (words.empty()) {
         return "";
     }
-    std::string text = "/// Errors of this device, behind those that every node has.\nnamespace error {\n";
+    std::string text =
+        "/// Errors of this device; their numbers follow those of the errors of every node.\nnamespace error {\n";
     for (std::size_t i = 0; i < words.size(); ++i) {
         text += fmt::format("inline constexpr ErrorId {} = error_after(ErrorId::first_of_device, {}U);\n",
                             cpp_word(words[i]), i);

@@ -122,17 +122,16 @@ std::string write_written(const Part& part) {
     std::string text = heading(part);
     text += fmt::format("#include <cstdint>\n\nnamespace canproof::generated::{} {{\n\n", part.cpp_name());
     text +=
-        "/// The objects whose entries can be written and of which the device hears; members of a family count as "
-        "one.\n"
+        "/// Objects whose writes are reported to the device; the members of a family have one enumerator.\n"
         "enum class Parameter : std::uint16_t {\n" +
         enumerators(part, stretches) + "};\n\n";
     text +=
-        "/// What a write has changed.\n"
+        "/// The object that a write has changed.\n"
         "struct Written {\n    Parameter parameter;\n"
-        "    std::uint8_t member;    ///< number within the family; 0: of none\n"
+        "    std::uint8_t member;    ///< number within the family; 0: no family\n"
         "    std::uint8_t subindex;  ///< position in an array, from 1\n};\n\n";
     text +=
-        "/// `index` is that of an object of Parameter; another one is no enumerator.\n"
+        "/// Returns the object of a write; `index` is that of an object in Parameter.\n"
         "constexpr Written written(const std::uint16_t index, const std::uint8_t subindex) noexcept {\n";
     for (const Stretch& one : stretches) {
         text += fmt::format(

@@ -147,7 +147,7 @@ Limit read_limit(const Entry& entry, const IniSection& section, const char* key,
     const auto value = kept ? eds_value(given->text, entry.type) : std::nullopt;
     if (!kept) {
         tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
-                  "every value of the type is taken");
+                  "every value of the type is accepted");
     } else if (!value) {
         tell.note(given->line, fmt::format("{} {} is no value of {}", key, given->text, entry.type),
                   "the type alone limits the value");
@@ -168,7 +168,7 @@ void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell
     const auto high = number_of(range.maximum.number);
     if (low && high && *low > *high) {
         tell.note(range.minimum.place.line,
-                  fmt::format("LowLimit {} lies above HighLimit {}", to_text(range.minimum.number),
+                  fmt::format("LowLimit {} is above HighLimit {}", to_text(range.minimum.number),
                               to_text(range.maximum.number)),
                   "the type alone limits the value");
         range.minimum = Limit{};
@@ -177,7 +177,7 @@ void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell
     }
     const auto value = entry.node_id ? std::nullopt : number_of(entry.value);
     if (value && ((low && *value < *low) || (high && *value > *high))) {
-        tell.note(entry.default_place.line, fmt::format("value {} lies outside its limits", to_text(entry.value)),
+        tell.note(entry.default_place.line, fmt::format("value {} is outside its limits", to_text(entry.value)),
                   "the device starts with it; a write of it is refused");
     }
 }
@@ -201,7 +201,7 @@ void set_string(Entry& entry, const IniValue& given, const EdsTelling& tell) {
     }
     if (text.size() > longest_string) {
         tell.note(given.line, fmt::format("text has {} characters", text.size()),
-                  fmt::format("the first {} are taken", longest_string));
+                  fmt::format("the first {} are used", longest_string));
         text.resize(longest_string);
     }
     entry.value = text;

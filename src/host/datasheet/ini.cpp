@@ -32,7 +32,7 @@ class IniReader {
             return;
         }
         if (has_control(text)) {
-            strange("line holds control characters");
+            strange("line contains control characters");
         } else if (text.front() == '[') {
             open_section(text);
         } else {
@@ -45,7 +45,7 @@ class IniReader {
   private:
     void strange(std::string what) {
         ++strange_;
-        tell_.note(line_, std::move(what), "it is passed over");
+        tell_.note(line_, std::move(what), "it is ignored");
     }
 
     void open_section(std::string_view text) {
@@ -54,21 +54,20 @@ class IniReader {
             close == std::string_view::npos ? "" : trimmed_view(text.substr(1, close - 1), ini_blanks);
         if (name.empty()) {
             ++strange_;
-            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)),
-                       "it is passed over with its lines");
+            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)), "it is ignored with its lines");
             section_ = nullptr;
             skips_ = true;
             return;
         }
         const std::string_view rest = trimmed_view(text.substr(close + 1), ini_blanks);
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
-            tell_.note(line_, fmt::format("`{}` stands behind the section", rest.substr(0, 40)), "it is passed over");
+            tell_.note(line_, fmt::format("`{}` follows the section", rest.substr(0, 40)), "it is ignored");
         }
         const auto [place, is_new] =
             file_.sections.try_emplace(lower_case(name), IniSection{std::string{name}, line_, {}});
         if (!is_new) {
-            tell_.note(line_, fmt::format("section [{}] stands already in line {}", name, place->second.line),
-                       "the two are taken as one");
+            tell_.note(line_, fmt::format("section [{}] is already in line {}", name, place->second.line),
+                       "both are combined");
         }
         skips_ = false;
         section_ = &place->second;
@@ -83,13 +82,12 @@ class IniReader {
         if (equals == std::string_view::npos || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
         } else if (section_ == nullptr) {
-            strange(fmt::format("{} stands before the first section", key));
+            strange(fmt::format("{} is before the first section", key));
         } else {
             const auto [place, is_new] = section_->values.try_emplace(
                 lower_case(key), IniValue{std::string{trimmed_view(text.substr(equals + 1), ini_blanks)}, line_});
             if (!is_new) {
-                tell_.note(line_, fmt::format("{} stands already in line {}", key, place->second.line),
-                           "the first counts");
+                tell_.note(line_, fmt::format("{} is already in line {}", key, place->second.line), "the first counts");
             }
         }
     }

@@ -84,7 +84,7 @@ class EdsReader {
         constexpr std::array<int, 8> rates{10, 20, 50, 125, 250, 500, 800, 1000};
         const IniSection* section = ini_.find("DeviceInfo");
         if (section == nullptr) {
-            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS are taken as not given");
+            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS count as missing");
         }
         DeviceInfo& info = result_.part.info;
         info.title = text_of(section, "ProductName");
@@ -177,15 +177,15 @@ class EdsReader {
             ++listed;
             const auto index = eds_unsigned(value.text);
             if (!index || *index > 0xFFFFU || *index == 0) {
-                tell_.note(value.line, fmt::format("{} is no index", value.text), "it is passed over");
+                tell_.note(value.line, fmt::format("{} is no index", value.text), "it is ignored");
             } else if (*index >= first_object) {
                 read_object(static_cast<std::uint16_t>(*index), value.line);
             }
         }
         if (said != listed) {
             tell_.note(list->line,
-                       fmt::format("[{}] lists {} object(s), not as many as SupportedObjects says", name, listed),
-                       "those that are listed are taken");
+                       fmt::format("[{}] lists {} object(s), but SupportedObjects has another number", name, listed),
+                       "the listed objects are used");
         }
     }
 
@@ -211,8 +211,7 @@ class EdsReader {
         object.name = text_of(section, "ParameterName");
         if (object.name.empty()) {
             object.name = fmt::format("Object {:04X}h", index);
-            tell_.note(section->line, fmt::format("[{}] has no ParameterName", section->name),
-                       "it is called by its index");
+            tell_.note(section->line, fmt::format("[{}] has no ParameterName", section->name), "its index is its name");
         }
         read_entries(object, *section);
         entries_ += object.entries.size();
@@ -264,7 +263,7 @@ class EdsReader {
             object.entries.front().name = object.name;
             if (has_subs) {
                 tell_.note(section.line, fmt::format("[{}] is a single value but has sub-objects", section.name),
-                           "they are passed over");
+                           "they are ignored");
             }
         } else if (code == 8 || code == 9) {
             object.kind = code == 8 ? Object::Kind::array : Object::Kind::record;
@@ -341,7 +340,7 @@ class EdsReader {
             tell_.note(
                 said->line,
                 fmt::format("SubNumber {} is not the number of sub-objects, {}", said->text, object.entries.size()),
-                "those that are described are taken");
+                "the described sub-objects are used");
         }
     }
 

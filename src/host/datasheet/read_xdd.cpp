@@ -117,12 +117,12 @@ class XddReader {
         const std::string text = node.attribute("index").value();
         const auto index = hexadecimal(text);
         if (!index || *index > 0xFFFFU) {
-            tell_.note(line_of(node), fmt::format("index `{}` is none", text.substr(0, 40)), "it is passed over");
+            tell_.note(line_of(node), fmt::format("index `{}` is none", text.substr(0, 40)), "it is ignored");
             return;
         }
         const std::string name = fmt::format("{:04X}", *index);
         if (file_.find(name) != nullptr) {
-            tell_.note(line_of(node), fmt::format("object {}h stands already in line {}", name, file_.find(name)->line),
+            tell_.note(line_of(node), fmt::format("object {}h is already in line {}", name, file_.find(name)->line),
                        "the first counts");
             return;
         }
@@ -142,9 +142,9 @@ class XddReader {
         const auto subindex = hexadecimal(text);
         const std::string name = fmt::format("{}sub{:X}", index, subindex.value_or(0));
         if (!subindex || *subindex > 0xFEU) {
-            tell_.note(line_of(node), fmt::format("subIndex `{}` is none", text.substr(0, 40)), "it is passed over");
+            tell_.note(line_of(node), fmt::format("subIndex `{}` is none", text.substr(0, 40)), "it is ignored");
         } else if (file_.find(name) != nullptr) {
-            tell_.note(line_of(node), fmt::format("[{}] stands already in line {}", name, file_.find(name)->line),
+            tell_.note(line_of(node), fmt::format("[{}] is already in line {}", name, file_.find(name)->line),
                        "the first counts");
         } else {
             add_values(section(name, node), node, parameters);

@@ -98,7 +98,7 @@ std::string object_text(const Object& object, const std::string& source) {
 }  // namespace
 
 std::string write_objects_toml(const Part& part, const std::string& source) {
-    std::string text = "# The object dictionary, as the data sheet has it.\n";
+    std::string text = "# The object dictionary of the data sheet.\n";
     for (const Object& object : part.objects) {
         text += object_text(object, source);
     }

@@ -74,12 +74,12 @@ void HttpRequest::take_character(char one) {
     if (one == '\n') {
         end_line();
     } else if (line_.size() > longest || (line_.size() == longest && one != '\r')) {
-        refuse_with(request_line ? 414 : 431, fmt::format("a line may have {} bytes", longest));
+        refuse_with(request_line ? 414 : 431, fmt::format("a line may have at most {} bytes", longest));
     } else {
         line_ += one;
     }
     if (head_ >= longest_head && (part_ == Part::request_line || part_ == Part::headers)) {
-        refuse_with(431, fmt::format("all headers together may have {} bytes", longest_head));
+        refuse_with(431, fmt::format("all headers together may have at most {} bytes", longest_head));
     }
 }
 
@@ -88,7 +88,7 @@ void HttpRequest::end_line() {
         line_.pop_back();
     }
     if (std::any_of(line_.begin(), line_.end(), is_control)) {
-        refuse_with(400, "a line of the request holds control characters");
+        refuse_with(400, "a line of the request contains control characters");
     } else if (part_ == Part::request_line) {
         read_request_line();
     } else {
@@ -101,7 +101,7 @@ void HttpRequest::read_request_line() {
     const auto first = line_.find(' ');
     const auto second = first == std::string::npos ? first : line_.find(' ', first + 1);
     if (second == std::string::npos || line_.find(' ', second + 1) != std::string::npos) {
-        return refuse_with(400, "the request is no HTTP");
+        return refuse_with(400, "the request is not HTTP");
     }
     const std::string version = line_.substr(second + 1);
     const std::string target = line_.substr(first + 1, second - first - 1);
@@ -109,10 +109,10 @@ void HttpRequest::read_request_line() {
     const bool method = !request_.method.empty() && std::all_of(request_.method.begin(), request_.method.end(),
                                                                 [](char one) { return one >= 'A' && one <= 'Z'; });
     if (!method || target.empty() || target.front() != '/' || !std::all_of(target.begin(), target.end(), is_shown)) {
-        return refuse_with(400, "the request is no HTTP");
+        return refuse_with(400, "the request is not HTTP");
     }
     if (version != "HTTP/1.1" && version != "HTTP/1.0") {
-        return refuse_with(505, "the panel speaks HTTP/1.1");
+        return refuse_with(505, "the panel supports HTTP/1.1");
     }
     const auto question = std::min(target.find('?'), target.size());
     const std::string query = target.substr(std::min(question + 1, target.size()));
@@ -151,7 +151,7 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
         return;
     }
     if (!seen_.insert(name).second) {
-        return refuse_with(400, fmt::format("the header {} stands there twice", name));
+        return refuse_with(400, fmt::format("the header {} occurs twice", name));
     }
     if (place != kept.end()) {
         *place->second = value;
@@ -166,7 +166,7 @@ void HttpRequest::read_length(const std::string& value) {
     }
     std::from_chars(value.data(), value.data() + std::min(value.size(), longest_number), length_);
     if (value.size() > longest_number || length_ > longest_body) {
-        refuse_with(413, fmt::format("a request may carry {} bytes", longest_body));
+        refuse_with(413, fmt::format("a request may carry at most {} bytes", longest_body));
     }
 }
 

@@ -42,7 +42,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return std::nullopt;
     }
     if (request.method != "POST") {
-        return error_response(405, "the panel takes GET and POST");
+        return error_response(405, "the panel accepts GET and POST");
     }
     if (!request.origin.empty() && request.origin != "http://" + request.host) {
         return error_response(403, "only the panel's own page may change something");
@@ -54,7 +54,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return error_response(415, "send JSON as application/json");
     }
     if (request.body.size() > longest_body) {
-        return error_response(413, fmt::format("a request may carry {} bytes", longest_body));
+        return error_response(413, fmt::format("a request may carry at most {} bytes", longest_body));
     }
     return std::nullopt;
 }

@@ -70,7 +70,7 @@ void advise_on_statements(const Register& content, Faults& advice) {
             const std::string id = statement.id(manual.key);
             if (statement.is_open()) {
                 advice.emplace_back(statement.place, fmt::format("{} has neither `covered` nor `reason`", id),
-                                    "name the items that cover it, or say why none does");
+                                    "name the items that cover it, or give the reason why none does");
             }
             const auto places = names_of_place(manual, statement.section);
             const auto is_cited = [&](const std::string& item) {
@@ -132,7 +132,7 @@ void advise_on_requirements(const Register& content, Faults& advice) {
             const Demands found = demands_in(requirement.text);
             if (requirement.retired.empty() && (found.shalls > 1 || found.sentences > 1)) {
                 advice.emplace_back(requirement.place,
-                                    fmt::format("{} asks for several things: {} sentence(s), \"shall\" {} time(s)",
+                                    fmt::format("{} demands several things: {} sentence(s), \"shall\" {} time(s)",
                                                 requirement.id, found.sentences, found.shalls),
                                     "make one requirement of each");
             }

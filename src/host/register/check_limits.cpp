@@ -144,7 +144,7 @@ class LimitCheck {
         }
         if (is_real_type(entry.type)) {
             fault(limit.place, fmt::format("is a REAL32 limited by {}", name),
-                  "give a number: the dictionary compares integers only with other objects");
+                  "give a number: only integers can be compared with other objects");
             return {};
         }
         End result;

@@ -26,7 +26,7 @@ bool can_write(const Entry& entry) {
 void check_subindices(const Object& object, Faults& faults) {
     for (std::size_t i = 1; i < object.entries.size(); ++i) {
         if (object.entries[i].subindex == object.entries[i - 1].subindex) {
-            faults.push_back({object.entries[i].place, fmt::format("{} stands twice", name(object, object.entries[i])),
+            faults.push_back({object.entries[i].place, fmt::format("{} occurs twice", name(object, object.entries[i])),
                               "give each entry its own sub-index"});
         }
     }
@@ -73,7 +73,7 @@ void check_use(const Object& object, const Entry& entry, Faults& faults) {
     };
     const bool sized = type_size(entry.type) > 0;
     if (entry.type == "REAL64") {
-        fault("is a REAL64, which no service here carries", "use REAL32");
+        fault("is a REAL64, which no service of the firmware supports", "use REAL32");
     }
     if (entry.length > 0 && !is_string_type(entry.type)) {
         fault(fmt::format("has a length, but {} has its own", entry.type), "remove length");
@@ -136,7 +136,7 @@ void check_image_size(const Part& part, Faults& faults) {
         if (bytes > image_limit) {
             faults.push_back(
                 {object.place,
-                 fmt::format("with {:04X}h the dictionary of {} holds {} bytes", object.index, part.name, bytes),
+                 fmt::format("with {:04X}h the dictionary of {} has {} bytes", object.index, part.name, bytes),
                  "shorten arrays or strings: an image has at most 65535"});
             return;
         }

@@ -71,7 +71,7 @@ class ReferenceCheck {
             std::map<std::string, unsigned> seen;
             for (const auto& section : manual.sections) {
                 if (const auto [at, fresh] = seen.emplace(section.ref, section.place.line); !fresh) {
-                    fault(section.place, fmt::format("section {} stands already in line {}", section.ref, at->second),
+                    fault(section.place, fmt::format("section {} is already in line {}", section.ref, at->second),
                           "register each section once");
                 }
             }
@@ -106,7 +106,7 @@ class ReferenceCheck {
                   "use capitals, digits and dashes, such as AO4-AOUT-002");
         } else if (!part.prefix.empty() && id.rfind(part.prefix + "-", 0) != 0) {
             fault(place, fmt::format("id {} does not begin with {}-", id, part.prefix),
-                  "use the prefix of the folder that the file stands in");
+                  "use the prefix of the file's folder");
         }
         const auto [at, fresh] = ids_.emplace(id, place);
         if (!fresh) {
@@ -127,11 +127,11 @@ class ReferenceCheck {
                                               [](const std::string& one) { return one.rfind("CiA", 0) != 0; });
         if (!item.derived.empty() && cites_manual) {
             fault(item.source_place, fmt::format("{} is derived and cites a manual", item.id),
-                  "remove the section if it does not say this, else remove `derived`");
+                  "remove the section if it does not contain this, otherwise remove `derived`");
         }
         if (part.is_device() && item.derived.empty() && !item.sources.empty() && !cites_manual) {
             fault(item.source_place, fmt::format("{} cites no section of a manual", item.id),
-                  "add the section that says it, or write `derived = true` with `reason = …`");
+                  "add the section that contains it, or write `derived = true` with `reason = …`");
         }
     }
 
@@ -173,7 +173,7 @@ class ReferenceCheck {
         });
         if (!part.is_device() || !found) {
             fault(requirement.by_place,
-                  fmt::format("{} is done by {}, which is no shared requirement in force", requirement.id,
+                  fmt::format("{} is implemented by {}, which is no shared requirement in force", requirement.id,
                               requirement.by),
                   "name a requirement of spec/canopen, at a requirement of a device");
         }
@@ -185,7 +185,7 @@ class ReferenceCheck {
         }
         if (decision.affects.empty() && decision.none.empty()) {
             fault(decision.place, fmt::format("{} affects nothing", decision.id),
-                  "name the ids it affects, or say why in `none = …`");
+                  "name the affected ids, or give the reason in `none = …`");
         }
         for (const auto& id : decision.affects) {
             if (ids_.count(id) == 0) {

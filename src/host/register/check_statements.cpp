@@ -57,7 +57,7 @@ class StatementCheck {
             const auto [at, fresh] = marked.emplace(mark, statement.id(manual.key));
             if (!fresh) {
                 faults_.emplace_back(statement.mark_place,
-                                     fmt::format("mark {} stands at {} already", mark.text(), at->second),
+                                     fmt::format("mark {} is already at {}", mark.text(), at->second),
                                      "mark another passage, or make one statement of the two");
             }
         }

@@ -87,7 +87,7 @@ class TopicCheck {
             }
             if (whole_ && !inherits_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
                 fault(stands.front(), fmt::format("topic {} has this one answer", topic),
-                      "spell it as other items do, or remove `topic` and `choice`");
+                      "use the spelling of other items, or remove `topic` and `choice`");
             }
             compare(topic, stands);
             if (whole_) {
@@ -121,7 +121,7 @@ class TopicCheck {
                 faults_.push_back({given.answer->place,
                                    fmt::format("{} chooses {} for topic {}, but {}", given.item->id,
                                                given.answer->choice, topic, choice_of(stand)),
-                                   "decide once, and correct the other item"});
+                                   "choose one answer, and correct the other item"});
             }
         }
     }
@@ -157,10 +157,10 @@ class TopicCheck {
                 }
                 if (!other.part->is_device() && !stand.overrides()) {
                     fault(stand, fmt::format("{} the shared {}", own, choice_of(other)),
-                          "decide alike, or say why not in `overrides = …`");
+                          "give the same answer, or give the reason in `overrides = …`");
                 } else if (same_maker(stand, other) && !explained(stand, other, stands)) {
-                    fault(stand, fmt::format("{} {} for the same maker", own, choice_of(other)),
-                          "decide alike, or let one of the two say why not in `differs = …`");
+                    fault(stand, fmt::format("{} {} for the same manufacturer", own, choice_of(other)),
+                          "give the same answer, or give the reason in `differs = …` of one of the two");
                 }
             }
         }
@@ -186,17 +186,18 @@ class TopicCheck {
         const bool shared = against([](const Stand& other) { return !other.part->is_device(); });
         for (const Given& given : stand.items) {
             if (!given.answer->differs.empty() && !maker) {
-                faults_.push_back({given.answer->place,
-                                   fmt::format("{} says why it differs, but no device of the same maker chooses "
-                                               "otherwise",
-                                               given.item->id),
-                                   "remove `differs`"});
-            }
-            if (!given.answer->overrides.empty() && !shared) {
                 faults_.push_back(
                     {given.answer->place,
-                     fmt::format("{} says why it overrides, but no shared item chooses otherwise", given.item->id),
-                     "remove `overrides`"});
+                     fmt::format(
+                         "{} gives a reason to differ, but no device of the same manufacturer chooses differently",
+                         given.item->id),
+                     "remove `differs`"});
+            }
+            if (!given.answer->overrides.empty() && !shared) {
+                faults_.push_back({given.answer->place,
+                                   fmt::format("{} gives a reason to override, but no shared item chooses differently",
+                                               given.item->id),
+                                   "remove `overrides`"});
             }
         }
     }

@@ -16,7 +16,7 @@ Hazard::Failure read_failure(TomlItem& item) {
     failure.reason = item.text_or("reason", "");
     if (failure.prevented_by.empty() == failure.reason.empty()) {
         item.fault("a failure needs `prevented_by` or `reason`, and not both",
-                   "name the requirements that prevent it, or say why none does");
+                   "name the requirements that prevent it, or give the reason why none does");
     }
     item.finish();
     return failure;

@@ -77,7 +77,7 @@ Statement read_statement(TomlItem& item) {
     statement.reason = item.text_or("reason", "");
     if (!statement.covered.empty() && !statement.reason.empty()) {
         item.fault("a statement has `covered` or `reason`, and not both",
-                   "name the items that cover it, or say why none does");
+                   "name the items that cover it, or give the reason why none does");
     }
     item.finish();
     return statement;

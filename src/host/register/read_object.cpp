@@ -90,7 +90,7 @@ Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
         }
     }
     if (table->table().empty()) {
-        item.fault(item.place("range"), "range says nothing", "give min, max, values or table, or leave range out");
+        item.fault(item.place("range"), "range is empty", "give min, max, values or table, or leave range out");
     }
     table->finish();
     return range;

@@ -18,7 +18,7 @@ SpecFiles read_spec_files(const std::filesystem::path& spec) {
     }
     if (files.empty()) {
         throw InputError{
-            fmt::format("{} holds no .toml file; name the folder of a register, such as spec", spec.string())};
+            fmt::format("{} contains no .toml file; name the folder of a register, such as spec", spec.string())};
     }
     return files;
 }

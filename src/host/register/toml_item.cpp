@@ -59,7 +59,7 @@ std::string TomlItem::text(const std::string& key) {
     }
     const auto string = found->as_string();
     if (string == nullptr || string->get().empty()) {
-        wrong_type(key, "a string that says something");
+        wrong_type(key, "a non-empty string");
         return {};
     }
     return string->get();

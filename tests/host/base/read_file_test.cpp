@@ -66,7 +66,7 @@ TEST_F(WholeFile, FolderAndMissingFileAreRefused) {
 
 TEST_F(WholeFile, PipeWithoutWriterIsRefusedAtOnce) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    EXPECT_THAT(refusal(folder_ / "pipe", 5), HasSubstr("it is a pipe that nobody writes to; name a file"));
+    EXPECT_THAT(refusal(folder_ / "pipe", 5), HasSubstr("it is a pipe without a writer; name a file"));
 }
 
 TEST_F(WholeFile, PipeWithAWriterIsReadToItsEnd) {

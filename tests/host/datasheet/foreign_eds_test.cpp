@@ -34,12 +34,12 @@ TEST(ForeignEds, AllFaultsAreReportedAtOnceWithLineAndAssumption) {
     EXPECT_THAT(told, HasSubstr(at("AccessType=readonly") + "AccessType readonly is unknown; rw is assumed"));
     EXPECT_THAT(told, HasSubstr(at("DataType=0x0077") + "DataType 0x0077 is carried as 64 octets; its bytes are not"));
     EXPECT_THAT(told, HasSubstr(at("DefaultValue=$NODEID*2") + "value $NODEID*2 is none of UNSIGNED32; 0 is assumed"));
-    EXPECT_THAT(told, HasSubstr(at("LowLimit=200") + "LowLimit 200 lies above HighLimit 100; the type alone limits"));
+    EXPECT_THAT(told, HasSubstr(at("LowLimit=200") + "LowLimit 200 is above HighLimit 100; the type alone limits"));
     EXPECT_THAT(told, HasSubstr(at("4=0x2FFF") + "object 2FFFh is listed but not described; it does not exist"));
-    EXPECT_THAT(told, HasSubstr(at("5=banana") + "banana is no index; it is passed over"));
+    EXPECT_THAT(told, HasSubstr(at("5=banana") + "banana is no index; it is ignored"));
     EXPECT_THAT(told, HasSubstr("object 2001h is listed already in line"));
     EXPECT_THAT(told,
-                HasSubstr(at("what is this") + "`what is this` is neither [Section] nor Key=Value; it is passed"));
+                HasSubstr(at("what is this") + "`what is this` is neither [Section] nor Key=Value; it is ignored"));
     EXPECT_THAT(told, HasSubstr("COB-ID of 1400h:1 is 0, which is that of NMT commands; $NODEID+0x200 is assumed"));
     EXPECT_EQ(read.notes.size(), 10U) << told;
     EXPECT_TRUE(std::is_sorted(read.notes.begin(), read.notes.end(),
@@ -54,17 +54,17 @@ TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
         const EdsResult read = read_eds(text, "x");
         return texts(read.faults) + texts(read.notes);
     };
-    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: A stands before the first section; it is passed over"));
-    EXPECT_THAT(told("[]\nA=1\nB\n" + box), StartsWith("x:1: `[]` is no section; it is passed over with its lines\n"));
+    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: A is before the first section; it is ignored"));
+    EXPECT_THAT(told("[]\nA=1\nB\n" + box), StartsWith("x:1: `[]` is no section; it is ignored with its lines\n"));
     EXPECT_EQ(read_eds("[]\nA=1\nB\n" + box, "x").notes.size(), 1U);
     EXPECT_THAT(told("[Open\n" + box), HasSubstr("x:1: `[Open` is no section"));
-    EXPECT_THAT(told("[FileInfo] C1\n" + box), HasSubstr("x:1: `C1` stands behind the section; it is passed over"));
+    EXPECT_THAT(told("[FileInfo] C1\n" + box), HasSubstr("x:1: `C1` follows the section; it is ignored"));
     EXPECT_EQ(told("# a comment\n[Tools] ; another\n" + box), "");
     EXPECT_THAT(told(replaced(box, "OrderCode=B.1", "OrderCode=B.1\nordercode=C")),
-                HasSubstr("ordercode stands already in line 7; the first counts"));
+                HasSubstr("ordercode is already in line 7; the first counts"));
     EXPECT_THAT(told("; \n" + std::string(9000, 'a') + "\n" + box),
-                HasSubstr("x:2: line has more than 8192 characters; it is passed over"));
-    EXPECT_THAT(told("[A]\nb=\x01\n" + box), HasSubstr("x:2: line holds control characters; it is passed over"));
+                HasSubstr("x:2: line has more than 8192 characters; it is ignored"));
+    EXPECT_THAT(told("[A]\nb=\x01\n" + box), HasSubstr("x:2: line contains control characters; it is ignored"));
     EXPECT_THAT(told(box + "[1018sub01]\nDataType=5\nAccessType=ro\n"),
                 HasSubstr("[1018sub01] describes the same entry as [1018sub1]; the first counts"));
 }
@@ -72,9 +72,9 @@ TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
 TEST(ForeignEds, RepeatedSectionIsMerged) {
     const EdsResult read = read_eds(box + "[2000]\nHighLimit=7\nPDOMapping=1\n", "x");
     EXPECT_EQ(texts(read.faults), "");
-    EXPECT_THAT(texts(read.notes), HasSubstr("section [2000] stands already in line " +
-                                             std::to_string(line_of(box, "[2000]")) + "; the two are taken as one"));
-    EXPECT_THAT(texts(read.notes), HasSubstr("HighLimit stands already in line"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("section [2000] is already in line " +
+                                             std::to_string(line_of(box, "[2000]")) + "; both are combined"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("HighLimit is already in line"));
     EXPECT_EQ(to_text(entry(read.part, 0x2000, 0).range.maximum.number), "100");
     EXPECT_EQ(entry(read.part, 0x2000, 0).mapping, "both");
 }
@@ -110,7 +110,7 @@ TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
     EXPECT_THAT(told("HighLimit=100", "HighLimit=40000"),
                 HasSubstr("HighLimit 40000 is no value of INTEGER16; the type alone limits the value"));
     EXPECT_THAT(told("DefaultValue=hello", "DefaultValue=" + std::string(5000, 'x')),
-                HasSubstr("text has 5000 characters; the first 4096 are taken"));
+                HasSubstr("text has 5000 characters; the first 4096 are used"));
 }
 
 TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
@@ -189,9 +189,9 @@ TEST(ForeignEds, SloppyFilesRunAndAssumptionsAreReported) {
     const EdsResult read = read_eds(text, "x");
     EXPECT_EQ(texts(read.faults), "");
     const std::string notes = texts(read.notes);
-    EXPECT_THAT(notes, HasSubstr("[MandatoryObjects] lists 3 object(s), not as many as SupportedObjects says"));
+    EXPECT_THAT(notes, HasSubstr("[MandatoryObjects] lists 3 object(s), but SupportedObjects has another number"));
     EXPECT_THAT(notes, HasSubstr("SubNumber 9 is not the number of sub-objects, 3"));
-    EXPECT_THAT(notes, HasSubstr("value 101 lies outside its limits"));
+    EXPECT_THAT(notes, HasSubstr("value 101 is outside its limits"));
     EXPECT_THAT(notes, HasSubstr("[2001] has no ParameterName"));
     EXPECT_THAT(notes, HasSubstr("DataType 0x000C is carried as 6 octets"));
     EXPECT_EQ(read.notes.size(), 5U) << notes;

@@ -165,9 +165,9 @@ TEST(ReadXdd, FaultsAreReportedWithTheirLineAndTheRestRuns) {
     EXPECT_EQ(texts(read.faults), "");
     const auto at = [&](const char* where) { return "x:" + std::to_string(line_of(text, where)) + ": "; };
     const std::string told = texts(read.notes);
-    EXPECT_THAT(told, HasSubstr(at("index=\"box\"") + "index `box` is none; it is passed over"));
-    EXPECT_THAT(told, HasSubstr(at("index=\"1018\"/>") + "object 1018h stands already in line"));
-    EXPECT_THAT(told, HasSubstr(at("subIndex=\"100\"") + "subIndex `100` is none; it is passed over"));
+    EXPECT_THAT(told, HasSubstr(at("index=\"box\"") + "index `box` is none; it is ignored"));
+    EXPECT_THAT(told, HasSubstr(at("index=\"1018\"/>") + "object 1018h is already in line"));
+    EXPECT_THAT(told, HasSubstr(at("subIndex=\"100\"") + "subIndex `100` is none; it is ignored"));
     EXPECT_THAT(told, HasSubstr(at("index=\"2000\"") + "PDOMapping often is neither 0 nor 1; 0 is assumed"));
     EXPECT_EQ(entry(read.part, 0x1018, 0).name, "[1]");
 }

@@ -48,7 +48,8 @@ TEST(ServedPdos, EachPdoBeyondTheEighthIsNamedWithItsPlace) {
     };
     EXPECT_THAT(
         refusal(text),
-        AllOf(HasSubstr(at("1408") + "RPDO 9 (1408h) is beyond the 8 of each direction that a node here serves\n"),
+        AllOf(HasSubstr(at("1408") +
+                        "RPDO 9 (1408h) is beyond the 8 PDOs of each direction that a simulated node supports\n"),
               HasSubstr(at("15FF") + "RPDO 512 (15FFh) "), HasSubstr(at("1808") + "TPDO 9 (1808h) "),
               HasSubstr(at("19FF") + "TPDO 512 (19FFh) "), Not(HasSubstr("1407h"))));
 }

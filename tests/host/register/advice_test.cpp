@@ -55,7 +55,7 @@ TEST(RegisterAdvice, NoAdviceForOneDemandInOneSentence) {
 
 TEST(RegisterAdvice, RequirementOfSeveralDemandsIsReported) {
     EXPECT_THAT(advice_on_text("The box shall blink and shall not sound."),
-                ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 asks for several things: 1 sentence(s), \"shall\" "
+                ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 demands several things: 1 sentence(s), \"shall\" "
                             "2 time(s); make one requirement of each"));
     EXPECT_THAT(advice_on_text("The box shall blink. It is silent."), ElementsAre(HasSubstr("2 sentence(s)")));
     EXPECT_THAT(advice_on_text("The box shall blink (fast). 3 s later it ends."),
@@ -70,7 +70,7 @@ TEST(RegisterAdvice, NoAdviceForARetiredRequirement) {
 TEST(RegisterAdvice, UncoveredStatementIsReported) {
     EXPECT_THAT(advice_on_statement("1", "", "M1:1"),
                 ElementsAre("spec/manuals/m/1.toml:1: M1:1/1 has neither `covered` nor `reason`; name the items that "
-                            "cover it, or say why none does"));
+                            "cover it, or give the reason why none does"));
     EXPECT_THAT(advice_on_statement("1", "reason = \"hardware\"\n", "M1:1"), IsEmpty());
 }
 

@@ -143,12 +143,12 @@ TEST(BoundedRegister, TableOfTooManyCombinationsIsAFault) {
 }
 
 TEST_F(RegisterFolder, FolderWithoutTomlFilesIsRefused) {
-    EXPECT_THAT(refusal(), HasSubstr("holds no .toml file; name the folder of a register"));
+    EXPECT_THAT(refusal(), HasSubstr("contains no .toml file; name the folder of a register"));
 }
 
 TEST_F(RegisterFolder, FolderWithANonFileIsRefused) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe.toml").c_str(), 0600), 0);
-    EXPECT_THAT(refusal(), HasSubstr("pipe.toml: it is a pipe that nobody writes to"));
+    EXPECT_THAT(refusal(), HasSubstr("pipe.toml: it is a pipe without a writer"));
     std::filesystem::remove(folder_ / "pipe.toml");
     std::filesystem::create_symlink("/dev/zero", folder_ / "zero.toml");
     EXPECT_THAT(refusal(), HasSubstr("zero.toml: it has more than 16777216 bytes"));

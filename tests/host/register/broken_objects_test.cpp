@@ -70,7 +70,7 @@ const std::vector<Broken> cases{
      "2000h:0 limit 40000 is no INTEGER16", "use a whole number from -32768 to 32767"},
     {"AllowedValueOutsideType", items_file, rw16 + "default = 5\nrange = { values = [5, 40000] }\n", 8,
      "2000h:0 allows 40000, which is no INTEGER16", "allow a whole number"},
-    {"RangeSaysNothing", items_file, rw16 + "default = 5\nrange = { }\n", 8, "range says nothing", "leave range out"},
+    {"RangeSaysNothing", items_file, rw16 + "default = 5\nrange = { }\n", 8, "range is empty", "leave range out"},
     {"LimitIsNoReference", items_file, rw16 + "default = 5\nrange = { max = \"40x0\" }\n", 8,
      "limit max is neither a number nor an object", "write a number, \"4020\""},
     {"LimitObjectMissing", items_file, rw16 + "default = 5\nrange = { max = \"4020\" }\n", 8,
@@ -161,7 +161,7 @@ const std::vector<Broken> cases{
     {"DuplicateSubindex", items_file,
      var + "[[object.entry]]\nsub = 1\nname = \"a\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n"
            "[[object.entry]]\nsub = 1\nname = \"b\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n",
-     11, "2000h:1 stands twice", "give each entry its own sub-index"},
+     11, "2000h:1 occurs twice", "give each entry its own sub-index"},
     {"DuplicateIndex", items_file,
      rw16 + "default = 0\n[[object]]\nindex = 0x2000\nname = \"b\"\nsource = [\"M1:1\"]\ntype = \"INTEGER16\"\naccess "
             "= \"rw\"\ndefault = 0\n",

@@ -66,8 +66,9 @@ TEST(DecisionTopics, DevicesOfOneMakerWithEqualAnswersAreAccepted) {
 TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some"))),
               "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1 "
-              "(spec/devices/box/items.toml:7) chooses any for the same maker; decide alike, or let one of the two say "
-              "why not in `differs = …`\n");
+              "(spec/devices/box/items.toml:7) chooses any for the same manufacturer; give the same answer, or give "
+              "the reason "
+              "in `differs = …` of one of the two\n");
 }
 
 TEST(DecisionTopics, ReasonAtOneOfTwoDifferentAnswersIsEnough) {
@@ -83,16 +84,17 @@ TEST(DecisionTopics, ReasonAppliesToAllItemsOfItsDevice) {
 
 TEST(DecisionTopics, DevicesOfTwoMakersMayHaveDifferentAnswers) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some"), "", "Somebody")), "");
-    EXPECT_THAT(
-        all_faults(loaded(of_box("any", differs) + decision_of_box, of_lid("some"), "", "Somebody")),
-        HasSubstr("items.toml:7: AO4-R-1 says why it differs, but no device of the same maker chooses otherwise"))
+    EXPECT_THAT(all_faults(loaded(of_box("any", differs) + decision_of_box, of_lid("some"), "", "Somebody")),
+                HasSubstr("items.toml:7: AO4-R-1 gives a reason to differ, but no device of the same manufacturer "
+                          "chooses differently"))
         << "a reason that explains nothing misleads";
 }
 
 TEST(DecisionTopics, DeviceAgainstASharedRequirementIsReported) {
-    EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some"), of_all("any"), "Somebody")),
-              "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1 "
-              "(spec/canopen/shared.toml:7) chooses any; decide alike, or say why not in `overrides = …`\n");
+    EXPECT_EQ(
+        all_faults(loaded(of_box("any"), of_lid("some"), of_all("any"), "Somebody")),
+        "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1 "
+        "(spec/canopen/shared.toml:7) chooses any; give the same answer, or give the reason in `overrides = …`\n");
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"), "Somebody")), "");
 }
 

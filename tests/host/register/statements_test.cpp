@@ -156,7 +156,7 @@ TEST(ManualStatements, StatementMarksAreUniqueInAManual) {
     EXPECT_THAT(faults_of(edited("20:3f9a0c1b2d4e", "20:3f9a")),
                 HasSubstr("1-objects.toml:4: mark 20:3f9a is malformed; write LENGTH:HASH"));
     EXPECT_THAT(faults_of(covered + covered),
-                HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e stands at M1:1/1 already; mark another passage"));
+                HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e is already at M1:1/1; mark another passage"));
 }
 
 TEST(ManualStatements, StatementsAreInTheFolderOfAManual) {

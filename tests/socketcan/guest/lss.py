@@ -54,7 +54,7 @@ def not_granted(program):
     both_at_125()
     with Run(program, "ax188001@80", "--bus", "socketcan:can0") as run, Ear("can1") as ear:
         ask_for_250(ear)
-        said = run.wait_notice("LSS sets 250000 bit/s; can0 was left as it is without --control-interface")
+        said = run.wait_notice("LSS sets 250000 bit/s; can0 is unchanged without --control-interface")
         assert rate_of("can0") == 125000
         commands = said.partition("would have done: ")[2]
         sh("sh", "-c", commands)

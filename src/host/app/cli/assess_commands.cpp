@@ -20,37 +20,37 @@ class FuzzCommand : Command {
   public:
     FuzzCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
-            app.add_subcommand("fuzz", "all fuzz targets for a given time, then findings, coverage, report");
+            app.add_subcommand("fuzz", "run all fuzz targets for a given time, then report findings and coverage");
         auto* minutes =
-            command->add_option("--minutes", options_.minutes, "of fuzzing; the passes after it come on top")
+            command
+                ->add_option("--minutes", options_.minutes, "minutes of fuzzing; the later passes take additional time")
                 ->check(CLI::Range(0.01, 100000.0))
                 ->capture_default_str();
-        command->add_option("--hours", hours_, "the same in hours")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
-        command->add_option("--targets", options_.targets, "a,b: these only")->delimiter(',');
+        command->add_option("--hours", hours_, "hours of fuzzing")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
+        command->add_option("--targets", options_.targets, "a,b: only these targets")->delimiter(',');
         command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history")
             ->capture_default_str();
         command->add_option("--out", options_.out, "folder of the report")->capture_default_str();
-        command->add_option("--jobs", options_.jobs, "processes beside each other; all cores without it");
-        command->add_option("--seed", options_.seed, "of the random numbers; from the clock without it");
+        command->add_option("--jobs", options_.jobs, "parallel processes; default: all cores");
+        command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
         command->add_option("--build", options_.build, "build with libFuzzer and sanitizers")->capture_default_str();
         command
-            ->add_option("--replay-build", options_.replay_build, "build without either, for valgrind and frame logs")
+            ->add_option("--replay-build", options_.replay_build,
+                         "build without libFuzzer and sanitizers, for valgrind and frame logs")
             ->capture_default_str();
-        command->add_option("--coverage-build", options_.coverage_build, "build that counts lines")
-            ->capture_default_str();
+        command->add_option("--coverage-build", options_.coverage_build, "build for coverage")->capture_default_str();
         command->add_option("--land", options_.land,
-                            "findings become regression tests in TARGET below this folder; in the target's own corpus "
-                            "without it; '' for nowhere");
-        command->add_flag("!--no-second-pass", options_.second_pass, "no valgrind over the corpus");
-        command->add_flag("!--no-coverage", options_.coverage, "no lines measured");
-        command->add_flag("--plain", options_.plain, "lines instead of a table, on a terminal as well");
-        command->add_flag("--restart", options_.restart, "forget an unfinished campaign");
+                            "findings become regression tests in TARGET below this folder; default: the target's own "
+                            "corpus; '' for none");
+        command->add_flag("!--no-second-pass", options_.second_pass, "do not run the corpus under valgrind");
+        command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
+        command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
+        command->add_flag("--restart", options_.restart, "discard an unfinished campaign");
         auto* shard = command->add_option("--shard", shard_,
-                                          "I/N: fuzz the Ith of N parts of the targets, for other machines to fuzz the "
-                                          "others");
+                                          "I/N: fuzz part I of N of the targets; other machines fuzz the other parts");
         command
             ->add_option("--merge", options_.merge,
-                         "folder with the corpus folders of all shards: sorts, measures and reports what they found")
+                         "folder with the corpus folders of all shards: sort, measure and report their findings")
             ->excludes(shard);
         command->callback([this, shard, &chosen] {
             options_.minutes = hours_ > 0.0 ? hours_ * 60.0 : options_.minutes;
@@ -72,19 +72,17 @@ class FuzzCommand : Command {
 class AuditCommand : Command {
   public:
     AuditCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("audit", "manual section to requirement to code to test to verdict");
+        auto* command = app.add_subcommand("audit", "trace manual sections to requirements, code, tests and verdicts");
         command->add_option(
             "SUBJECT", options_.subject,
-            "a device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test; all without "
-            "it");
-        command->add_option(
-            "--section", options_.filter.section,
-            "list items and statements from there: AX130751:1 takes 1.3 as well; 3.2.8 alone where one manual "
-            "has it");
+            "a device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test; default: all");
+        command->add_option("--section", options_.filter.section,
+                            "list items and statements of a section: AX130751:1 includes 1.3; 3.2.8 suffices if only "
+                            "one manual has it");
         command->add_option(
             "--kind", options_.filter.kind,
             "list items of a kind: timing, storage, table, constant …; statement: the manuals' statements; "
-            "condition-of-use: what the manuals ask of installers");
+            "condition-of-use: conditions for installers and operators");
         command
             ->add_option("--status", options_.filter.status,
                          "list items and statements that are failed, open, suspect or shown, or statements that are "
@@ -95,7 +93,7 @@ class AuditCommand : Command {
         command->add_flag("--json", options_.json, "the audit or the list as JSON");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; the newest of build/*/verdicts without it");
+                            "folder of test results; default: the newest of build/*/verdicts");
         command->callback([this, &chosen] { chosen = [this] { return audit(options_); }; });
     }
 
@@ -107,13 +105,13 @@ class CoverageCommand : Command {
   public:
     CoverageCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
-            app.add_subcommand("coverage", "what no test reached in the firmware, each with its reason or open");
-        command->add_option("FILE", options_.measured, "what tests/coverage measured")->capture_default_str();
+            app.add_subcommand("coverage", "list places in the firmware that no test reaches, with their reasons");
+        command->add_option("FILE", options_.measured, "measurement of tests/coverage")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--cobertura", options_.cobertura, "XML file to write");
         command->add_flag("--json", options_.json, "MC/DC of each file and all places that are not reached as JSON");
         command->add_flag("--records", options_.records_only,
-                          "nothing measured: does each record name something in the sources?");
+                          "without a measurement: check that each record matches a place in the sources");
         command->callback([this, &chosen] { chosen = [this] { return check_coverage(options_); }; });
     }
 
@@ -124,17 +122,16 @@ class CoverageCommand : Command {
 class MisraCommand : Command {
   public:
     MisraCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("misra", "MISRA C++:2023 over the firmware, by checkers that are themselves tested");
+        auto* command = app.add_subcommand("misra", "check the firmware against MISRA C++:2023, with tested checkers");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--build", options_.build, "folder with a built firmware; build/release without it");
+        command->add_option("--build", options_.build, "folder with a built firmware; default: build/release");
         command->add_option("--html", options_.out,
-                            "folder for misra.html, misra.sarif, compliance.md; BUILD/misra without it");
+                            "folder for misra.html, misra.sarif, compliance.md; default: BUILD/misra");
         auto* review = command->add_subcommand("review", "record that a person judged a file for a guideline");
-        review->add_option("FILE", options_.review_file, "as the finding names it")->required();
+        review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
         review->add_option("--by", options_.reviewer, "who judged")->required();
-        review->add_option("--judgement", options_.judgement, "what was looked at, and why it holds")->required();
+        review->add_option("--judgement", options_.judgement, "what was examined, and why it complies")->required();
         command->callback([this, &chosen] { chosen = [this] { return check_misra(options_); }; });
     }
 
@@ -145,22 +142,23 @@ class MisraCommand : Command {
 class EvidenceCommand : Command {
   public:
     EvidenceCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("evidence", "write the pack: what is claimed, what shows it, what is open");
+        auto* command = app.add_subcommand("evidence", "write the evidence pack: claims, evidence and open points");
         command->add_option("--out", options_.out, "folder to write")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; the newest of build/*/verdicts without it");
+                            "folder of test results; default: the newest of build/*/verdicts");
         command->add_option("--coverage", options_.coverage,
-                            "what tests/coverage measured; build/coverage/coverage.json without it");
+                            "measurement of tests/coverage; default: build/coverage/coverage.json");
         command->add_option("--exhibits", options_.exhibits,
-                            "folder of results of other tools; build/exhibits without it");
+                            "folder of results of other tools; default: build/exhibits");
         command->add_option("--sign", options_.key, "PEM file of a private key: signs the manifest")
             ->check(CLI::ExistingFile);
-        command->add_flag("--full", options_.full,
-                          "make all that is absent or stale first, for hours; begun again it goes on where it stopped");
+        command->add_flag(
+            "--full", options_.full,
+            "first make all absent or stale evidence; takes hours; a repeated call continues where it stopped");
         command->add_flag("--json", options_.json, "claims and their evidence as JSON instead of a line");
-        auto* verify = command->add_subcommand(
-            "verify", "is a pack as its manifest says, and signed by a key? exit status 0 or 1");
+        auto* verify =
+            command->add_subcommand("verify", "verify a pack against its manifest and a signature; exit status 0 or 1");
         verify->add_option("FOLDER", verified_.pack, "the pack")->capture_default_str();
         verify->add_option("--key", verified_.key, "PEM file of the public key")->check(CLI::ExistingFile);
         verify->callback([this, &chosen] { chosen = [this] { return verify_evidence(verified_); }; });
@@ -179,24 +177,23 @@ class EvidenceCommand : Command {
 class MutateCommand : Command {
   public:
     MutateCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("mutate", "alters each generated cell and asks whether a test notices");
+        auto* command = app.add_subcommand("mutate", "alter each generated cell and check whether a test notices");
         command->add_option("SUBJECT", options_.subject,
-                            "a device or an id, with --code part of a file's path; everything without");
+                            "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
                           "the firmware's code instead of generated cells: conditions, statements, variables …");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
-            "judges each test that is new or changed: of which of its items it notices a mutant (reports/kills.csv)");
+            "record for each new or changed test the items of which it notices a mutant (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--programs", options_.programs, "folder of the test programs; build/mutation without it");
-        command->add_option("--sample", options_.sample, "only so many cells, drawn by --seed");
-        command->add_option("--seed", options_.seed, "of the sample")->capture_default_str();
+        command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
+        command->add_option("--sample", options_.sample, "number of cells, drawn at random with --seed");
+        command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str();
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         auto* shard =
-            command
-                ->add_option("--shard", shard_, "I/N: judge the Ith of N parts, for other machines to judge the others")
+            command->add_option("--shard", shard_, "I/N: judge part I of N; other machines judge the other parts")
                 ->excludes(kills);
         command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
             ->excludes(shard)
@@ -220,13 +217,13 @@ class DiffCommand : Command {
   public:
     DiffCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
-            app.add_subcommand("diff", "what the changes since a revision touch: items, code, tests, verdicts");
+            app.add_subcommand("diff", "list items, code, tests and verdicts that the changes since a revision affect");
         command->add_option("REVISION", options_.revision, "a commit, branch or tag of git")->required();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; the newest of build/*/verdicts without it");
+                            "folder of test results; default: the newest of build/*/verdicts");
         command->add_option("--old-verdicts", options_.old_verdicts,
-                            "results of the revision: tells whose verdict differs");
+                            "test results of the revision, to list changed verdicts");
         command->add_flag("--json", options_.json, "changed items, files and verdicts as JSON");
         command->callback([this, &chosen] { chosen = [this] { return diff(options_); }; });
     }

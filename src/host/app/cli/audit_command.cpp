@@ -146,7 +146,7 @@ std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::
 int tell_story(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
                const Evidence& evidence) {
     if (options.json) {
-        throw InputError{"--json is for an audit of everything or of a device; leave it out for a story"};
+        throw InputError{"--json is only for an audit of everything or of a device; leave it out"};
     }
     const auto mutations =
         read_mutation_json(std::filesystem::path{options.root} / "build" / "mutation" / "mutation.json");

@@ -45,8 +45,8 @@ void set_node(ChosenDevice& chosen, const std::string& node) {
     if (fits_switches && chosen.device->set_coding_switches(static_cast<std::uint8_t>(number))) {
         if (number < NodeId::lowest || number > NodeId::highest) {
             chosen.notice = fmt::format(
-                "{}: the coding switches stand at {:02X}h, which is no node-ID; the application does not run, the LEDs "
-                "say so",
+                "{}: the coding switches are at {:02X}h, which is no node-ID; the application does not run, and the "
+                "LEDs show it",
                 chosen.name, number);
         }
     } else if (NodeId::is_one(number)) {
@@ -65,7 +65,7 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
     const auto at = text.find('@');
     ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)), text, factory);
     if (chosen.device == nullptr) {
-        throw InputError{fmt::format("{} cannot be run; `canproof devices` says which can", text.substr(0, at))};
+        throw InputError{fmt::format("{} cannot be run; `canproof devices` lists those that can", text.substr(0, at))};
     }
     if (at != std::string::npos) {
         set_node(chosen, text.substr(at + 1));

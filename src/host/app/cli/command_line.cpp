@@ -66,14 +66,14 @@ class CatalogueCommands : Command {
                         "eds, eds-lely (reals as bits, for Lely's tools), xdd, json, md, or dbc (its frames, "
                         "for tools that decode logs)")
             ->check(CLI::IsMember({"eds", "eds-lely", "xdd", "json", "md", "dbc"}));
-        eds->add_option("--node", printed_.node, "node-ID of the frames in a DBC; as shipped without it")
+        eds->add_option("--node", printed_.node, "node-ID of the frames in a DBC; default: as shipped")
             ->check(CLI::Range(1, 127));
-        auto* check = eds->add_subcommand("check", "what is wrong in an EDS or DCF file, with line, fix and source");
+        auto* check = eds->add_subcommand("check", "list the faults of an EDS or DCF file, with line, fix and source");
         check->add_option("FILE", checked_.file);
         check->add_option("--fix", checked_.fix, "file to write with all safe fixes; may be FILE itself");
         check->add_flag("--json", checked_.json, "findings as JSON");
-        check->add_flag("--strict", checked_.strict, "warnings end with 1 as errors do");
-        check->add_flag("--rules", checked_.rules, "every rule with its fix and source, without a file");
+        check->add_flag("--strict", checked_.strict, "exit status 1 for warnings, as for errors");
+        check->add_flag("--rules", checked_.rules, "list every rule with its fix and source; needs no file");
         check->callback([this, &chosen] {
             if (checked_.file.empty() && !checked_.rules) {
                 throw CLI::RequiredError{"FILE"};
@@ -101,32 +101,35 @@ class SpecCommands : Command {
     SpecCommands(CLI::App& app, Chosen& chosen) {
         auto* spec = app.add_subcommand("spec", "the register");
         spec->require_subcommand(1);
-        auto* check = spec->add_subcommand("check", "every fault and warning of a register, with file, line and fix");
+        auto* check =
+            spec->add_subcommand("check", "list every fault and warning of a register, with file, line and fix");
         check->add_option("--spec", checked_.spec, "folder of the register")->capture_default_str();
-        check->add_flag("--strict", checked_.strict, "warnings end with 1 as faults do");
+        check->add_flag("--strict", checked_.strict, "exit status 1 for warnings, as for faults");
         check->add_flag("--json", checked_.json, "faults and warnings as JSON");
         check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
-        auto* statements =
-            spec->add_subcommand("statements", "a manual's normative statements by section, and what covers each");
-        statements->add_option("KEY", statements_.key, "of the manual: AX130751")->required();
-        statements->add_option("--text", statements_.text,
-                               "text version of the manual: are all passages there, and which text has no statement?");
+        auto* statements = spec->add_subcommand(
+            "statements", "list a manual's normative statements by section, and the items that cover them");
+        statements->add_option("KEY", statements_.key, "key of the manual: AX130751")->required();
+        statements->add_option(
+            "--text", statements_.text,
+            "text version of the manual: check that it has all passages, and list text without a statement");
         statements->add_option("--spec", statements_.spec, "folder of the register")->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
-        auto* review = spec->add_subcommand("review", "records that items were read with their code and tests");
+        auto* review = spec->add_subcommand("review", "record that items were read with their code and tests");
         review->add_option("ID", review_.subjects, "ids or devices");
         review->add_flag("--all", review_.all, "every item that has changed since its review");
-        review->add_option("--by", review_.by, "who has read them");
-        review->add_flag("--mark", review_.mark,
-                         "mark the code and tests of reviewed items as they are, without saying that anybody has read "
-                         "them");
-        review->add_flag("--wording", review_.wording,
-                         "the texts of items were read; their code and tests are marked as they are, as by --mark");
+        review->add_option("--by", review_.by, "name of the reader");
+        review->add_flag(
+            "--mark", review_.mark,
+            "mark the present code and tests of reviewed items, without a claim that someone has read them");
+        review->add_flag(
+            "--wording", review_.wording,
+            "only the texts of the items were read; their present code and tests are marked, as by --mark");
         review->add_option("--role", review_.role, "author of the change, or independent of it")
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,
-                           "folder of test results; the newest of build/*/verdicts without it");
-        review->add_option("--date", review_.date, "YYYY-MM-DD; today without it");
+                           "folder of test results; default: the newest of build/*/verdicts");
+        review->add_option("--date", review_.date, "YYYY-MM-DD; default: today");
         review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });
     }
@@ -140,12 +143,14 @@ class SpecCommands : Command {
 class NewCommand : Command {
   public:
     NewCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("new", "a folder with a device of your own, which builds and tests at once");
-        command->add_option("NAME", options_.name, "of folder and device: small letters, digits, single dashes")
+        auto* command =
+            app.add_subcommand("new", "create a project with a device of your own, which builds and passes its tests");
+        command->add_option("NAME", options_.name, "name of folder and device: small letters, digits, single dashes")
             ->required();
-        command->add_option("--eds", options_.eds, "EDS, DCF or XDD file: identity and objects come from there");
+        command->add_option("--eds", options_.eds, "EDS, DCF or XDD file with identity and objects");
         command->add_option("--manual", options_.manual, "title of the device's manual");
-        command->add_option("--prefix", options_.prefix, "of ids, in capital letters; from the name without it");
+        command->add_option("--prefix", options_.prefix,
+                            "prefix of the ids, in capital letters; default: from the name");
         command->callback([this, &chosen] { chosen = [this] { return write_new_project(options_); }; });
     }
 
@@ -159,13 +164,13 @@ class RunCommands : Command {
         auto* run =
             app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
         add_run_options(*run, run_);
-        run->add_option("--seconds", run_.seconds, "end after so long")->check(seconds);
-        run->add_flag("--plain", run_.plain, "every frame as a line, on a terminal as well");
+        run->add_option("--seconds", run_.seconds, "end after this time")->check(seconds);
+        run->add_flag("--plain", run_.plain, "every frame as a line, even on a terminal");
         run->callback([this, &chosen] { chosen = [this] { return run_devices(run_); }; });
 
         auto* panel = app.add_subcommand("panel", "run devices as `run` does, and show them on a local page");
         add_run_options(*panel, panel_.run);
-        panel->add_option("--port", panel_.port, "port of the loopback; 0: any that is free")
+        panel->add_option("--port", panel_.port, "port on the loopback address; 0: any free port")
             ->check(CLI::Range(0, 65535))
             ->capture_default_str();
         panel->callback([this, &chosen] { chosen = [this] { return run_panel(panel_); }; });
@@ -193,7 +198,7 @@ class ReplayCommand : Command {
         replay
             ->add_option(
                 "--start", options_.start,
-                "power-on, in seconds of the log's time; the first frame of a log that counts by the clock, else 0")
+                "power-on, in seconds of the log's time; default: 0, or the first frame of a log with clock times")
             ->check(seconds);
         replay->callback([this, &chosen] {
             take_words();
@@ -229,17 +234,17 @@ class ConformCommand : Command {
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
         command->add_flag("--list", options_.list, "all cases");
         command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',');
-        command->add_option("--skip", options_.skip, "cases or services")->delimiter(',');
+        command->add_option("--skip", options_.skip, "cases or services to leave out")->delimiter(',');
         command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
             ->delimiter(',');
-        command->add_option("--cases", options_.folder, "folder with cases of your own instead of the program's");
+        command->add_option("--cases", options_.folder, "folder with cases that replace the program's");
         command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
         command->add_flag("--allow-outputs", options_.allow_outputs, "cases that may move an output");
         command->add_flag("--allow-store", options_.allow_store, "cases that store parameters");
         command->add_flag("--allow-lss", options_.allow_lss, "cases that change node-ID or bit rate");
-        command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on, when told to");
-        command->add_option("--traffic", options_.traffic, "foreign frames meanwhile, per cent of the bus")
+        command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on when the program asks");
+        command->add_option("--traffic", options_.traffic, "background traffic, in per cent of the bus")
             ->check(CLI::Range(0.0, 95.0));
         command->callback([this, &chosen] { chosen = [this] { return run_conform(options_); }; });
     }
@@ -251,16 +256,16 @@ class ConformCommand : Command {
 class DrawingCommands : Command {
   public:
     DrawingCommands(CLI::App& app, Chosen& chosen) {
-        app.add_subcommand("demo", "the manuals' worked examples, answered by the devices")->callback([&chosen] {
-            chosen = play_examples;
-        });
-        auto* plot = app.add_subcommand("plot", "what --outputs wrote, drawn");
+        app.add_subcommand("demo", "show the devices' answers to the worked examples of their manuals")
+            ->callback([&chosen] { chosen = play_examples; });
+        auto* plot = app.add_subcommand("plot", "draw a file of --outputs");
         plot->add_option("CSV", plot_.csv)->required();
         plot->add_option("SVG", plot_.svg)->required();
-        plot->add_option("--signals", plot_.signals, "aout1,aout2: which; all that change without it")->delimiter(',');
+        plot->add_option("--signals", plot_.signals, "aout1,aout2: signals to draw; default: all that change")
+            ->delimiter(',');
         plot->callback([this, &chosen] { chosen = [this] { return plot_outputs(plot_); }; });
 
-        auto* draw = app.add_subcommand("figures", "what the devices do, drawn: SVG files into a folder");
+        auto* draw = app.add_subcommand("figures", "draw the behaviour of the devices: SVG files in a folder");
         draw->add_option("FOLDER", figures_)->required();
         draw->callback([this, &chosen] { chosen = [this] { return draw_figures(figures_); }; });
     }
@@ -273,7 +278,8 @@ class DrawingCommands : Command {
 class WordsCommands : Command {
   public:
     WordsCommands(CLI::App& app, Chosen& chosen) {
-        auto* completion = app.add_subcommand("completion", "completion for a shell: source what it prints");
+        auto* completion =
+            app.add_subcommand("completion", "print the completion of a shell, for its `source` command");
         completion->add_option("SHELL", shell_, "bash, zsh or fish")
             ->required()
             ->check(CLI::IsMember({"bash", "zsh", "fish"}));
@@ -283,13 +289,12 @@ class WordsCommands : Command {
                 return 0;
             };
         });
-        app.add_subcommand("manual", "the manual page of canproof: `canproof manual | man -l -`")
-            ->callback([&app, &chosen] {
-                chosen = [&app] {
-                    std::cout << manual_page(command_tree(app), generated::canproof_version);
-                    return 0;
-                };
-            });
+        app.add_subcommand("manual", "print the manual page: `canproof manual | man -l -`")->callback([&app, &chosen] {
+            chosen = [&app] {
+                std::cout << manual_page(command_tree(app), generated::canproof_version);
+                return 0;
+            };
+        });
     }
 
   private:

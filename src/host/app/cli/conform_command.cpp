@@ -58,7 +58,8 @@ conform::CaseBook read_cases(const std::string& folder) {
         told += "\n" + one.text();
     }
     if (!told.empty() || book.cases.empty()) {
-        throw InputError{fmt::format("{} holds no sound cases:{}", folder, told.empty() ? " it has none" : told)};
+        throw InputError{
+            fmt::format("{} contains no valid cases:{}", folder, told.empty() ? " there is no case" : told)};
     }
     return book;
 }

@@ -62,7 +62,7 @@ int check_records(const std::filesystem::path& place, const std::filesystem::pat
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);
     for (const auto& record : stale) {
-        fmt::print("{}:{}: `{}` is not in {} any more; remove the record or name what replaced it\n", place.string(),
+        fmt::print("{}:{}: `{}` is not in {} any more; remove the record or name the new code\n", place.string(),
                    record.line, record.code, record.file);
     }
     fmt::print("{} record(s), {} stale\n", records.size(), stale.size());

@@ -110,7 +110,7 @@ void check_place(const std::filesystem::path& folder) {
         return;
     }
     if (!std::filesystem::exists(folder / "manifest.json")) {
-        throw InputError{fmt::format("{} holds other files; name an empty folder or remove it", folder.string())};
+        throw InputError{fmt::format("{} contains other files; name an empty folder or remove it", folder.string())};
     }
 }
 
@@ -193,9 +193,9 @@ int verify_evidence(const VerifyOptions& options) {
         fmt::print("{}\n", fault);
     }
     if (faults.empty()) {
-        fmt::print("every file is as the manifest says{}\n", options.key.empty()
-                                                                 ? "; name a public key with --key to see who signed it"
-                                                                 : ", and the key has signed it");
+        fmt::print("every file matches the manifest{}\n", options.key.empty()
+                                                              ? "; name a public key with --key to see who signed it"
+                                                              : ", and the key has signed it");
     }
     return faults.empty() ? 0 : 1;
 }

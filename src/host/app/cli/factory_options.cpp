@@ -156,7 +156,8 @@ FactoryValues FactoryOptions::for_device(const std::string& name, const Part& pa
 void FactoryOptions::check_used() const {
     for (const Given& one : given_) {
         if (!one.used && one.others.empty()) {
-            throw InputError{fmt::format("--factory {}: no device with factory data has that name here", one.whole)};
+            throw InputError{
+                fmt::format("--factory {}: no device of this run with factory data has that name", one.whole)};
         }
         if (!one.used) {
             throw InputError{fmt::format("--factory {}: there is no {} in the factory data; there are {}", one.whole,

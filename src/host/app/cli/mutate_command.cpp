@@ -86,8 +86,8 @@ void show_progress(std::size_t done, std::size_t all) {
 }
 
 void print_count(const std::string& what, const MutationCount& count) {
-    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without\n", count.altered, what, count.noticed,
-               count.justified, count.open());
+    fmt::print("{} {} altered, {} noticed, {} survive with a reason, {} without a reason\n", count.altered, what,
+               count.noticed, count.justified, count.open());
 }
 
 /// Prints the counts. For mutants of code, prints those of the host separately.
@@ -101,7 +101,7 @@ void print_counts(const CountsByItem& counts, bool code) {
         print_count("places", firmware);
     }
     print_count("places of the host's buses and replay", host);
-    fmt::print("of the host's {:.1f} % are noticed\n", host.share_noticed());
+    fmt::print("{:.1f} % of the host's mutants are noticed\n", host.share_noticed());
 }
 
 /// Renews reports/kills.csv. Writes the record after every 100 tests, so that an interruption keeps the results so far.
@@ -119,7 +119,7 @@ int write_kills(const std::filesystem::path& root, const std::filesystem::path& 
     write_file(file, write_kill_record(record));
     const auto idle =
         std::count_if(record.begin(), record.end(), [](const auto& line) { return line.second.kills.empty(); });
-    fmt::print("{} test(s) judged, {} of them notice no mutant of what they claim\n", record.size(), idle);
+    fmt::print("{} test(s) judged, {} of them notice no mutant of their claimed items\n", record.size(), idle);
     return 0;
 }
 
@@ -161,7 +161,7 @@ int mutate(const MutateOptions& options) {
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
     const auto idle = without_alteration(records, all);
     for (const SurvivorRecord* record : idle) {
-        fmt::print("{}:{}: no alteration is like this record; remove it\n", record_file.string(), record->line);
+        fmt::print("{}:{}: no alteration matches this record; remove it\n", record_file.string(), record->line);
     }
     auto cells = options.code ? chosen_mutants(all, options.subject)
                               : chosen_cells(all, sound_register(root / "spec"), options.subject);
@@ -183,8 +183,7 @@ int mutate(const MutateOptions& options) {
             replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
         }
         for (const SurvivorRecord* record : unneeded) {
-            fmt::print("{}:{}: nothing survives that needs this record; remove it\n", record_file.string(),
-                       record->line);
+            fmt::print("{}:{}: no survivor needs this record; remove it\n", record_file.string(), record->line);
         }
     }
     const CountsByItem counts = count_by_item(outcomes);

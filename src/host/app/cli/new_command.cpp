@@ -30,7 +30,7 @@ void check_register(const std::map<std::string, std::string>& files) {
     }
     const LoadResult loaded = load_register(with_shared_rules(std::move(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
-        throw InputError{fmt::format("nothing written: the register would have {} fault(s), the first {}",
+        throw InputError{fmt::format("nothing is written, because the register would have {} fault(s), the first {}",
                                      loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
 }

@@ -37,16 +37,15 @@ void check(const ReviewOptions& options) {
     if (options.mark) {
         if (options.all || options.wording || !options.subjects.empty() || !options.by.empty() ||
             !options.role.empty()) {
-            throw InputError{
-                "--mark is for all reviews and nobody's: it takes no ID, --all, --wording, --by or --role"};
+            throw InputError{"--mark applies to all reviews: it takes no ID, --all, --wording, --by or --role"};
         }
         return;
     }
     if (options.by.empty() || options.role.empty()) {
-        throw InputError{"say who has read: --by NAME --role author|independent"};
+        throw InputError{"name the reader: --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
-        throw InputError{"name what was read, ids or devices, or say --all"};
+        throw InputError{"name the ids or devices that were read, or give --all"};
     }
 }
 
@@ -78,7 +77,7 @@ int mark_reviews(const ReviewOptions& options, const Register& content, const Wo
             write_file(reviews_file(options, part), write_marked_reviews(part, date, work));
         }
     }
-    fmt::print("code and tests of reviewed items marked; nobody is said to have read them\n");
+    fmt::print("code and tests of reviewed items marked, without a claim that someone has read them\n");
     return 0;
 }
 

@@ -10,10 +10,11 @@ class App;
 namespace canproof::host {
 
 inline constexpr const char* node_help =
-    "NODE: 1…127; 255 for a device that LSS has to give a node-ID; coding switches (cbx-ao412) take 0…255";
+    "NODE: 1…127; 255 for a device that needs a node-ID from LSS; coding switches (cbx-ao412) take 0…255";
 
 inline constexpr const char* factory_help =
-    "KEY=VALUE: what a unit has from the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE for "
+    "KEY=VALUE: a value that a unit gets in the factory, such as serial_number; `signals` lists them; DEVICE.KEY=VALUE "
+    "for "
     "one";
 
 /// Adds the options that are common to `run` and `panel`. `running` must outlive the parsing of the command line.

@@ -67,7 +67,7 @@ class Run {
         show_table(true);
         prepared_.finish();
         if (output_ended_ && std::cout) {
-            throw InputError{"standard output is no longer read by anyone"};
+            throw InputError{"the reader of standard output has ended"};
         }
     }
 
@@ -101,7 +101,8 @@ class Run {
             take_notice(pace_.summary());
         }
         if (report.lost != 0 || report.missed != 0) {
-            take_notice(fmt::format("in all {} frames lost to the log, {} to the devices", report.lost, report.missed));
+            take_notice(
+                fmt::format("in total {} frames lost for the log, {} for the devices", report.lost, report.missed));
         }
     }
 

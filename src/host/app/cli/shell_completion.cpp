@@ -182,9 +182,8 @@ std::string manual_page(const std::vector<CommandWords>& commands, const std::st
         }
     }
     return text +
-           ".SH EXIT STATUS\n0: done, and nothing was found. 1: what was asked for was found, a gap or a fault. 2: "
-           "wrong use, or "
-           "something is missing.\n";
+           ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or a missing "
+           "input.\n";
 }
 
 }  // namespace canproof::host

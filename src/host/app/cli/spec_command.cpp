@@ -83,7 +83,7 @@ int print_coverage(const Manual& manual, const std::string& file) {
         fmt::print("not in the text: {}\n", mark);
     }
     for (const auto& ref : found.not_located) {
-        fmt::print("no heading of section {}: its text counts to the section before\n", ref);
+        fmt::print("no heading of section {}: its text counts as part of the section before\n", ref);
     }
     for (const auto& line : found.uncovered) {
         fmt::print("{}: {}: {}\n", line.line, line.section, line.words);

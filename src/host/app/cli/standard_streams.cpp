@@ -28,7 +28,7 @@ void finish_standard_output() {
     std::cout.flush();
     std::fflush(stdout);
     if (standard_output_failed()) {
-        throw InputError{"standard output cannot be written; is its disk full, or its reader gone?"};
+        throw InputError{"standard output cannot be written; is its disk full, or has its reader ended?"};
     }
 }
 

@@ -54,9 +54,10 @@ std::string capitals(const std::string& name) {
 void check_name(const std::string& name) {
     static const std::regex form{"[a-z][a-z0-9]*(-[a-z0-9]+)*"};
     if (!std::regex_match(name, form) || name.size() > longest_name) {
-        throw InputError{fmt::format(
-            "`{}` names no device: write small letters, digits and single dashes, a letter first, at most {} in all",
-            name, longest_name)};
+        throw InputError{
+            fmt::format("`{}` is no name of a device: write small letters, digits and single dashes, a letter first, "
+                        "at most {} in all",
+                        name, longest_name)};
     }
     if (taken_words().count(cpp_word(name)) != 0) {
         throw InputError{fmt::format("`{}` is a word of C++ or of canproof; choose another name", name)};
@@ -66,8 +67,9 @@ void check_name(const std::string& name) {
 void check_prefix(const std::string& prefix) {
     static const std::regex form{"[A-Z][A-Z0-9]*"};
     if (!std::regex_match(prefix, form) || prefix.size() > longest_name) {
-        throw InputError{fmt::format("`{}` begins no ids: write capital letters and digits, a letter first, at most {}",
-                                     prefix, longest_name)};
+        throw InputError{
+            fmt::format("`{}` is no prefix of ids: write capital letters and digits, a letter first, at most {}",
+                        prefix, longest_name)};
     }
     if (prefix == "CO") {
         throw InputError{"CO is the prefix of the shared rules; choose another with --prefix"};
@@ -105,12 +107,12 @@ std::string emergency_of(const Part& part) {
     const Entry* const cob_id = first_entry(part, 0x1014);
     const std::int64_t base = cob_id == nullptr ? 0x80 : number_of(cob_id);
     if ((base & switched_off) != 0) {
-        return "/// None: 1014h switches emergency messages off by default.\n"
+        return "/// Returns no frame: the default of 1014h (COB-ID EMCY) switches emergency messages off.\n"
                "Frames emergency(const std::string&) {\n    return {};\n}";
     }
     const std::int64_t id = (base + (cob_id == nullptr || cob_id->node_id ? node : 0)) & 0x7FF;
     return fmt::format(
-        "/// The emergency message with these bytes, of node 5.\n"
+        "/// Returns the emergency message of node 5 with these bytes.\n"
         "Frames emergency(const std::string& bytes) {{\n    return {{\"{:03X}#\" + bytes}};\n}}",
         id);
 }
@@ -133,7 +135,7 @@ Words words_of(const NewProject& project, const std::string& prefix) {
     const DeviceInfo info = project.eds ? project.eds->info : DeviceInfo{};
     const int node = info.node_id > 0 ? info.node_id : usual_node_id;
     words["title"] = quotable(info.title.empty() ? project.name : info.title);
-    words["vendor"] = quotable(info.vendor.empty() ? "maker of " + project.name : info.vendor);
+    words["vendor"] = quotable(info.vendor.empty() ? "manufacturer of " + project.name : info.vendor);
     words["part_number"] = quotable(info.part_numbers.empty() ? capitals(project.name) : info.part_numbers.front());
     words["manual"] = quotable(project.manual.empty() ? words["title"] + " manual" : project.manual);
     words["node_id"] = std::to_string(node);

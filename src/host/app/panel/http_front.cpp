@@ -87,8 +87,8 @@ bool must_wait() {
 
 HttpFront::HttpFront(Answer answer, std::uint16_t port) : answer_{std::move(answer)}, listener_{listen_at(port)} {
     if (listener_ < 0) {
-        throw InputError{fmt::format("port {} of {} cannot be had; name another with --port, or 0 for any that is free",
-                                     port, loopback)};
+        throw InputError{fmt::format(
+            "port {} of {} cannot be opened; name another with --port, or 0 for any that is free", port, loopback)};
     }
     port_ = port_of(listener_);
 }

@@ -126,10 +126,10 @@ void Recorder::add(const std::string& name, const SimulatedDevice& device, const
     }
     if (face.leds.empty()) {
         one.lamps[one.channels.size()] = {};
-        one.channels.push_back(lent_lamp("run", "Lent by the panel: the NMT state, by CiA 303-3."));
+        one.channels.push_back(lent_lamp("run", "Added by the panel: the NMT state, by CiA 303-3."));
         one.lamps[one.channels.size()] = {};
         one.channels.push_back(
-            lent_lamp("error", "Lent by the panel: lit while the error register 1001h is not zero."));
+            lent_lamp("error", "Added by the panel: lit while the error register 1001h is not zero."));
     }
     add_entries(device, part, face, one.channels);
     one.values.assign(one.channels.size(), std::nan(""));  // NaN differs from every value, so the first value is

@@ -76,16 +76,16 @@ Document error_matrix(const Register& content, const Part& part, const Analysis&
     }
     Chapter behaviour{
         "Behaviour",
-        {"These requirements say how errors are set, reported, listed and cleared, and what the device does "
-         "while one lasts."},
+        {"These requirements define how errors are set, reported, listed and cleared, and the behaviour of the device "
+         "during an error."},
         {{"Requirements of kind fault", {"Requirement", "Text", "Source"}, requirement_rows(part, "fault")}}};
     return {"error-matrix",
             fmt::format("Errors and emergency messages of the {}", part.info.title),
             "Each error of the device with its emergency code, its bits of 1001h (error register), the lamps, and the "
-            "requirements that name the code. The device stays silent where a column `sent` says false.",
+            "requirements that name the code. The device stays silent where a column `sent` is false.",
             {Chapter{"Matrix",
-                     {"The rows come from the register's tables of errors. `missing` says that no requirement of this "
-                      "device names the code, or that nobody has recorded a lamp; the shared requirements may still "
+                     {"The rows come from the register's tables of errors. `missing` means that no requirement of this "
+                      "device names the code, or that no lamp is recorded; the shared requirements may still "
                       "cover it."},
                      {table}},
              behaviour}};

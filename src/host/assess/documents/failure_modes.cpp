@@ -89,11 +89,12 @@ Document failure_modes(const Register& content, const Part& part, const Analysis
         {Chapter{"Inputs, messages and memory",
                  {"The modes follow from the type of a signal: a real number can be too low, too high, NaN, or "
                   "plausible and wrong; any other number can leave its range; a switch can be stuck.",
-                  "`missing` says that nobody has recorded a requirement for it. It does not say that the device "
-                  "behaves wrongly. Failures inside the processor (RAM, flash, core) are not looked at."},
+                  "`missing` means that no requirement is recorded for it. It does not mean that the device "
+                  "behaves wrongly. Failures inside the processor (RAM, flash, core) are not analysed."},
                  {input_table(content, part, analysis), message_table(content, part, analysis)}},
          Chapter{"Outputs", {"The failures of outputs and messages are those of the hazards."}, {output_table(part)}}}};
-    made.chapters.front().text.push_back(fmt::format("{} cells of this document say `missing`.", count_missing(made)));
+    made.chapters.front().text.push_back(
+        fmt::format("{} cells of this document contain `missing`.", count_missing(made)));
     return made;
 }
 

@@ -60,14 +60,14 @@ Document hardware_interface(const Part& part) {
     return {
         "hardware-interface",
         fmt::format("Hardware-software interface of the {}", part.info.title),
-        "Which values pass between the firmware and its hardware, with type, unit, range and source. `canproof "
+        "The values between the firmware and its hardware, with type, unit, range and source. `canproof "
         "signals` prints the same list.",
         {Chapter{"Signals",
                  {"The firmware of a device has no drivers of its own. Time comes in as microseconds, frames go out "
                   "through a queue, and "
                   "physical inputs and outputs are plain data. A driver converts each signal to and from its hardware.",
                   "The range of an input is what the simulation accepts. Some inputs belong to the simulated world "
-                  "alone; their meaning says so."},
+                  "alone; their description states it."},
                  {signal_table(part, true), signal_table(part, false)}},
          Chapter{"Physical behaviour", {}, {physical}}, factory_chapter(part)}};
 }

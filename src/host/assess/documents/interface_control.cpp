@@ -169,22 +169,23 @@ DocumentTable emergency_table(const Register& content, const Part& part) {
 Document interface_control(const Register& content, const Part& part) {
     const EntryIndex entries{part};
     DocumentTable timing{"Timing of this device", {"Requirement", "Text", "Source"}, requirement_rows(part, "timing")};
-    Chapter times{"Timing", {"The requirements of kind timing say what time-outs, delays and periods are."}, {timing}};
+    Chapter times{"Timing", {"The requirements of kind timing define time-outs, delays and periods."}, {timing}};
     if (const Part* shared = content.part("canopen")) {
         times.tables.push_back(
             {"Timing that all devices share", {"Requirement", "Text", "Source"}, requirement_rows(*shared, "timing")});
     }
     return {"interface-control",
             fmt::format("Interface control document of the {}", part.info.title),
-            fmt::format("What the device has on the bus as shipped: COB-IDs, PDOs, services, timing, emergency codes, "
+            fmt::format("The device on the bus as shipped: COB-IDs, PDOs, services, timing, emergency codes, "
                         "objects. Manual: {}.",
                         manual_words(content, part)),
             {Chapter{"Messages",
-                     {"COB-IDs that hang on the node-ID are given for the node-ID as shipped."},
+                     {"COB-IDs that depend on the node-ID are given for the node-ID as shipped."},
                      {message_table(part, entries), pdo_table(part, entries, true), pdo_table(part, entries, false)}},
              Chapter{"Services", {}, {service_table(part)}}, times,
              Chapter{"Emergency messages",
-                     {"Bytes 0 and 1 hold the code, byte 2 holds 1001h (error register). The error matrix says more."},
+                     {"Bytes 0 and 1 contain the code, byte 2 contains 1001h (error register). The error matrix has "
+                      "the details."},
                      {emergency_table(content, part)}},
              Chapter{"Objects", {}, {object_table(part)}}}};
 }

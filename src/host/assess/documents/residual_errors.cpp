@@ -62,14 +62,15 @@ Chapter rates_chapter(const Register& content) {
             row.push_back(fmt::format("{:.1e}", frames * undetected_in_frame(p)));
         }
     }
-    return {"Figures",
-            {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
-             "IEC 61784-3 asks for p = 1e-2 where nothing better is shown. One per cent of the dangerous failures that "
-             "SIL 3 "
-             "allows is 1e-9 an hour. The table shows which rows are above it: CAN alone carries no safety function. A "
-             "safety protocol above CANopen (EN 50325-5, for example) is missing here.",
-             "No bit error was measured: p is assumed."},
-            {table}};
+    return {
+        "Figures",
+        {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
+         "IEC 61784-3 requires p = 1e-2 unless a better value is shown. One per cent of the dangerous failures that "
+         "SIL 3 "
+         "allows is 1e-9 an hour. The table shows which rows are above it: CAN alone carries no safety function. A "
+         "safety protocol above CANopen (EN 50325-5, for example) is missing here.",
+         "No bit error was measured: p is assumed."},
+        {table}};
 }
 
 }  // namespace
@@ -98,12 +99,13 @@ Document residual_errors(const Register& content, const Analysis& analysis) {
     for (const auto& one : analysis.communication) {
         table.rows.push_back({one.error, joined_or(one.by, missing), one.rest});
     }
-    return {"residual-errors",
-            "Residual errors of the communication",
-            "How many wrong frames the checks of CAN let through, with the arithmetic, and what notices the errors of "
-            "communication that IEC 61784-3 lists.",
-            {arithmetic_chapter(), rates_chapter(content),
-             Chapter{"Errors by kind", {"The list follows the kinds of IEC 61784-3, in our words."}, {table}}}};
+    return {
+        "residual-errors",
+        "Residual errors of the communication",
+        "The rate of wrong frames that pass the checks of CAN, with the arithmetic, and the detection of the errors of "
+        "communication that IEC 61784-3 lists.",
+        {arithmetic_chapter(), rates_chapter(content),
+         Chapter{"Errors by kind", {"The list follows the kinds of IEC 61784-3, in our words."}, {table}}}};
 }
 
 }  // namespace canproof::host

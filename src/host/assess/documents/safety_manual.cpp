@@ -15,7 +15,7 @@ Chapter device_chapter(const Register& content, const Part& part) {
     DocumentTable table{"The device", {"What", "Which"}, {}};
     table.rows = {
         {"Device", part.info.title},
-        {"Maker of the original", part.info.vendor},
+        {"Manufacturer of the original", part.info.vendor},
         {"Part numbers", joined_or(part.info.part_numbers)},
         {"Variants", joined_or(part.info.variants, "none")},
         {"Manual", manual_words(content, part)},
@@ -34,7 +34,7 @@ Chapter hazard_chapter(const Part& part) {
     Chapter chapter{
         "Hazards, and what prevents them",
         {"Each hazard of an output or a message has a safe state. The requirements in the last column prevent "
-         "the failure; the audit says whether tests show them."},
+         "the failure; the audit shows whether tests prove them."},
         {}};
     for (const auto& hazard : part.hazards) {
         DocumentTable table{fmt::format("{}: {} Safe state: {}", hazard.id, hazard.text, hazard.safe_state),
@@ -115,10 +115,10 @@ Chapter decisions_chapter(const Register& content, const Part& part) {
     if (const Part* shared = content.part("canopen")) {
         add(*shared);
     }
-    return {"Decisions that the integrator must know",
+    return {"Decisions for the integrator",
             {"Where the manual contradicts itself, another document, or is silent, a recorded decision chooses. These "
              "decisions change what is on the wire or at an output.",
-             fmt::format("{} further decisions of medium or low severity stand on the page of decisions.", others)},
+             fmt::format("{} further decisions of medium or low severity are on the page of decisions.", others)},
             {table}};
 }
 
@@ -127,13 +127,12 @@ Chapter decisions_chapter(const Register& content, const Part& part) {
 Document safety_manual(const Register& content, const Part& part) {
     DocumentTable faults{
         "Requirements of kind fault", {"Requirement", "Text", "Source"}, requirement_rows(part, "fault")};
-    return {
-        "safety-manual",
-        fmt::format("Safety manual of the {}", part.info.title),
-        "What whoever builds this device into a plant must know: hazards, failures that the device does not prevent, "
-        "conditions of use, limits, decisions, and reactions to faults.",
-        {device_chapter(content, part), hazard_chapter(part), integrator_chapter(content, part), limits_chapter(part),
-         decisions_chapter(content, part), Chapter{"Reactions to faults", {}, {faults}}}};
+    return {"safety-manual",
+            fmt::format("Safety manual of the {}", part.info.title),
+            "Information for the integrator of this device: hazards, failures that the device does not prevent, "
+            "conditions of use, limits, decisions, and reactions to faults.",
+            {device_chapter(content, part), hazard_chapter(part), integrator_chapter(content, part),
+             limits_chapter(part), decisions_chapter(content, part), Chapter{"Reactions to faults", {}, {faults}}}};
 }
 
 }  // namespace canproof::host

@@ -34,17 +34,18 @@ Document threats(const Part& part, const Analysis& analysis) {
             table.rows.push_back({one.service, one.requirement, one.text, joined_or(one.by, missing), one.rest});
         }
     }
-    return {"threats",
-            fmt::format("Threats to the {}", part.info.title),
-            "What an attacker on the bus can do with each service of the device, sorted by the seven foundational "
-            "requirements of IEC 62443, and what limits it.",
-            {Chapter{
-                "Services",
-                {"CANopen has no authentication, no encryption and no source address: whoever reaches the bus can send "
-                 "every message. The device cannot change this. The bus is a zone of its own, and the gateway to it "
-                 "is the conduit that must be guarded.",
-                 "This is an analysis by the authors. Nobody else has reviewed it, and no security level is claimed."},
-                {table}}}};
+    return {
+        "threats",
+        fmt::format("Threats to the {}", part.info.title),
+        "What an attacker on the bus can do with each service of the device, sorted by the seven foundational "
+        "requirements of IEC 62443, and what limits it.",
+        {Chapter{
+            "Services",
+            {"CANopen has no authentication, no encryption and no source address: anyone with access to the bus can "
+             "send every message. The device cannot change this. The bus is a zone of its own, and the gateway to it "
+             "is the conduit that must be guarded.",
+             "This is an analysis by the authors. Nobody else has reviewed it, and no security level is claimed."},
+            {table}}}};
 }
 
 }  // namespace canproof::host

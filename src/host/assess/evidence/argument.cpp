@@ -19,7 +19,7 @@ void read_claims(TomlItem& whole, Argument& argument) {
         const auto known = [&claim](const Claim& other) { return other.id == claim.parent; };
         if (!claim.parent.empty() && std::none_of(argument.claims.begin(), argument.claims.end(), known)) {
             item.fault(item.place("parent"), fmt::format("there is no claim `{}` before this one", claim.parent),
-                       "name one that stands above");
+                       "name a claim above it");
         }
         argument.claims.push_back(claim);
         item.finish();

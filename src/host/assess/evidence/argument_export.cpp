@@ -129,7 +129,7 @@ std::string argument_graph(const Argument& argument, const Exhibits& exhibits) {
     }
     return fmt::format(
         "<figure class=wrap><svg viewBox=\"0 0 {0} {1}\" style=\"min-width:{0}px\" role=\"group\" "
-        "aria-label=\"Graph of the claims, each with the evidence below it; the list below says the same\" "
+        "aria-label=\"Graph of the claims, each with the evidence below it; the list below has the same content\" "
         "font-family=\"system-ui,sans-serif\">\n{2}</svg><figcaption>Square boxes are claims, round boxes are "
         "evidence. Each "
         "is a link.</figcaption></figure>\n",

@@ -42,7 +42,7 @@ std::string coverage_page(const MeasuredCoverage& coverage) {
            "conformance "
            "tests, properties and the corpora of the fuzz targets.</p>\n" +
            html_table({{"File"}, {"Lines"}, {"Branches"}, {"MC/DC"}}, files, Search::yes) +
-           "<h2>What no test reached</h2><p>Each such place has its reason, or it is open.</p>\n" +
+           "<h2>Places that no test reaches</h2><p>Each place has a reason or is open.</p>\n" +
            html_table({{"Place", 24}, {"Kind", 8}, {"Code", 28}, {"Reason"}}, gaps, Search::yes);
 }
 

@@ -45,11 +45,11 @@ class DocumentWriter {
         }
         list_ += "<h2>All devices</h2>\n";
         add_all("all", {residual_errors(*input_.content, input_.analysis)});
-        files_[list_page] = html_page("Documents", list_page, frame_,
-                                      "<p>These documents are generated from the requirements register and from what "
-                                      "stands in reports/analysis. A cell says <code>missing</code> where neither has "
-                                      "anything.</p>\n" +
-                                          list_);
+        files_[list_page] =
+            html_page("Documents", list_page, frame_,
+                      "<p>These documents are generated from the requirements register and from reports/analysis. A "
+                      "cell contains <code>missing</code> where neither has data.</p>\n" +
+                          list_);
         return std::move(files_);
     }
 

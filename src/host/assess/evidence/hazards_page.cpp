@@ -73,9 +73,9 @@ FailureCounts count_failures(const PackInput& input) {
 std::string hazards_page(const PackInput& input) {
     const StatusById status = status_of_items(input);
     std::string text =
-        "<p>What can be wrong about each output and each message, the state that is safe by itself, the failures that "
-        "can violate it, and the requirements that prevent them. A failure that nothing in the device prevents has its "
-        "reason: whoever builds the device into a plant must look at it.</p>\n";
+        "<p>Each hazard of an output or a message with its safe state, the failures that can violate it, and the "
+        "requirements that prevent them. A failure that the device does not prevent has a reason; the integrator must "
+        "assess it.</p>\n";
     for (const auto& audit : input.audits) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& hazard : audit.part->hazards) {

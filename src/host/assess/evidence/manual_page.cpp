@@ -26,10 +26,10 @@ struct StateLook {
 constexpr std::array<StateLook, 6> looks{
     {{"proven", "proven", "✓", "every statement is covered, and every item that covers one is shown"},
      {"not proven", "unproven", "◐", "every statement is covered, and an item that covers one is not shown"},
-     {"uncovered", "uncovered", "✗", "nothing covers a statement, or the section has none"},
+     {"uncovered", "uncovered", "✗", "no item covers a statement, or the section has no statement"},
      {"explained", "aside", "–", "every statement has a reason why no item covers it"},
-     {"informative", "aside", "·", "asks for nothing"},
-     {"condition of use", "aside", "§", "asks for something of whoever installs or operates the device"}}};
+     {"informative", "aside", "·", "has no requirement"},
+     {"condition of use", "aside", "§", "has conditions for installers or operators"}}};
 
 const StateLook& look_of(const std::string& word) {
     return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
@@ -68,7 +68,7 @@ class ManualPage {
             rows.push_back(row_of(section, look));
         }
         return head() + legend(count) + "<div class=tiles>\n" + tiles + "</div>\n" +
-               html_table({{"Section", 9}, {"Title", 21}, {"State", 12}, {"Asks for, and what covers it"}}, rows,
+               html_table({{"Section", 9}, {"Title", 21}, {"State", 12}, {"Demand, and the items that cover it"}}, rows,
                           Search::yes);
     }
 
@@ -93,8 +93,8 @@ class ManualPage {
 
     std::string head() const {
         std::string text = fmt::format(
-            "<p>{}, {}, {}, {}. Each section of the manual with what it asks for in our words, and the "
-            "items of the register that cover it. The manual's own text is not here.</p>\n",
+            "<p>{}, {}, {}, {}. Each section of the manual with its demands in our words, and the items of the "
+            "register that cover them. The manual's own text is not here.</p>\n",
             escaped(manual_.title), escaped(manual_.publisher), escaped(manual_.revision), escaped(manual_.date));
         if (manual_.statements.empty()) {
             return text +

@@ -86,7 +86,7 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
         }
     }
     const std::string text =
-        group("Evidence that is missing, stale or leaves something open", evidence) +
+        group("Evidence that is missing, stale or open", evidence) +
         group("Gaps that the audit found", escaped_all(gaps)) +
         group("Changed since they were reviewed", escaped_all(suspects)) +
         group("Code or tests without a requirement", escaped_all(input.orphans.value_or(std::vector<std::string>{}))) +
@@ -117,12 +117,12 @@ std::string overview_page(const PackInput& input, const Exhibits& exhibits) {
         shown.push_back(
             {title_markup(one), html_state(word_of(one.state)), claims_on(key, input.argument), said_by(one)});
     }
-    return "<p>Four CANopen devices, written down as requirements first and as C++ second. This page answers what is "
-           "claimed, what shows it, and what is open.</p>\n" +
-           verdict_line(input.argument, exhibits) + "<h2>What is claimed</h2>\n" +
-           claims_markup(input.argument, exhibits) + "<h2>What shows it</h2>\n" +
-           html_table({{"Evidence", 22}, {"State", 13}, {"Claim", 8}, {"Says"}}, shown) + "<h2>What is open</h2>\n" +
-           open_markup(input, exhibits) + "<h2>This build</h2>\n" + build_table(input.provenance);
+    return "<p>Four CANopen devices, written down as requirements first and as C++ second. This page shows the claims, "
+           "the evidence and the open points.</p>\n" +
+           verdict_line(input.argument, exhibits) + "<h2>Claims</h2>\n" + claims_markup(input.argument, exhibits) +
+           "<h2>Evidence</h2>\n" + html_table({{"Evidence", 22}, {"State", 13}, {"Claim", 8}, {"Result"}}, shown) +
+           "<h2>Open points</h2>\n" + open_markup(input, exhibits) + "<h2>This build</h2>\n" +
+           build_table(input.provenance);
 }
 
 }  // namespace canproof::host

@@ -49,9 +49,7 @@ Exhibit audit_exhibit(const PackInput& input) {
     }
     return exhibit(
         "audit", "Audit", open == 0,
-        fmt::format("{} items of the register; {} gaps: without code, or without a passed test that they ask "
-                    "for",
-                    items, open),
+        fmt::format("{} items of the register; {} gaps: without code, or without a required passed test", items, open),
         "audit.html");
 }
 
@@ -183,8 +181,8 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
         made.open.push_back(fmt::format("{} places in the code that no test reaches, without a reason", open));
     }
     if (!coverage.verdict.enough_conditions()) {
-        made.open.push_back(fmt::format("MC/DC {:.1f} %, less than the {:.0f} % that are asked for",
-                                        totals.conditions.percent(), CoverageVerdict::least_conditions));
+        made.open.push_back(fmt::format("MC/DC {:.1f} %, less than the required {:.0f} %", totals.conditions.percent(),
+                                        CoverageVerdict::least_conditions));
     }
     if (!coverage.verdict.enough_host_conditions()) {
         made.open.push_back(fmt::format("MC/DC of the host's buses and replay {:.1f} %, less than {:.0f} %",
@@ -220,7 +218,7 @@ Exhibit target_exhibit(const std::string& markup) {
 
 Exhibit absent(const ExpectedEvidence& expected) {
     Exhibit made{expected.key, expected.title, Exhibit::State::absent, "", ""};
-    made.open.push_back(fmt::format("not part of this pack; {} leaves it", expected.made_by));
+    made.open.push_back(fmt::format("not part of this pack; {} creates it", expected.made_by));
     return made;
 }
 

@@ -73,7 +73,7 @@ std::string data_markup(const PackFiles& files) {
         {"data/mutation.json", "altered cells as JSON"},
         {"data/misra.sarif", "MISRA findings as SARIF"},
     };
-    std::string text = "<h2>The same as data</h2>\n<ul>";
+    std::string text = "<h2>The content as data</h2>\n<ul>";
     for (auto file = files.lower_bound("data/"); file != files.end() && file->first.rfind("data/", 0) == 0; ++file) {
         const auto known = words.find(file->first);
         const std::string word = known == words.end() ? file->first.substr(5) : known->second;

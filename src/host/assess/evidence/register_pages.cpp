@@ -80,9 +80,8 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
 
 std::string audit_page(const PackInput& input) {
     std::string text =
-        "<p>Every item of the register: what it says and where the manual says it, the decisions that touch it, the "
-        "code "
-        "that names it, the tests that claim it and how they ended in this build.</p>\n";
+        "<p>Every item of the register with its text, its place in the manual, the decisions that affect it, the code "
+        "that names it, and the tests that claim it with their results in this build.</p>\n";
     std::vector<std::vector<std::string>> rows;
     std::string gaps;
     for (const auto& audit : input.audits) {
@@ -96,7 +95,7 @@ std::string audit_page(const PackInput& input) {
     if (!gaps.empty()) {
         text += fmt::format("<h2 class=open>Gaps</h2><ul>{}</ul>\n", gaps);
     }
-    return text + html_table({{"Item", 12}, {"Says", 30}, {"Decisions", 9}, {"Code", 16}, {"Tests", 25}, {"State", 8}},
+    return text + html_table({{"Item", 12}, {"Text", 30}, {"Decisions", 9}, {"Code", 16}, {"Tests", 25}, {"State", 8}},
                              rows, Search::yes);
 }
 
@@ -164,14 +163,14 @@ std::string informative_table(const Manual& manual) {
         }
     }
     return rows.empty() ? ""
-                        : "<h3>Sections that ask for nothing</h3>\n" +
+                        : "<h3>Sections without requirements</h3>\n" +
                               html_table({{"Section", 10}, {"Title", 30}, {"Why"}}, rows, Search::no);
 }
 
 std::string sections_page(const PackInput& input) {
     std::string text =
-        "<p>What the manuals ask for, and what covers it. The page of a manual has its sections with our statement of "
-        "each sentence that asks for something. A manual without statements counts by section.</p>\n" +
+        "<p>The demands of the manuals, and the items that cover them. The page of a manual has its sections with our "
+        "statement of each normative sentence. A manual without statements counts by section.</p>\n" +
         manuals_table(input);
     for (const auto& audit : input.audits) {
         const Manual* manual = input.content->manual(audit.part->info.manual);

@@ -67,7 +67,8 @@ std::string work_table(const json& work) {
     std::string text = html_table(
         {{"Device", 12}, {"Work", 11}, {"Times", 10}, {"Instructions at most", 12}, {"Frame", 18}, {"Where"}}, rows);
     text += fmt::format(
-        "<p>A bus at {} bit/s full of the frame that costs most for its bits, {} cycles an instruction assumed, a core "
+        "<p>A bus at {} bit/s full of the frame with the most instructions for its bits, {} cycles an instruction "
+        "assumed, a core "
         "of {} MHz: instructions × cycles × bit rate ÷ bits ÷ clock. The bits are those of the frame and of the "
         "answers "
         "to it whose identifier gives them the bus before the next frame like it; of each 47 and its data, no stuff "
@@ -84,13 +85,13 @@ std::string work_table(const json& work) {
         for (const char* const kind : {"power_on", "command"}) {
             if (kinds.contains(kind) && kinds.at(kind).contains("ms")) {
                 const json& one = kinds.at(kind);
-                text += fmt::format("<li class={}>{}: {:.1f} ms of the core by the dearest {}\n", met_or_open(one),
+                text += fmt::format("<li class={}>{}: {:.1f} ms of the core for the worst-case {}\n", met_or_open(one),
                                     escaped(device), one.at("ms").get<double>(), kind);
             }
         }
         if (kinds.contains("tick") && kinds.at("tick").contains("load")) {
             const json& tick = kinds.at("tick");
-            text += fmt::format("<li class={}>{}: {:.1f} % of the core by the dearest tick, one every {} ms\n",
+            text += fmt::format("<li class={}>{}: {:.1f} % of the core for the worst-case tick, one every {} ms\n",
                                 met_or_open(tick), escaped(device), 100.0 * tick.at("load").get<double>(),
                                 tick.at("period_us").get<double>() / 1000.0);
         }
@@ -98,7 +99,7 @@ std::string work_table(const json& work) {
     return text +
            "</ul><p>Frames and ticks may each take half of the core. Commands (NMT resets, LSS back to waiting, store "
            "and "
-           "restore) are bounded apart, as is a power-on: nothing is claimed of a bus full of them.</p>\n";
+           "restore) and a power-on have limits of their own: no claim covers a bus full of them.</p>\n";
 }
 
 std::string suites_words(const json& suites) {
@@ -120,7 +121,7 @@ std::string write_target_html(const std::filesystem::path& build) {
     const json work = read_json(build / "work.json");
     std::string text = "<h2 id=\"target\">Performance and memory</h2>\n<p>STM32F405 (Cortex-M4F).</p>\n";
     if (footprint.is_null() && suites.is_null()) {
-        return text + "<p class=open>Not measured in this build: ./test does.</p>\n";
+        return text + "<p class=open>Not measured in this build; ./test measures it.</p>\n";
     }
     text += footprint.is_null() ? "" : memory_table(footprint);
     text += suites.is_null() ? "" : suites_words(suites);

@@ -113,20 +113,20 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         try {
             state = kept.get<CampaignState>();
         } catch (const nlohmann::json::exception& error) {
-            throw InputError{fmt::format("{} is not of this version ({}); --restart begins anew",
+            throw InputError{fmt::format("{} is not of this version ({}); --restart starts a new campaign",
                                          files.state().string(), error.what())};
         }
         const bool same =
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
             throw InputError{
-                fmt::format("{} holds an unfinished campaign of {} minutes begun {}; give the same command "
-                            "to go on, or --restart to begin anew",
+                fmt::format("{} contains an unfinished campaign of {} minutes, started {}; give the same command to "
+                            "continue, or --restart for a new one",
                             files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
-        state.remarks.push_back(fmt::format("stopped during “{}” and gone on with at {}", state.phase, utc_now()));
-        display.say(fmt::format("going on with the campaign of {}: {}", state.started, state.phase));
+        state.remarks.push_back(fmt::format("stopped during “{}” and continued at {}", state.phase, utc_now()));
+        display.say(fmt::format("continuing the campaign of {}: {}", state.started, state.phase));
         return state;
     }
     CampaignState state = new_state(options, targets, files);
@@ -220,12 +220,12 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         return found_something;
     }
     if (!finished) {
-        display.say("interrupted; the same command goes on");
+        display.say("interrupted; the same command continues");
         return was_interrupted;
     }
     const bool broken = is_broken(state);
     display.say(fmt::format("no finding in {} executions{}", grouped(state.executions()),
-                            broken ? ", but not every target ran its time" : ""));
+                            broken ? ", but not every target ran for its full time" : ""));
     return broken ? was_broken : 0;
 }
 

@@ -44,18 +44,18 @@ std::string figure(const LinePlot& plot) {
 }
 
 std::string head(const CampaignState& state, const std::optional<Night>& last) {
-    std::string text = fmt::format("<p>{}</p><p>Begun {}, {} minutes on {} job(s), seed {}; {} executions.",
+    std::string text = fmt::format("<p>{}</p><p>Started {}, {} minutes on {} job(s), seed {}; {} executions.",
                                    state.findings.empty()
                                        ? "<span class=holds>No finding.</span>"
                                        : fmt::format("<span class=open>{} finding(s).</span>", state.findings.size()),
                                    state.started, state.minutes, state.jobs, state.seed, grouped(state.executions()));
-    text += last ? fmt::format(" The night before: {}, {} minutes, {} executions, {} finding(s).", last->started,
+    text += last ? fmt::format(" The campaign before: {}, {} minutes, {} executions, {} finding(s).", last->started,
                                last->minutes, grouped(last->executions), last->findings)
-                 : " There is no earlier night to compare with.";
+                 : " There is no earlier campaign to compare with.";
     text += "</p>";
     if (state.phase != "done") {
-        text +=
-            fmt::format("<p class=open>Not finished: stopped during “{}”. The same command goes on.</p>", state.phase);
+        text += fmt::format("<p class=open>Not finished: stopped during “{}”. The same command continues.</p>",
+                            state.phase);
     }
     for (const auto& remark : state.remarks) {
         text += fmt::format("<p>{}</p>", escaped(remark));
@@ -100,12 +100,12 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
                                                         {"Executions"},
                                                         {"Executions per second"},
                                                         {"Edges"},
-                                                        {"Against the last night"},
+                                                        {"Against the last campaign"},
                                                         {"Last new edge, s"},
                                                         {"Inputs before"},
                                                         {"Found"},
                                                         {"Kept"},
-                                                        {"Seen by valgrind"},
+                                                        {"Run under valgrind"},
                                                         {"State", 10}},
                                                        rows);
     text += "<p>A target has plateaued when the second half of its time brought no new edge.</p>";
@@ -134,7 +134,7 @@ std::string coverage(const CampaignState& state, const std::optional<Night>& las
     const auto before =
         last && last->lines_hit > 0 && same_targets(state, *last) ? std::optional{last->lines_hit} : std::nullopt;
     std::string text = fmt::format(
-        "<h2>Lines of the firmware</h2><p>{} of {} ({:.1f} %), {} against the last night.</p>", grouped(all.hit()),
+        "<h2>Lines of the firmware</h2><p>{} of {} ({:.1f} %), {} against the last campaign.</p>", grouped(all.hit()),
         grouped(all.lines()), percent(all.hit(), all.lines()), change(all.hit(), before));
     LinePlot plot{"Lines reached over the campaign", "share of its time (%)", "lines", {{"all targets", {}}}, {}};
     for (const auto& point : all.over_time) {
@@ -153,7 +153,7 @@ std::string coverage(const CampaignState& state, const std::optional<Night>& las
         rows.push_back({fmt::format("<code>{}</code>", escaped(file.path)),
                         fmt::format("{:.1f} %", percent(file.hit, file.lines)), file.unreached, names});
     }
-    return text + "<h2>What no target reaches</h2>" +
+    return text + "<h2>Code that no target reaches</h2>" +
            html_table({{"File", 26}, {"Reached", 8}, {"Lines not reached", 22}, {"Functions not called"}}, rows);
 }
 
@@ -206,7 +206,7 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
                             percent(state.coverage.hit(), state.coverage.lines()));
     }
     if (looked_at_again != 0) {
-        says += fmt::format("; {} inputs once more under valgrind", grouped(looked_at_again));
+        says += fmt::format("; {} inputs also run under valgrind", grouped(looked_at_again));
     }
     return {{"title", "Fuzzing campaign"},
             {"state", open.empty() ? "holds" : "open"},

@@ -16,7 +16,7 @@ std::string reason_of(const MutationOutcome& outcome) {
     if (outcome.record != nullptr) {
         return outcome.record->reason;
     }
-    return outcome.claimed ? "open" : "open: in no test would it compute anything else";
+    return outcome.claimed ? "open" : "open: it changes no computation in any test";
 }
 
 std::string sentence(const char* of_what, const MutationCount& count) {

@@ -79,7 +79,7 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
     for (auto& [test, task] : tasks) {
         task.body = bodies.hash(files[test], test);
         if (task.body.empty()) {
-            throw InputError{fmt::format("{} does not define {}; build and run the tests anew", files[test], test)};
+            throw InputError{fmt::format("{} does not define {}; build and run the tests again", files[test], test)};
         }
         const auto found = known.find(test);
         if (found == known.end() || found->second.body != task.body) {

@@ -233,7 +233,7 @@ Story StoryTeller::statement(const AuditedStatement& audited) const {
     }
     story.text += line("passage", joined(marks));
     if (one.is_open()) {
-        story.text += line("covered by", "nothing, and no reason says why");
+        story.text += line("covered by", "nothing, and there is no reason");
     } else if (!one.reason.empty()) {
         story.text += line("not covered", one.reason);
     }

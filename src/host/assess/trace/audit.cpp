@@ -134,7 +134,7 @@ class PartAuditor {
             const auto items = index.items_of(manual.key, section);
             audit_.sections.push_back({&section, items, !items.empty()});
             if (items.empty() && manual.statements.empty()) {
-                audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, and nothing has it as its source", manual.key,
+                audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, but no item has it as its source", manual.key,
                                                   section.ref, section.title));
             }
         }
@@ -178,7 +178,7 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
 std::vector<std::string> orphans(const Evidence& evidence) {
     std::vector<std::string> all;
     for (const auto& file : evidence.untraced) {
-        all.push_back(fmt::format("{}: no requirement has this code, nor anything that includes it", file));
+        all.push_back(fmt::format("{}: no requirement has this code or code that includes it", file));
     }
     all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {

@@ -77,7 +77,7 @@ class Auditor {
         }
         if (const auto killers = killers_.find(id); !shown && killers != killers_.end()) {
             audit_.regressions.push_back(
-                fmt::format("{}: {} noticed a mutant of it, and no test does as it is now", id,
+                fmt::format("{}: {} noticed a mutant of it, but no test in its present form does", id,
                             fmt::join(killers->second.begin(),
                                       killers->second.begin() +
                                           static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, killers->second.size())),
@@ -135,8 +135,8 @@ std::string kill_summary(const KillAudit& audit) {
         audit.shown, audit.unnoticed.size(), audit.immutable.size(), audit.unjudged.size());
     text += named("no test notices a mutant of", audit.unnoticed);
     text += named("without mutants", audit.immutable);
-    text += named("not judged as they are", audit.unjudged);
-    text += named("tests that notice no mutant of what they claim", audit.idle, most_names);
+    text += named("not judged in their present form", audit.unjudged);
+    text += named("tests that notice no mutant of their claimed items", audit.idle, most_names);
     text += named("tests that changed since they were judged", audit.changed);
     text += named("tests never judged", audit.never, most_names);
     for (const auto& regression : audit.regressions) {

@@ -58,7 +58,7 @@ void add_gaps(const Manual& manual, PartAudit& audit) {
     for (const auto& one : audit.statements) {
         if (one.statement->is_open()) {
             audit.gaps.push_back(
-                fmt::format("{}: no item covers it, and no reason says why ({})", one.id, brief(one.statement->text)));
+                fmt::format("{}: no item covers it, and there is no reason ({})", one.id, brief(one.statement->text)));
         }
     }
     const auto statements = by_section(manual, audit.statements);

@@ -196,7 +196,7 @@ const std::vector<EdsRule>& device_info_rules() {
     static const std::vector<EdsRule> rules{
         {"deviceinfo-missing", error, "there is no [DeviceInfo]", "add the section", source},
         {"deviceinfo-key-missing", warning, "[DeviceInfo] lacks a key or its value", "add it", source},
-        {"deviceinfo-key-unknown", warning, "[DeviceInfo] has a key that CiA 306 does not know",
+        {"deviceinfo-key-unknown", warning, "[DeviceInfo] has a key that CiA 306 does not define",
          "correct or remove the key", source},
         {"deviceinfo-flag", error, "a flag is neither 0 nor 1", "write 0 or 1", source},
         {"deviceinfo-number", error, "a number of the identity is no UNSIGNED32", "write a number of 32 bits", source},
@@ -222,7 +222,7 @@ const std::vector<EdsRule>& device_info_rules() {
          "describe 1018h:01 to 1018h:04, or set LSS_Supported to 0", "CiA 305, LSS address; CiA 301, object 1018h"},
         {"deviceinfo-dynamic-channels", warning, "DynamicChannelsSupported contradicts [DynamicChannels]",
          "correct the flag", source},
-        {"deviceinfo-group-messaging", warning, "a multiplexed PDO stands beside GroupMessaging=0",
+        {"deviceinfo-group-messaging", warning, "there is a multiplexed PDO, but GroupMessaging is 0",
          "set GroupMessaging to 1, or correct the number of mapped objects", source}};
     return rules;
 }

@@ -216,7 +216,7 @@ const std::vector<EdsRule>& file_info_rules() {
     static const std::vector<EdsRule> rules{
         {"fileinfo-missing", error, "there is no [FileInfo]", "add the section", source},
         {"fileinfo-key-missing", warning, "[FileInfo] lacks a key", "add the key", source},
-        {"fileinfo-key-unknown", warning, "[FileInfo] has a key that CiA 306 does not know",
+        {"fileinfo-key-unknown", warning, "[FileInfo] has a key that CiA 306 does not define",
          "correct or remove the key", source},
         {"fileinfo-name-extension", warning, "FileName has another extension than the kind of file",
          "write the name with .eds, or .dcf for a device configuration file", source},
@@ -228,7 +228,7 @@ const std::vector<EdsRule>& file_info_rules() {
         {"fileinfo-date", error, "a date is not of the form mm-dd-yyyy", "write month, day and year as mm-dd-yyyy",
          source},
         {"fileinfo-no-such-day", error, "a date is no day of the calendar",
-         "write a day that exists, as mm-dd-yyyy: the month stands first", source},
+         "write a day that exists, as mm-dd-yyyy: the month comes first", source},
         {"fileinfo-time", error, "a time is not of the form hh:mmAM or hh:mmPM", "write the time with 12 hours",
          source},
         {"fileinfo-modified-before", warning, "the file was modified before it was created",

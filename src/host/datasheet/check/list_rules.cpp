@@ -145,13 +145,12 @@ class ListCheck {
             if (numbered && entry.key != ++due) {
                 numbered = false;
                 findings_.add("list-numbering", entry.value->line,
-                              fmt::format("the number {} stands where {} is due", entry.key, due), fix_);
+                              fmt::format("the number {} is in the place of {}", entry.key, due), fix_);
             }
             if (in_order && entry.index < last) {
                 in_order = false;
                 findings_.add("list-order", entry.value->line,
-                              fmt::format("{} stands behind {}", eds_index_text(entry.index), eds_index_text(last)),
-                              fix_);
+                              fmt::format("{} follows {}", eds_index_text(entry.index), eds_index_text(last)), fix_);
             }
             last = entry.index;
         }
@@ -180,9 +179,9 @@ class ListCheck {
                 findings_.add("list-data-type", entry.value->line,
                               fmt::format("{} is the index of a data type", title));
             } else if (list_of(entry.index) != at) {
-                findings_.add(
-                    "list-wrong", entry.value->line,
-                    fmt::format("{} stands in [{}], not in [{}]", title, names[at], names[list_of(entry.index)]), fix_);
+                findings_.add("list-wrong", entry.value->line,
+                              fmt::format("{} is in [{}], not in [{}]", title, names[at], names[list_of(entry.index)]),
+                              fix_);
             }
         }
     }
@@ -222,13 +221,13 @@ const std::vector<EdsRule>& list_rules() {
         {"list-numbering", error, "the entries of a list are not numbered from 1 without gap", "number them again",
          source},
         {"list-order", warning, "a list is not ascending", "list the objects by ascending index", source},
-        {"list-duplicate", error, "an object stands twice in a list", "list it once", source},
-        {"list-two", error, "an object stands in two lists", "list it once, in the list of its kind", source},
+        {"list-duplicate", error, "an object is in a list twice", "list it once", source},
+        {"list-two", error, "an object is in two lists", "list it once, in the list of its kind", source},
         {"list-form", warning, "an index is not hexadecimal", "write it as 0x and four digits", source},
         {"list-no-section", error, "an object is listed but not described", "describe it, or remove it from the list",
          source},
         {"list-data-type", error, "a data type is listed as an object", "remove it from the list", source},
-        {"list-wrong", error, "an object stands in a list of another kind",
+        {"list-wrong", error, "an object is in a list of another kind",
          "1000h, 1001h and 1018h are mandatory, 2000h to 5FFFh the manufacturer's, all others optional", source},
         {"list-none", error, "an object is described but not listed", "add it to the list of its kind", source}};
     return rules;

@@ -39,7 +39,7 @@ class ObjectCheck {
         for (const auto& [index, object] : sheet_.objects()) {
             if (object.section == nullptr) {
                 findings_.add("sub-alone", object.line(),
-                              fmt::format("[{}] stands without [{:04X}]", object.subs.begin()->second->name, index));
+                              fmt::format("[{}] exists without [{:04X}]", object.subs.begin()->second->name, index));
                 continue;
             }
             check_object(object);
@@ -125,7 +125,7 @@ class ObjectCheck {
             const IniValue* value = object.section->filled(key);
             if (value != nullptr) {
                 findings_.add("object-own-value", value->line,
-                              fmt::format("{} of [{}] is that of no entry", key, object.section->name));
+                              fmt::format("{} of [{}] belongs to no entry", key, object.section->name));
             }
         }
     }
@@ -200,7 +200,7 @@ class ObjectCheck {
             }
             if (entry.sub != ++due) {
                 findings_.add("array-gap", entry.section->line,
-                              fmt::format("{} stands where sub-index {:02X} is due", entry.title(), due));
+                              fmt::format("{} is in the place of sub-index {:02X}", entry.title(), due));
                 due = entry.sub;
             }
             first = first == nullptr ? &entry : first;
@@ -257,7 +257,7 @@ class ObjectCheck {
             const EdsSheetObject* object = sheet_.object(found->index);
             if (object == nullptr || object->compact == 0) {
                 findings_.add("compact-alone", section.line,
-                              fmt::format("[{}] stands without CompactSubObj", section.name));
+                              fmt::format("[{}] exists without CompactSubObj", section.name));
                 continue;
             }
             std::size_t count = 0;
@@ -293,7 +293,7 @@ const std::vector<EdsRule>& object_rules() {
          "describe 1000h (device type), 1001h (error register) and 1018h (identity)", "CiA 301, mandatory objects"},
         {"object-name-missing", error, "a section of an object lacks ParameterName", "add the name", source},
         {"object-name-long", warning, "ParameterName is longer than 241 characters", "shorten the name", source},
-        {"object-key-unknown", warning, "an object has a key that CiA 306 does not know", "correct or remove the key",
+        {"object-key-unknown", warning, "an object has a key that CiA 306 does not define", "correct or remove the key",
          source},
         {"object-type-missing", warning, "ObjectType is missing",
          "add 0x7 for a single value, 0x8 for an ARRAY, 0x9 for a RECORD", types_source},
@@ -311,7 +311,7 @@ const std::vector<EdsRule>& object_rules() {
          source},
         {"object-own-value", warning, "an ARRAY or RECORD has a value of its own beside its sub-objects",
          "move it to the sub-object", source},
-        {"sub-alone", error, "a sub-object stands without its object", "describe the object", source},
+        {"sub-alone", error, "a sub-object exists without its object", "describe the object", source},
         {"sub-object-type", error, "a sub-object is no single value", "write ObjectType 0x7, or 0x2 for a DOMAIN",
          types_source},
         {"subnumber-missing", error, "an ARRAY or RECORD lacks SubNumber", "add the number of sub-objects", source},
@@ -335,7 +335,7 @@ const std::vector<EdsRule>& object_rules() {
         {"compact-single", error, "a single value has CompactSubObj", "write ObjectType 0x8 or 0x9", compact_source},
         {"compact-subs", warning, "an object has CompactSubObj and sub-sections", "describe the entries in one way",
          compact_source},
-        {"compact-alone", error, "names or values stand without CompactSubObj", "add CompactSubObj to the object",
+        {"compact-alone", error, "names or values exist without CompactSubObj", "add CompactSubObj to the object",
          compact_source},
         {"compact-beyond", error, "a name or value is beyond CompactSubObj", "correct its number", compact_source},
         {"compact-entries", error, "NrOfEntries differs from the entries", "write the number of entries",

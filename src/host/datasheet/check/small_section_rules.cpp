@@ -100,7 +100,7 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
         return;
     }
     if (!sheet.is_dcf()) {
-        findings.add("dcf-section", section->line, "[DeviceComissioning] stands in an EDS");
+        findings.add("dcf-section", section->line, "[DeviceComissioning] is in an EDS");
     }
     const IniValue* node = section->filled("NodeID");
     const auto number = node == nullptr ? std::nullopt : eds_unsigned(node->text);
@@ -126,7 +126,7 @@ void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [name, section] : sheet.ini().sections) {
         for (const auto& [key, value] : section.values) {
             if (eds_object_name(name) && is_dcf_key(key)) {
-                findings.add("dcf-key", value.line, fmt::format("{} stands in an EDS", sheet.line(value.line).name));
+                findings.add("dcf-key", value.line, fmt::format("{} is in an EDS", sheet.line(value.line).name));
             }
         }
     }
@@ -144,7 +144,7 @@ const std::vector<EdsRule>& small_section_rules() {
         {"comments-key-unknown", warning, "[Comments] has a key that is no comment line", "write it as Line1, Line2 …",
          comments_source},
         {"dummy-missing", warning, "a device with receive PDOs lacks [DummyUsage]",
-         "say which data types can be mapped as gaps", dummy_source},
+         "add the data types that can be mapped as gaps", dummy_source},
         {"dummy-key", warning, "a key of [DummyUsage] names no data type of fixed length",
          "write Dummy0001 to Dummy0007", dummy_source},
         {"dummy-flag", error, "a value of [DummyUsage] is neither 0 nor 1", "write 0 or 1", dummy_source},

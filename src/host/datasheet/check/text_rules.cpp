@@ -76,10 +76,10 @@ class TextCheck {
                           fmt::format("the line has {} characters; {} are allowed", line.text.size(), longest_line));
         }
         if (has([](unsigned char c) { return c >= 0x80U; })) {
-            findings_.add("text-not-ascii", number_, "the line holds characters beyond ASCII");
+            findings_.add("text-not-ascii", number_, "the line contains characters beyond ASCII");
         }
         if (has([](unsigned char c) { return c < 0x20U && c != '\t'; })) {
-            findings_.add("text-control", number_, "the line holds control characters");
+            findings_.add("text-control", number_, "the line contains control characters");
         }
     }
 
@@ -88,12 +88,12 @@ class TextCheck {
         keys_.clear();
         if (!line.behind.empty() && line.behind.front() != ';' && line.behind.front() != '#') {
             findings_.add("text-behind-section", number_,
-                          fmt::format("`{}` stands behind [{}]", line.behind.substr(0, 40), line.name));
+                          fmt::format("`{}` follows [{}]", line.behind.substr(0, 40), line.name));
         }
         const auto [first, is_new] = sections_.emplace(section_, number_);
         if (!is_new) {
             findings_.add("section-duplicate", number_,
-                          fmt::format("[{}] stands already in line {}", line.name, first->second));
+                          fmt::format("[{}] is already in line {}", line.name, first->second));
         }
         check_section_name(line);
     }
@@ -121,14 +121,14 @@ class TextCheck {
     void check_key(const EdsLine& line) {
         if (section_.empty()) {
             findings_.add("text-before-section", number_,
-                          fmt::format("{} stands before the first section", line.name.substr(0, 40)));
+                          fmt::format("{} is before the first section", line.name.substr(0, 40)));
             return;
         }
         const auto [first, is_new] = keys_.emplace(lower_case(line.name), Key{number_, line.behind});
         if (!is_new) {
             const bool same = first->second.value == line.behind;
             findings_.add("key-duplicate", number_,
-                          fmt::format("{} stands already in line {}", line.name, first->second.line),
+                          fmt::format("{} is already in line {}", line.name, first->second.line),
                           same ? erase_line(number_) : std::vector<EdsEdit>{});
         }
         const std::string known = known_key(section_, line.name);
@@ -163,16 +163,15 @@ const std::vector<EdsRule>& text_rules() {
         {"text-control", error, "a control character is in a line", "remove it", format},
         {"text-strange-line", error, "a line is neither section, value nor comment",
          "write [Section] or Key=Value, or begin the line with a semicolon", format},
-        {"text-before-section", error, "a value stands before the first section", "move it below its section", format},
-        {"text-behind-section", warning, "text stands behind the name of a section", "remove it, or begin it with ;",
-         format},
-        {"section-duplicate", error, "a section stands twice", "join the two or rename one", format},
+        {"text-before-section", error, "a value is before the first section", "move it below its section", format},
+        {"text-behind-section", warning, "text follows the name of a section", "remove it, or begin it with ;", format},
+        {"section-duplicate", error, "a section occurs twice", "join the two or rename one", format},
         {"section-unknown", warning, "CiA 306 has no such section", "correct the name, or remove the section", format},
         {"section-case", warning, "the name of a section is spelled in another case",
          "write it as CiA 306 does; some tools compare the case", format},
         {"section-sub-zeros", warning, "a sub-index has leading zeros", "write the sub-index without leading zeros",
          "CiA 306, object sections"},
-        {"key-duplicate", error, "a key stands twice in a section", "keep one of the two", format},
+        {"key-duplicate", error, "a key occurs twice in a section", "keep one of the two", format},
         {"key-case", warning, "a key is spelled in another case",
          "write it as CiA 306 does; some tools compare the case", format}};
     return rules;

@@ -46,7 +46,7 @@ LogMark mark_of(std::string_view word) {
 
 TextFault read_time(std::string_view text, Instant& time) {
     if (text.size() < 3 || text.front() != '(' || text.back() != ')') {
-        return fmt::format("time `{}` does not stand in brackets", text);
+        return fmt::format("time `{}` is not in brackets", text);
     }
     const std::string_view seconds = text.substr(1, text.size() - 2);
     const std::optional<Instant> at = seconds_of(seconds);

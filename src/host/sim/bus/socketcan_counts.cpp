@@ -28,12 +28,12 @@ void SocketCanBus::tell_losses(Instant now) {
     losses_told_ = now;
     for (const Port& port : ports_) {
         if (port.lost != 0) {
-            notice(fmt::format("{}: {} frames came faster than they were read and are lost to {}", interface_,
+            notice(fmt::format("{}: {} frames arrived faster than they were read and are lost for {}", interface_,
                                port.lost, port.node == nullptr ? "the log" : port.node->name()));
         }
     }
     if (!roomy_) {
-        notice(fmt::format("more of them can wait after `sysctl -w net.core.rmem_max={}`, or with CAP_NET_ADMIN",
+        notice(fmt::format("the buffers are larger after `sysctl -w net.core.rmem_max={}`, or with CAP_NET_ADMIN",
                            receive_room));
     }
 }

@@ -73,7 +73,7 @@ void SocketCanBus::change_bit_rate(const Port& port) {
         fmt::format("would have done: ip link set {0} down; ip link set {0} type can bitrate {1}; ip link set {0} up",
                     interface_, port.bit_rate);
     if (control_ == InterfaceControl::none) {
-        notice(fmt::format("{}; {} was left as it is without --control-interface; {}", wish, interface_, commands));
+        notice(fmt::format("{}; {} is unchanged without --control-interface; {}", wish, interface_, commands));
         return;
     }
     const BitRateOutcome outcome = system_.set_bit_rate(interface_, port.bit_rate);
@@ -139,7 +139,7 @@ void SocketCanBus::restart_controller(Instant now) {
     restart_at_ = never;
     if (control_ == InterfaceControl::none) {
         notice(fmt::format(
-            "{0} is bus-off and was left so without --control-interface; would have done: ip link set {0} type can "
+            "{0} is bus-off and stays so without --control-interface; would have done: ip link set {0} type can "
             "restart",
             interface_));
     } else if (!system_.restart(interface_)) {

@@ -218,7 +218,7 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     if (frame.remote && !remote_frame_told_ && clients() != 0) {
         remote_frame_told_ = true;
         notice(
-            fmt::format("{} is a remote frame, which socketcand's protocol does not have: its clients do not hear "
+            fmt::format("{} is a remote frame, which socketcand's protocol does not have: its clients do not receive "
                         "it; node guarding by another program needs --bus socketcan:vcan0",
                         format_frame(frame)));
     }

@@ -143,7 +143,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     look_at_joining(now);
     if (has_joined() && client_->complaint() != complaint_told_) {
         complaint_told_ = client_->complaint();
-        notice(fmt::format("{} says: {}", name_of(place_), complaint_told_));
+        notice(fmt::format("{} reports: {}", name_of(place_), complaint_told_));
     }
     write_server();
     return now;
@@ -262,8 +262,8 @@ void SocketcandClientBus::send_one(Instant now) {
     if (frame.remote && !remote_frame_told_) {
         remote_frame_told_ = true;
         notice(
-            fmt::format("{} is a remote frame, which socketcand's protocol does not have: it stays here; node "
-                        "guarding over another program needs --bus socketcan:vcan0",
+            fmt::format("{} is a remote frame, which socketcand's protocol does not have: the server does not get it; "
+                        "node guarding over another program needs --bus socketcan:vcan0",
                         format_frame(frame)));
     }
     if (!frame.remote) {

@@ -10,7 +10,7 @@ void advance_device(SimulatedDevice& device, const std::string& name, Instant no
     device.advance(now);
     if (device.next_deadline() <= now) {
         throw StuckDevice{
-            fmt::format("{} does not do at {} s what is due: its next_deadline() is {} s after advance(); it must be "
+            fmt::format("{} does not advance at {} s: its next_deadline() is {} s after advance(); it must be "
                         "later than now",
                         name, format_seconds(now), format_seconds(device.next_deadline()))};
     }

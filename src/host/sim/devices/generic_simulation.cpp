@@ -26,7 +26,7 @@ Signal input(const char* name, const char* type, double highest, const char* tex
 
 Part with_signals(Part part) {
     part.signals = {input("can_state", "UNSIGNED8", 3.0, "error active, warning, error passive, bus-off"),
-                    input("can_overrun", "BOOLEAN", 1.0, "a frame was lost for want of room")};
+                    input("can_overrun", "BOOLEAN", 1.0, "a frame was lost because there was no room")};
     return part;
 }
 

@@ -26,12 +26,12 @@ void check_served_pdos(const Part& part) {
     for (const Object& object : part.objects) {
         const std::string name = unserved(object);
         if (!name.empty()) {
-            all += fmt::format("{}:{}: {} is beyond the {} of each direction that a node here serves\n",
+            all += fmt::format("{}:{}: {} is beyond the {} PDOs of each direction that a simulated node supports\n",
                                object.place.file, object.place.line, name, max_pdos);
         }
     }
     if (!all.empty()) {
-        throw InputError{all + "take these objects out of a copy of the sheet to run the rest"};
+        throw InputError{all + "remove these objects from a copy of the sheet to run the rest"};
     }
 }
 

@@ -150,7 +150,7 @@ TEST_F(Pack, MeasurementOlderThanItsSourceIsStaleAndSupportsNoClaim) {
 TEST_F(Pack, MissingEvidenceIsListedWithTheCommandThatCreatesIt) {
     input_.argument.evidence = {{"fuzz", "Fuzzing campaign", "canproof fuzz"}, {"tests", "Tests", "./run"}};
     const std::string page = make().at("index.html");
-    EXPECT_THAT(page, HasSubstr("Fuzzing campaign: not part of this pack; canproof fuzz leaves it"));
+    EXPECT_THAT(page, HasSubstr("Fuzzing campaign: not part of this pack; canproof fuzz creates it"));
     EXPECT_THAT(page, Not(HasSubstr("Tests: not part of this pack")));
 }
 

@@ -58,9 +58,9 @@ TEST_F(TargetHtml, InstructionsPerFrameAndFullBusLoadAreShown) {
     EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"Times\">7<td class=n data-h=\"Instructions at most\">4,321"
                                 "<td data-h=\"Frame\"><code>605#40</code><td data-h=\"Where\">Suite.&lt;Test&gt;"));
     EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
-    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core by the dearest tick, one every 2.5 ms"));
-    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core by the dearest power_on"));
-    EXPECT_THAT(page, HasSubstr("<li class=open>one: 11.0 ms of the core by the dearest command"));
+    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core for the worst-case tick, one every 2.5 ms"));
+    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core for the worst-case power_on"));
+    EXPECT_THAT(page, HasSubstr("<li class=open>one: 11.0 ms of the core for the worst-case command"));
     EXPECT_THAT(page, Not(HasSubstr("Not measured")));
 }
 

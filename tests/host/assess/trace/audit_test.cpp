@@ -135,13 +135,13 @@ TEST_F(AuditOfASmallRegister, ChangeOfTheImplementingRequirementNeedsNoNewReview
 }
 
 TEST_F(AuditOfASmallRegister, MisplacedLinkIsListedWithTheOrphans) {
-    evidence.misplaced = {"src/firmware/a.cpp:3: the link stands above nothing that does it"};
-    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: the link stands above nothing")));
+    evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement it follows the link"};
+    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement it")));
 }
 
 TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
     part().requirements[1].sources = {"M:1"};
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): normative, and nothing has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): normative, but no item has it as its source"));
 }
 
 TEST_F(AuditOfASmallRegister, SectionIsCoveredByItsObjectToo) {

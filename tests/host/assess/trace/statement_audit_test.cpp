@@ -106,7 +106,7 @@ TEST_F(AuditOfStatements, AuditReportsNothingWhenAllStatementsAreCoveredOrExplai
 TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
     statements()[1].covered.clear();
     EXPECT_THAT(gaps(),
-                ElementsAre("M:6411h/1: no item covers it, and no reason says why (The lamp of 6411h blinks.)"));
+                ElementsAre("M:6411h/1: no item covers it, and there is no reason (The lamp of 6411h blinks.)"));
     EXPECT_EQ(status()["M:6411h/1"], "open");
 }
 
@@ -132,7 +132,7 @@ TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemWithItAsSource) {
 
 TEST_F(AuditOfStatements, ManualWithoutStatementsIsAuditedBySection) {
     statements().clear();
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, and nothing has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, but no item has it as its source"));
 }
 
 TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
@@ -177,7 +177,7 @@ TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
     EXPECT_THAT(story("M:2/2")->text, HasSubstr("not covered  repeats M:1/1"));
     statements()[1].covered.clear();
     EXPECT_TRUE(story("M:6411h/1")->open);
-    EXPECT_THAT(story("M:6411h/1")->text, HasSubstr("nothing, and no reason says why"));
+    EXPECT_THAT(story("M:6411h/1")->text, HasSubstr("nothing, and there is no reason"));
     EXPECT_FALSE(story("M:6411h/2").has_value());
 }
 

@@ -141,7 +141,7 @@ TEST_F(SocketCan, FramesLostToTheLogAreReported) {
     EXPECT_THAT(notices, IsEmpty());
     system.arrive(monitor, "603#40", system.realtime_us, 3);
     step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0: 3 frames came faster than they were read and are lost to the log"));
+    EXPECT_THAT(notices, ElementsAre("vcan0: 3 frames arrived faster than they were read and are lost for the log"));
     EXPECT_EQ(bus->report(now).lost, 3U);
     EXPECT_EQ(bus->report(now).missed, 0U);
 }
@@ -153,14 +153,14 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     step(10);
     EXPECT_THAT(
         notices,
-        ElementsAre("vcan0: 2 frames came faster than they were read and are lost to a",
-                    "more of them can wait after `sysctl -w net.core.rmem_max=33554432`, or with CAP_NET_ADMIN"));
+        ElementsAre("vcan0: 2 frames arrived faster than they were read and are lost for a",
+                    "the buffers are larger after `sysctl -w net.core.rmem_max=33554432`, or with CAP_NET_ADMIN"));
     system.arrive(first, "603#40", system.realtime_us, 7);
     step(999999);
     EXPECT_THAT(notices, SizeIs(2));
     step(1);
     ASSERT_THAT(notices, SizeIs(4));
-    EXPECT_EQ(notices[2], "vcan0: 7 frames came faster than they were read and are lost to a");
+    EXPECT_EQ(notices[2], "vcan0: 7 frames arrived faster than they were read and are lost for a");
     system.sockets[first].dropped = 9;  // no frame has arrived since that could report the count
     EXPECT_EQ(bus->report(now).missed, 9U);
     EXPECT_EQ(bus->report(now).lost, 0U);

@@ -172,7 +172,7 @@ TEST_F(SocketCan, LossOfOneSocketIsReportedWithoutLossOfAnother) {
     system.arrive(monitor, "603#40", system.realtime_us, 3);
     system.arrive(first, "603#40", system.realtime_us);
     step(10);
-    EXPECT_THAT(notices, ElementsAre(HasSubstr("3 frames came faster")));
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("3 frames arrived faster")));
     step(2000000);
     EXPECT_THAT(notices, SizeIs(1));  // no further notice
 }
@@ -182,7 +182,7 @@ TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {
     start();
     system.arrive(first, "603#40", system.realtime_us, 1);
     step(10);
-    EXPECT_THAT(notices, ElementsAre(HasSubstr("are lost to a"), HasSubstr("net.core.rmem_max")));
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("are lost for a"), HasSubstr("net.core.rmem_max")));
 }
 
 TEST_F(SocketCan, LoadAtALowBitRateIsExact) {

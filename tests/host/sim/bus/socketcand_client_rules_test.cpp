@@ -100,7 +100,7 @@ TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnceAndADifferentOneToo) {
     say("< error no such thing >");
     say("< error another >");
     const std::string name = fmt::format("127.0.0.1:{}/vcan0", server.port());
-    EXPECT_THAT(notices, ElementsAre(name + " says: no such thing", name + " says: another"));
+    EXPECT_THAT(notices, ElementsAre(name + " reports: no such thing", name + " reports: another"));
 }
 
 TEST_F(ScriptedBus, FramesOfTheServerArriveInTheirOrder) {
@@ -201,7 +201,7 @@ TEST_F(ScriptedBus, LastErrorOfAClosingServerIsQuotedAsTheReason) {
     say("< error goodbye >");
     server.hang_up();
     hear();
-    EXPECT_THAT(notices, ElementsAre(HasSubstr("says: goodbye"), HasSubstr("is gone (goodbye); looking for it")));
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("reports: goodbye"), HasSubstr("is gone (goodbye); looking for it")));
     EXPECT_THAT(a.states, ElementsAre("1000000 3"));
     EXPECT_THAT(b.states, ElementsAre("1000000 3"));
     EXPECT_THAT(bus->watches(), IsEmpty());
