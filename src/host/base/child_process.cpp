@@ -6,6 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+
 #include "host/base/input_error.hpp"
 
 extern char** environ;
@@ -61,7 +64,11 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
 
 int wait_for_process(pid_t process) {
     int status = 0;
-    waitpid(process, &status, 0);
+    while (waitpid(process, &status, 0) < 0) {
+        if (errno != EINTR) {
+            throw InputError{fmt::format("cannot wait for process {}: {}", process, std::strerror(errno))};
+        }
+    }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

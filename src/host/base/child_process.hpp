@@ -23,7 +23,8 @@ struct Streams {
 /// `NAME=value`, which precedes the environment of this program. Throws InputError when there is no such program.
 pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
                     Streams streams);
-/// Waits for the end of a process. Returns its exit status; 128 plus the signal's number when a signal ended it.
+/// Waits for the end of a process, also when signals interrupt the wait. Returns its exit status; 128 plus the signal's
+/// number when a signal ended it. Throws InputError when `process` is no child of this program.
 int wait_for_process(pid_t process);
 
 /// Returns both ends of a pipe, which started programs do not inherit. Throws InputError.

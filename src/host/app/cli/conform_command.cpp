@@ -189,7 +189,7 @@ int run_conform(const ConformCommandOptions& options) {
     if (!options.report.empty()) {
         check_report_folder(options.report);
     }
-    const conform::ConformSheet sheet = sheet_for(options);
+    const conform::ConformSheet sheet = sheet_for(options, image ? image->part->name : options.device);
     const std::unique_ptr<conform::Target> target =
         options.bus.empty() ? virtual_target(image ? std::move(*image) : choose(options), options, sheet)
                             : bus_target(options, sheet);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// Fuzzing finds the input `one` and, in target c, an input that ends the run.
-const char* const stand_in = R"(#!/bin/sh
+const char* const stand_in_script = R"(#!/bin/sh
 mode=run
 for a; do case $a in
     -fork=*) mode=fuzz ;;
@@ -65,7 +65,7 @@ class ShardedCampaign : public testing::Test {
 
     void add_target(const std::string& name) const {
         const fs::path program = folder / "build" / (name + "_fuzz");
-        std::ofstream{program} << stand_in;
+        std::ofstream{program} << stand_in_script;
         fs::permissions(program, fs::perms::owner_all);
         std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app}
             << name << '\t' << (folder / "fuzz").string() << '\t' << (folder / "seeds" / name).string() << '\n';

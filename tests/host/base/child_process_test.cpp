@@ -1,0 +1,46 @@
+// Programs that this one starts and waits for.
+#include "host/base/child_process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "host/base/input_error.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// Lets SIGUSR1 interrupt system calls of this process, as long as an object of this class lives.
+class InterruptingSignal {
+  public:
+    InterruptingSignal() {
+        struct sigaction action {};
+        action.sa_handler = [](int) {};
+        sigaction(SIGUSR1, &action, &before_);
+    }
+    ~InterruptingSignal() { sigaction(SIGUSR1, &before_, nullptr); }
+    InterruptingSignal(const InterruptingSignal&) = delete;
+    InterruptingSignal& operator=(const InterruptingSignal&) = delete;
+
+  private:
+    struct sigaction before_ {};
+};
+
+}  // namespace
+
+TEST(ChildProcess, ExitStatusIsReturnedAlthoughSignalsInterruptTheWait) {
+    const InterruptingSignal signal;
+    const char* const script = "for i in 1 2 3 4 5 6 7 8 9; do kill -USR1 $PPID; sleep 0.01; done; exit 3";
+    EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", script}, {}, {})), 3);
+}
+
+TEST(ChildProcess, DeathBySignalIs128PlusItsNumber) {
+    EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", "kill -TERM $$"}, {}, {})), 128 + SIGTERM);
+}
+
+TEST(ChildProcess, WaitForAProcessThatIsNoChildIsRefused) {
+    EXPECT_THROW(host::wait_for_process(1), host::InputError);
+}
+
+}  // namespace canproof::test
