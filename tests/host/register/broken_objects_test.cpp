@@ -32,7 +32,7 @@ const std::vector<Broken> cases{
      2, "index is not a whole number from 4096 to 65535", "write a whole number"},
     {"NameIsNoString", items_file,
      "[[object]]\nindex = 0x2000\nname = 5\nsource = [\"M1:1\"]\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n",
-     3, "name is not a string", "write a string"},
+     3, "name is not a non-empty string", "write a non-empty string"},
     {"MissingSource", items_file,
      "[[object]]\nindex = 0x2000\nname = \"a\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n", 1,
      "missing source", "add `source = …`"},

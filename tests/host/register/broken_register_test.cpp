@@ -57,7 +57,7 @@ const std::vector<Broken> requirement_cases{
     {"MissingText", items_file, replaced(requirement, "text = \"The box is square.\"\n", ""), 1, "missing text",
      "add `text = …`"},
     {"EmptyText", items_file, replaced(requirement, "The box is square.", ""), 3, "text is not a non-empty string",
-     "write a string"},
+     "write a non-empty string"},
     {"MissingId", items_file, replaced(requirement, "id = \"AO4-R-1\"\n", ""), 1, "missing id", "add `id = …`"},
     {"MissingSource", items_file, replaced(requirement, "source = [\"M1:1\"]\n", ""), 1, "missing source",
      "add `source = …`"},
