@@ -56,11 +56,9 @@ class ReceivePdos {
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
     /// A value of an RPDO was refused, and the RPDO has not come with values that are taken since (error 8200h).
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
-    /// An RPDO did not come within its event time, and has not come since.
-    bool has_overdue() const noexcept { return overdue() != 0U; }
     /// Any of these.
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// Which are overdue: bit n stands for RPDO n + 1.
+    /// Which did not come within their event time and have not come since: bit n stands for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// An entry of 14xxh or 16xxh has a new value: the PDO begins anew.

@@ -93,6 +93,7 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
+    bool runs_{false};  ///< the node was operational when watch_network() looked
     /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
     /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
     bool was_quiet_{false};
