@@ -222,7 +222,7 @@ TEST_F(Values, OnlyTheTypesOfTable1AreTakenAndAtOnce) {
 }
 
 TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
-    verifies<req::TCS_VAL_007, req::TCS_VAL_001>();
+    verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_002>();
     heat(1, 100.0);
     read_once();
     write_real(0x6126, 1, 0.0F);
