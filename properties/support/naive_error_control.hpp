@@ -109,10 +109,12 @@ class Node {
     }
 
     unsigned state() const { return state_; }
-    bool has_failed() const { return failed_; }
+    bool has_failed() const { return failing_ != Failing{}; }
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
+    /// The guarding master, then the producers of 1016h.
+    using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
         unsigned ms{0};
@@ -130,7 +132,8 @@ class Node {
         state_ = pre_operational;
         heartbeat_ms_ = guard_ms_ = life_factor_ = error_behaviour_ = 0;
         guarded_until_ = 0;
-        guarding_failed_ = toggle_ = failed_ = false;
+        guarding_failed_ = toggle_ = false;
+        failing_ = {};
         consumers_.fill(Consumer{});
         say(0);
     }
@@ -161,19 +164,26 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures; the first failure changes the state by 1029h:1.
+    /// Each failure changes the state as 1029h:1 says, also one that begins while another lasts.
     bool settle() {
-        bool failed = guarding_failed_;
-        for (const Consumer& one : consumers_) {
-            failed = failed || one.failed;
+        const Failing before = failing_;
+        failing_[0] = guarding_failed_;
+        for (std::size_t i = 0; i < consumers_.size(); ++i) {
+            failing_[i + 1] = consumers_[i].failed;
         }
-        if (failed && !failed_ && error_behaviour_ == 2) {
+        for (std::size_t i = 0; i < failing_.size(); ++i) {
+            if (failing_[i] && !before[i]) {
+                react();
+            }
+        }
+        return true;
+    }
+    void react() {
+        if (error_behaviour_ == 2) {
             state_ = stopped;
-        } else if (failed && !failed_ && error_behaviour_ == 0 && state_ == operational) {
+        } else if (error_behaviour_ == 0 && state_ == operational) {
             state_ = pre_operational;
         }
-        failed_ = failed;
-        return true;
     }
 
     std::uint64_t now_{0};
@@ -187,7 +197,7 @@ class Node {
     bool toggle_{false};
     unsigned error_behaviour_{0};
     std::array<Consumer, 4> consumers_{};
-    bool failed_{false};
+    Failing failing_{};
     Said said_;
 };
 

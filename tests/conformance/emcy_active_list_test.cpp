@@ -67,8 +67,10 @@ TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     verifies<req::CO_EMCY_008>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));  // description 10h, channel 02h
     emcy.set(ErrorId::heartbeat_1, true, Instant{}, 0x31);
     EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 81h or 11h is 91h
+    EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80318130, 0x1002F011}));
     emcy.set(channel_2, false, Instant{});
     EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
 }

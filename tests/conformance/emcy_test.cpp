@@ -112,6 +112,9 @@ TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     EXPECT_EQ(listed(0), "00000000");
     EXPECT_EQ(listed(1), "00000000");
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
+    EXPECT_EQ(error_register(), "11");  // the error lasts …
+    EXPECT_TRUE(overrun(true).empty());
+    EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // … and its end is reported
 }
 
 TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
@@ -237,7 +240,19 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
+TEST_F(Errors, NothingIsSentInBusOff) {
+    verifies<req::CO_EMCY_017, req::AO4_ERR_011>();
+    write("603#2306100050C30000");  // 1006h: a SYNC each 50 ms
+    write("603#2305100080000040");
+    write("603#2B17100064000000");  // a heartbeat each 100 ms
+    EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
+    EXPECT_TRUE(can_state(3).empty());
+    EXPECT_TRUE(pass(500).empty());
+    EXPECT_EQ(can_state(0).size(), 3U);  // 8120h, 8140h and the end of 8120h, and nothing of the 500 ms
+    EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
+}
+
+TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
     verifies<req::AO4_ERR_008>();
     EXPECT_TRUE(can_state(4).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());

@@ -199,7 +199,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
-    verifies<req::CO_GUARD_002, req::AO4_ERR_007>();
+    verifies<req::CO_GUARD_002, req::CO_EMCY_016, req::AO4_ERR_007>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
     EXPECT_TRUE(pass(1000).empty());
@@ -271,7 +271,18 @@ TEST_F(ErrorControlService, GuardingUsesTheIdentifierOf100Eh) {
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestrictedOnes) {
+TEST_F(SlaveErrorControl, TheIdentifierIs700hAndTheNodeIdWithout100Eh) {
+    verifies<req::CO_GUARD_004, req::CO_K_GUARDING_ID>();
+    EXPECT_EQ(send("605#400E100000000000"), (Frames{"585#800E100000000206"}));  // no such object
+    EXPECT_EQ(send("705#R1"), (Frames{"705#7F"}));
+    EXPECT_TRUE(send("700#R1").empty());
+    EXPECT_EQ(send("605#2B17100064000000"), (Frames{"585#6017100000000000"}));
+    EXPECT_EQ(pass(100), (Frames{"100:705#7F"}));
+    node_id = 0x2A;
+    EXPECT_EQ(power_on(), (Frames{"72A#00"}));
+}
+
+TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
@@ -309,7 +320,28 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 
-TEST_F(ErrorControlService, BusOffChangesTheStateBy1029h) {
+TEST_F(ErrorControlService, EachErrorActsBy1029hAlsoWhileAnotherLasts) {
+    verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
+    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#2B0C100064000000");  // guard time 100 ms …
+    write("603#2F0D100001000000");  // … times 1
+    send("000#0103");
+    send("731#05");
+    pass(200);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    send("000#0103");  // the master starts the module although its producer is silent
+    send("703#R1");
+    pass(99);
+    EXPECT_EQ(device->state(), NmtState::operational);
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    send("000#0103");
+    inputs.can_state = 3;
+    set_inputs();
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(ErrorControlService, BusOffActsBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     send("000#0103");
     inputs.can_state = 3;

@@ -52,7 +52,46 @@ TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
     }
 }
 
-TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
+TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+    verifies<req::CO_NMT_007>();
+    send("605#2316100264001100");  // node 11h, 100 ms
+    send("605#2B0C100032000000");  // guard time 50 ms …
+    send("605#2F0D100002000000");  // … times 2
+    send("605#2B00140564000000");  // RPDO1 each 100 ms
+    send("605#2B01140564000000");  // RPDO2 as well
+    lose_producer();               // node 10h, which stays silent
+    EXPECT_EQ(state(), NmtState::pre_operational);
+    for (const char* heard_once : {"711#05", "705#R1", "205#1122", "305#0100020003000400"}) {
+        send("000#0105");  // the master starts the node all the same
+        send(heard_once);
+        pass(99);
+        EXPECT_EQ(state(), NmtState::operational) << heard_once;
+        pass(1);
+        EXPECT_EQ(state(), NmtState::pre_operational) << heard_once;
+    }
+    send("000#0105");
+    device->node().set_can_state(CanState::bus_off, now);
+    EXPECT_EQ(state(), NmtState::pre_operational);
+    device->node().set_can_state(CanState::error_active, now);
+    EXPECT_EQ(device->communication_errors(), 1);  // one time of trouble, as node 10h has been silent all the time
+    send("605#2F29100102000000");                  // stopped
+    send("000#0105");
+    send("711#05");
+    pass(100);
+    EXPECT_EQ(state(), NmtState::stopped);
+}
+
+TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
+    verifies<req::CO_NMT_007>();
+    lose_producer();
+    send("000#0105");
+    pass(1000);
+    EXPECT_EQ(state(), NmtState::operational);
+    send("205#11");  // too short: an error beside it, and none of communication
+    EXPECT_EQ(state(), NmtState::operational);
+}
+
+TEST_F(NodeService, BusOffAtPowerOnActsBy1029hAtOnce) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});

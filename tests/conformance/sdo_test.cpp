@@ -59,6 +59,7 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     EXPECT_EQ(send("603#2120100104000000"), (Frames{"583#6020100100000000"}));
     // two bytes, five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
+    EXPECT_EQ(device->objects().read(0x1020, 1), 0U);                           // not before the last
     EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));  // toggle, five unused, last
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
@@ -260,7 +261,16 @@ TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
                 });
 }
 
-TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
+TEST_F(SlaveSdo, ThreeBytesTravelExpedited) {
+    verifies<req::CO_SDO_001, req::CO_SDO_003>();
+    talk(*this, {
+                    {"605#4000230000000000", {"585#4700230061626300"}},  // 2300h = "abc"
+                    {"605#2700230078797AFF", {"585#6000230000000000"}},  // the fourth is unused
+                    {"605#4000230000000000", {"585#4700230078797A00"}},  // "xyz"
+                });
+}
+
+TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
     verifies<req::CO_SDO_003>();
     talk(*this, {
                     {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8

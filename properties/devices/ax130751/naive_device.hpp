@@ -35,7 +35,7 @@ class Device {
         shown = Shown{};
         terminals = {};
         errors = Errors{};
-        failed_ = false;
+        silent_before_ = overdue_before_ = {};
         for (std::size_t n = 0; n < 2; ++n) {
             blocks_.outputs.at(n).reset(parameters.outputs.at(n).type);
         }
@@ -217,7 +217,7 @@ class Device {
         errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
         errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
     }
-    /// Reports communication errors; the first of them changes the state by 1029h:1.
+    /// Errors of communication, and what 1029h:1 makes of each of them.
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
         network_.silent = any(silent_);
@@ -226,11 +226,16 @@ class Device {
         }
         errors.set(length_error, any(short_), now, 0x80 + node_, said);
         errors.set(time_out_error, any(network_.overdue), now, 0x80 + node_, said);
-        const bool failed = network_.silent || any(network_.overdue);
-        if (failed && !failed_ && parameters.communication.error_behaviour == 0) {
+        bool begins = false;
+        for (std::size_t n = 0; n < 4; ++n) {
+            begins = begins || (silent_.at(n) && !silent_before_.at(n)) ||
+                     (network_.overdue.at(n) && !overdue_before_.at(n));
+        }
+        silent_before_ = silent_;
+        overdue_before_ = network_.overdue;
+        if (begins && parameters.communication.error_behaviour == 0 && state == Nmt::operational) {
             command(128);
         }
-        failed_ = failed;
     }
     void take(int number, const std::vector<int>& bytes) {
         const auto word = [&](std::size_t at) {
@@ -298,8 +303,9 @@ class Device {
     std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not monitored
     std::array<std::uint64_t, 4> tpdo_due_{};
     std::array<bool, 4> silent_{};
+    std::array<bool, 4> silent_before_{};
+    std::array<bool, 4> overdue_before_{};
     std::array<std::uint64_t, 4> heartbeat_due_{};
-    bool failed_{false};
 };
 
 }  // namespace canproof::naive_ax130751

@@ -181,6 +181,7 @@ void Device::reset_node() {
     list_.clear();
     may_send_at_ = 0;
     communication_failed_ = false;
+    failing_ = {};
     failed_ = false;
     shown_internal_ = false;
     for (std::size_t i = 0; i < 4 && !is_internal(); ++i) {
@@ -236,15 +237,18 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h the outputs.
+/// 7.9.21: heartbeat, guarding and bus-off. The node follows 1029h each time one of them begins; the outputs follow
+/// 6443h while any of them lasts.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);
-    const bool fails = silent || is_off();
-    if (std::exchange(communication_failed_, fails) == fails) {
-        return;
+    communication_failed_ = silent || is_off();
+    const auto before = std::exchange(failing_, {producer_silent_, guarding_failed_, is_off()});
+    bool begins = false;
+    for (std::size_t i = 0; i < failing_.size(); ++i) {
+        begins = begins || (failing_[i] && !before[i]);
     }
-    if (fails && settings_.behaviour != 1) {
+    if (begins && settings_.behaviour != 1) {
         start_at_.reset();
         if (settings_.behaviour == 2) {
             enter(State::stopped);

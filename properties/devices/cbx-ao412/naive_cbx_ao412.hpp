@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <deque>
 #include <map>
 #include <optional>
@@ -149,6 +150,7 @@ class Device {
     std::deque<Waiting> waiting_;
     std::uint64_t may_send_at_{0};
     bool communication_failed_{false};
+    std::array<bool, 3> failing_{};  ///< producer, guarding master, bus
     bool failed_{false};
     bool shown_internal_{false};
     bool toggle_{false};

@@ -64,6 +64,7 @@ void Node::reset_node(const Instant now) noexcept {
         load_all();  // a stored value could not be read: no value of the stored set is used
     }
     emcy_.reset();
+    faults_ = CommunicationFaults{};
     communication_failed_ = false;
     application_.restart(now);
     tell_damage(now);

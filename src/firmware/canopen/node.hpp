@@ -243,15 +243,16 @@ class Node final : private ObjectAccess {
     struct CommunicationFaults {
         static constexpr std::uint32_t silent_producers = 0xFFU;  ///< bit n: the heartbeat of 1016h:n + 1 is missing
         static constexpr std::uint32_t guarding = 0x100U;
-        static constexpr std::uint32_t rpdo_overdue = 0x200U;
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;
         static constexpr std::uint32_t rpdo_refused = 0x1000U;
+        static constexpr std::uint32_t first_rpdo_overdue = 16U;  ///< position of the bit of RPDO1
+        static constexpr std::uint32_t rpdo_overdue = 0xFF0000U;  ///< bit n + 16: RPDO n + 1
 
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
-        /// Returns whether one of them is a communication error of 1029h:1.
+        /// Whether one of them is a communication error of 1029h:1 (error behaviour).
         bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
     };
 

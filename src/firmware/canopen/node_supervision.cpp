@@ -81,7 +81,7 @@ static_assert(implements<req::CO_PDO_032>);
 Node::CommunicationFaults Node::communication_faults() const noexcept {
     return CommunicationFaults{heartbeats_.failed() |
                                (error_control_.life_guarding_failed() ? CommunicationFaults::guarding : 0U) |
-                               (rpdos_.has_overdue() ? CommunicationFaults::rpdo_overdue : 0U) |
+                               (std::uint32_t{rpdos_.overdue()} << CommunicationFaults::first_rpdo_overdue) |
                                (rpdos_.has_short() ? CommunicationFaults::rpdo_short : 0U) |
                                (rpdos_.has_refused() ? CommunicationFaults::rpdo_refused : 0U) |
                                ((can_state_ == CanState::bus_off) ? CommunicationFaults::bus_off : 0U)};
@@ -94,17 +94,20 @@ void Node::take_note(const Instant now) noexcept {
         return;
     }
     wake();
-    faults_ = faults;
-    announce(faults, now);
+    const CommunicationFaults begun{faults.bits & ~faults_.bits};
     const bool failed = faults.is_error();
-    if (failed == communication_failed_) {
-        return;
-    }
+    const bool changes = failed != communication_failed_;
+    faults_ = faults;
     communication_failed_ = failed;
-    if (failed) {
+    announce(faults, now);
+    // Each communication error asks for the reaction, also one that begins while another lasts (CO-D-NMT-001).
+    static_assert(implements<req::CO_NMT_007>);
+    if (begun.is_error()) {
         apply_error_behaviour(communication_error_subindex, now);
     }
-    application_.communication_failed(failed, now);
+    if (changes) {
+        application_.communication_failed(failed, now);
+    }
 }
 
 static_assert(implements<req::CO_EMCY_016>);

@@ -58,11 +58,9 @@ class ReceivePdos {
     /// Returns whether a value of an RPDO was refused and the RPDO has not come with accepted values since (error
     /// 8200h).
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
-    /// Returns whether an RPDO missed its event time and has not come since.
-    bool has_overdue() const noexcept { return overdue() != 0U; }
-    /// Returns whether any of these errors is present.
+    /// Any of these.
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// Returns which RPDOs are overdue: bit n for RPDO n + 1.
+    /// Which did not come within their event time and have not come since: bit n stands for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// Reads the PDO again after a write to an entry of 14xxh or 16xxh.

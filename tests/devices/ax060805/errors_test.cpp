@@ -350,7 +350,20 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
+// 4.2.13: "this fault is detected" for each of them
+TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLasts) {
+    verifies<req::INC_ERR_010>();
+    write(0x1016, 1, 0x00220064, 4);  // node 22h, 100 ms
+    write(0x1400, 5, 100, 2);
+    for (const char* heard_once : {"722#05", "27F#000000000000"}) {
+        send("000#0100");
+        send(heard_once);
+        pass(100);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << heard_once;
+    }
+}
+
+TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);

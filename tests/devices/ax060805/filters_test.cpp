@@ -76,6 +76,7 @@ TEST_F(Filters, InputFilterTakes1To50Hz) {
     verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
     EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
     EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
+    EXPECT_EQ(refusal(0x2003, 0, 50, 1), "");
     write(0x2003, 0, 1, 1);
     feel(1.0, 0.0, -1.0);
     pass(5);

@@ -243,7 +243,24 @@ TEST_F(Network, SensorErrorPreventsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SensorErrorPreventsTheSelfStartAtEitherReset) {
+TEST_F(Network, SelfStartYieldsToABusOffUnless1029hLeavesTheState) {
+    verifies<req::INC_START_001>();
+    const auto state_after_power_on_in_bus_off = [this] {
+        store_all();
+        inputs.can_state = 3;
+        power_on();
+        inputs.can_state = 0;
+        set_inputs();
+        pass(1000);
+        return device->state();
+    };
+    write(0x5555, 0, 1, 1);
+    EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::pre_operational);
+    write(0x1029, 1, 1, 1);
+    EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
+}
+
+TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
     verifies<req::INC_START_001, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();

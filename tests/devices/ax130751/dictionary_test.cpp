@@ -1,5 +1,7 @@
-// Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
-// taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
+// Every object of the AX130751 as chapter 3 of its manual has it: type, access, mapping, default and limits of each
+// entry, read by hand from the object's page. The tables are asked directly; what goes over the bus has its own tests.
+#include <set>
+
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -47,6 +49,21 @@ TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
     verifies<req::AOR_OD_1003>();
     check_error_list(4);
     EXPECT_EQ(writing(0x1003, 0, 1), AbortCode::value_range);
+}
+
+// 3.2.7
+TEST_F(Ax130751Dictionary, WhatIsWritableIsStoredButCommands) {
+    verifies<req::AOR_STORE_004>();
+    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h take no values; 5B50h and 5B51h lie where LSS stores
+    const std::set<unsigned> left_out{0x2500, 0x6220, 0x7300, 0x1003, 0x1010, 0x1011, 0x5B50, 0x5B51};
+    const DictionaryTables& tables = objects_.tables();
+    for (const ObjectRow& object : tables.objects) {
+        for (std::size_t i = 0; i < object.count; ++i) {
+            const EntryRow& entry = tables.entries[object.first_entry + i];
+            const bool is_kept = entry.may(rights::write) && left_out.count(object.index) == 0;
+            EXPECT_EQ(entry.may(rights::stored), is_kept) << std::hex << object.index << ' ' << int{entry.subindex};
+        }
+    }
 }
 
 // 3.2.10

@@ -139,7 +139,30 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
     }
 }
 
-TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAnError) {
+// 3.2.9: the answer to each of the four modules that falls silent
+TEST_F(Ax130751Errors, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+    verifies<req::AOR_ERR_006>();
+    EXPECT_EQ(write(0x1029, 1, 0, 1), "");
+    for (int slot = 1; slot <= 4; ++slot) {
+        start();
+        lose(slot, 0x20 + slot);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << slot;
+    }
+    EXPECT_EQ(write(0x100C, 0, 50, 2), "");
+    EXPECT_EQ(write(0x100D, 0, 2, 1), "");
+    EXPECT_EQ(write(0x1400, 5, 100, 2), "");  // RPDO1
+    EXPECT_EQ(write(0x1403, 5, 100, 2), "");  // RPDO4
+    for (const char* heard_once : {"77F#R", "27F#0000000000", "57F#0000"}) {
+        start();
+        send(heard_once);
+        pass(99);
+        EXPECT_EQ(device->state(), NmtState::operational) << heard_once;
+        pass(1);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << heard_once;
+    }
+}
+
+TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");

@@ -289,7 +289,27 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, BlocksRunOutsideOperational) {
+TEST_F(Ax130751Interlock, ASecondSilentProducerShutsOutputsOffToo) {
+    verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
+    no_ramps(1);
+    set16(0x7341, 1, 3000);
+    set8(0x1029, 1, 0);
+    set32(0x1016, 1, 0x00210064);  // nodes 21h and 22h, 100 ms
+    set32(0x1016, 2, 0x00220064);
+    start();
+    send("721#05");
+    pass(101);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "pre-operational";
+    start();  // the master starts it although node 21h is silent
+    send("722#05");
+    pass(50);
+    EXPECT_FLOAT_EQ(volts(1), 3.0F) << "7341h: its control is in error";
+    pass(51);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_FLOAT_EQ(volts(1), 0.0F) << "pre-operational again";
+}
+
+TEST_F(Ax130751Interlock, BlocksGoOnWithoutOperational) {
     verifies<req::AOR_OUT_026>();
     send("000#807F");
     choose(0x3010, 0, canopen, 4);

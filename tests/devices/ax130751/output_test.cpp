@@ -173,23 +173,30 @@ TEST_F(Ax130751Output, OutputStaysInTheRangeOfItsType) {
 
 TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     verifies<req::AOR_OUT_024>();
-    for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
-        set16(0x6310, 1, 10);
-        EXPECT_EQ(write(index, 1, 10000, 2), "") << index;
-        EXPECT_EQ(write(index, 1, 10001, 2), "06090031") << index;
-        EXPECT_EQ(write(index, 1, -10000, 2), "") << index;
-        EXPECT_EQ(write(index, 1, -10001, 2), "06090032") << index;
-        set16(0x6310, 1, 500);
-        EXPECT_EQ(write(index, 1, 49, 2), "06090032") << index;
-        EXPECT_EQ(write(index, 1, 50, 2), "") << index;
-        EXPECT_EQ(write(index, 1, 0, 2), "") << index << ": OFF";
-        EXPECT_EQ(write(index, 1, 30001, 2), "06090031") << index;
-        set16(0x6310, 1, 20);
-        EXPECT_EQ(write(index, 1, 24000, 2), "") << index;
-        EXPECT_EQ(write(index, 1, 24001, 2), "06090031") << index;
-        EXPECT_EQ(write(index, 1, -1, 2), "06090032") << index;
-        set16(0x6310, 1, 0);
-        EXPECT_EQ(write(index, 1, 32767, 2), "") << index;
+    for (const int output : {1, 2}) {
+        set16(0x6310, 3 - output, 40);  // the other output is a PWM: its limit is 100.0 %, 1000
+        for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
+            SCOPED_TRACE(fmt::format("output {}, {:04X}h", output, index));
+            set16(0x6310, output, 10);
+            EXPECT_EQ(write(index, output, 10000, 2), "");
+            EXPECT_EQ(write(index, output, 10001, 2), "06090031");
+            EXPECT_EQ(write(index, output, -10000, 2), "");
+            EXPECT_EQ(write(index, output, -10001, 2), "06090032");
+            set8(0x6332, output, 2);  // 10.00 V
+            EXPECT_EQ(write(index, output, 1000, 2), "");
+            EXPECT_EQ(write(index, output, 1001, 2), "06090031");
+            set16(0x6310, output, 500);
+            EXPECT_EQ(write(index, output, 49, 2), "06090032");
+            EXPECT_EQ(write(index, output, 50, 2), "");
+            EXPECT_EQ(write(index, output, 0, 2), "") << "OFF";
+            EXPECT_EQ(write(index, output, 30001, 2), "06090031");
+            set16(0x6310, output, 20);
+            EXPECT_EQ(write(index, output, 24000, 2), "");
+            EXPECT_EQ(write(index, output, 24001, 2), "06090031");
+            EXPECT_EQ(write(index, output, -1, 2), "06090032");
+            set16(0x6310, output, 0);
+            EXPECT_EQ(write(index, output, 32767, 2), "");
+        }
     }
 }
 

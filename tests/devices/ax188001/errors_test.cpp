@@ -288,7 +288,22 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     expect_state(NmtState::stopped);  // it does not return by itself
 }
 
-TEST_F(Ax188001Errors, MasterMayStartANodeWhoseErrorLasts) {
+TEST_F(Ax188001Errors, EachCommunicationErrorHasItsReactionAlsoWhileAnotherLasts) {
+    verifies<req::TCS_ERR_010>();
+    for (int slot = 1; slot <= 4; ++slot) {
+        write(0x1016, slot, 4, 0x00300064U + (static_cast<std::uint32_t>(slot) << 16U));  // nodes 31h to 34h, 100 ms
+    }
+    for (const char* heard_once : {"731#05", "732#05", "733#05", "734#05"}) {
+        send("000#017F");  // the master starts the node although others are silent
+        send(heard_once);
+        pass(99);
+        expect_state(NmtState::operational);
+        pass(1);
+        expect_state(NmtState::pre_operational);  // 1029h:1 is 0 as shipped
+    }
+}
+
+TEST_F(Ax188001Errors, TheMasterMayStartANodeWhoseErrorLasts) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#017F");

@@ -222,8 +222,8 @@ TEST_F(Values, ThermocoupleTypesOfTable1ApplyAtOnceAndNoOthers) {
     }
 }
 
-TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
-    verifies<req::TCS_VAL_007, req::TCS_VAL_001>();
+TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
+    verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_002>();
     heat(1, 100.0);
     read_once();
     write_real(0x6126, 1, 0.0F);

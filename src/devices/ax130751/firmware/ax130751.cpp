@@ -153,17 +153,20 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Watches for lost heartbeats, lost life guarding and overdue RPDOs, which put CANopen sources in error. It need not
-/// watch the NMT state, in which outputs run: the state changes only with a frame, an input or such a fault.
+/// Watches what makes CANopen messages faulty as sources, and the state of the node, in which outputs run: a second
+/// fault changes it while the sources stay as they are.
+static_assert(implements<req::AOR_OUT_026>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
         silent = silent || node_.has_error(error);
     }
     const std::uint8_t overdue = node_.overdue_rpdos();
-    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_)) {
+    const bool runs = node_.state() == NmtState::operational;
+    if ((silent != silent_) || (std::uint32_t{overdue} != overdue_) || (runs != runs_)) {
         silent_ = silent;
         overdue_ = overdue;
+        runs_ = runs;
         wake(now);
     }
 }

@@ -95,9 +95,9 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
-    /// The last cycle changed nothing. After two such cycles the blocks are not evaluated until one of these changes:
-    /// frames, inputs and writes (each calls wake()), the conditions of watch_network(), the result of run_blocks(),
-    /// and the times of next_change().
+    bool runs_{false};  ///< the node was operational when watch_network() looked
+    /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
+    /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
     bool was_quiet_{false};
 };
 
